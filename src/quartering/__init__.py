@@ -1,0 +1,1 @@
+"""Nonlinear sway-roll-yaw motion of a ship in regular oblique waves, and its stability."""

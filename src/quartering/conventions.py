@@ -1,0 +1,109 @@
+"""Axes, signs, units and names: the one page every room agrees on.
+
+Body axes: x to the bow, y to starboard, z down, origin at the centre of gravity G. Positive roll puts the starboard
+side down, positive yaw turns the bow to starboard. Modes in the paper's order: 1 sway, 2 roll, 3 yaw. The state is
+``(v, phi, p, r)``: sway velocity [m/s], roll angle [rad], roll rate and yaw rate [rad/s].
+
+Heading mu: 0 following, 90 beam (the wave runs from port to starboard), 180 head; the paper's delta = 180 - mu.
+A wave of amplitude A passes G as ``surface displacement (down) = A sin(omega t)``.
+
+Harmonics are real: ``x(t) = sum_n a_n cos(n w t) + b_n sin(n w t)``; the phasor of ``(a, b)`` is ``a - i b``.
+People type and read SI units and degrees; what is integrated is in radians.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+GRAVITY: Final = 9.81
+"""Acceleration of gravity [m/s2]."""
+
+WATER_DENSITY: Final = 1025.0
+"""Density of sea water [kg/m3]."""
+
+MODES: Final = ("sway", "roll", "yaw")
+STATE: Final = ("v", "phi", "p", "r")
+CUBIC_MONOMIALS: Final = ("vvv", "ppp", "rrr", "vpp", "vrr", "pvv", "prr", "rvv", "rpp", "vpr")
+"""The ten velocity cubics of the paper's equations, in the order every (3, 10) array of them follows."""
+
+HEADING_CONVENTION: Final = "0 deg following, 90 deg beam (wave from port to starboard), 180 deg head sea"
+REFERENCE_POINT: Final = "centre of gravity G; axes x to the bow, y to starboard, z down"
+
+
+class InputError(ValueError):
+    """Bad input: the message says what was given, what is allowed and what to try."""
+
+
+class RangeWarning(UserWarning):
+    """A result leaves the range in which its method is valid."""
+
+
+class Symbol(NamedTuple):
+    """How a quantity is written: its letter, its unit and what it means."""
+
+    symbol: str
+    unit: str
+    meaning: str
+
+
+SYMBOLS: Final[dict[str, Symbol]] = {
+    "length": Symbol("L", "m", "length between perpendiculars"),
+    "beam": Symbol("B", "m", "moulded breadth at the waterline"),
+    "draught": Symbol("T", "m", "draught"),
+    "gm": Symbol("GM", "m", "transverse metacentric height"),
+    "kg": Symbol("KG", "m", "height of the centre of gravity over the keel"),
+    "gyradius_roll": Symbol("k_xx", "m", "radius of gyration in roll, without added mass"),
+    "gyradius_yaw": Symbol("k_zz", "m", "radius of gyration in yaw, without added mass"),
+    "speed": Symbol("U", "m/s", "forward speed"),
+    "heading": Symbol("mu", "deg", "heading to the waves: " + HEADING_CONVENTION),
+    "wave_length": Symbol("lambda", "m", "wave length"),
+    "wave_height": Symbol("H", "m", "wave height, crest to trough"),
+    "frequency": Symbol("omega", "rad/s", "frequency of encounter"),
+    "wave_frequency": Symbol("sigma", "rad/s", "wave frequency seen from a fixed point"),
+    "encounter_frequency": Symbol(
+        "omega", "rad/s", "frequency of encounter; negative when the ship overtakes the wave"
+    ),
+    "sway": Symbol("P1", "m", "amplitude of the integrated sway velocity, fundamental"),
+    "roll": Symbol("P2", "deg", "amplitude of roll, fundamental"),
+    "yaw": Symbol("P3", "deg", "amplitude of yaw, fundamental"),
+    "roll_peak": Symbol("max|phi|", "deg", "largest roll angle over a cycle"),
+    "k2": Symbol("K2", "1/s2", "first-order stability index, all averages kept; negative is stable"),
+    "k2_rho": Symbol("K2", "1/s2", "first-order stability index from I1, I2, I3 with the ship's own roll axis"),
+    "k2_paper": Symbol("K2", "1/s2", "first-order stability index with the paper's literal 0.3 and 0.1"),
+    "index": Symbol("S", "1/s", "stability index -K2/(2 n2); positive is stable"),
+    "n2": Symbol("n2", "rad/s", "natural roll frequency about the steady motion"),
+    "q": Symbol("q", "1/s", "growth rate near the resonance n2 = m omega/2, first order, all terms kept"),
+    "q_paper": Symbol("q", "1/s", "growth rate near the resonance n2 = m omega/2, the paper's form"),
+    "slow": Symbol("nu", "1/s", "growth rates of the sway-yaw modes averaged over the wave"),
+    "exponent": Symbol("lambda", "1/s", "largest real part of the Floquet exponents; positive is unstable"),
+    "multiplier_modulus": Symbol("|mu|", "1", "moduli of the Floquet multipliers of (v, phi, p, r)"),
+    "verdict": Symbol("", "1", "is the motion stable, and if not by which mechanism"),
+    "status": Symbol("", "1", "whether the condition has an answer"),
+}
+"""Name -> letter, unit and meaning: labels of every table, dataset and plot come from here."""
+
+_SECTORS: Final = ((15.0, "following"), (75.0, "stern quartering"), (105.0, "beam"), (165.0, "bow"), (180.0, "head"))
+
+
+def sector(heading: float) -> str:
+    """Name of the sector a heading lies in.
+
+    Parameters
+    ----------
+    heading : float    mu, any sign or turn [deg]
+
+    Returns
+    -------
+    str    "following" (below 15), "stern quartering" (15-75), "beam" (75-105), "bow" (105-165) or "head"
+
+    Notes
+    -----
+    Source: [H71] Fig. 1; sector limits as in common seakeeping practice.
+
+    Examples
+    --------
+    >>> sector(30.0), sector(-90.0), sector(180.0)
+    ('stern quartering', 'beam', 'head')
+    """
+    folded = abs((heading + 180.0) % 360.0 - 180.0)
+    return next(name for upper, name in _SECTORS if folded < upper or upper == 180.0)

@@ -1,0 +1,1 @@
+"""What floats: lines, hydrostatics, righting arm, loading; the built-in ships as data."""

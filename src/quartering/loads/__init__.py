@@ -1,0 +1,1 @@
+"""What the wave does: kinematics, Froude-Krylov force, diffraction."""

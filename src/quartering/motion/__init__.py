@@ -1,0 +1,1 @@
+"""The equations of motion and their periodic and transient solutions."""

@@ -1,0 +1,1 @@
+"""Is that motion stable: first-order indices, Floquet multipliers, verdict."""
