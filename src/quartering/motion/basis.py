@@ -1,0 +1,89 @@
+"""Harmonics sampled over a cycle: the tables with which balance equations are projected exactly."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Basis:
+    """Cosines and sines of the chosen harmonics at equally spaced phases.
+
+    Column order: the mean (when harmonic 0 is chosen), then cos and sin of each harmonic in turn.
+
+    Parameters
+    ----------
+    orders : tuple of int     harmonics, ascending; 0 is the mean
+    values : (b, m) float     of sway, roll and yaw displacement
+    rates : (b, m) float      d/d(phase); the mean of sway and yaw velocity stands in the mean's row
+    factors : (b,) float      h of each row; 0 for the mean, whose rate is not multiplied by the frequency
+    weights : (b,) float      projection weights: 2/m, or 1/m for the mean
+    """
+
+    orders: tuple[int, ...]
+    values: Floats
+    rates: Floats
+    factors: Floats
+    weights: Floats
+
+    @property
+    def arrays(self) -> tuple[Floats, Floats, Floats, Floats]:
+        """Tables in the order the kernels take them."""
+        return self.values, self.rates, self.factors, self.weights
+
+
+@lru_cache(maxsize=64)
+def basis(orders: tuple[int, ...], degree: int, modulus: bool, extra: int = 0) -> Basis:
+    """Sampled harmonics, with enough phases for products of a given degree to project without aliasing.
+
+    Parameters
+    ----------
+    orders : tuple of int    harmonics; all odd for a motion that is symmetric over half a period
+    degree : int             highest degree of the products
+    modulus : bool           products with a modulus present: not band-limited, so many samples are taken
+    extra : int              additional harmonics of a derivative that must come out exact
+
+    Returns
+    -------
+    Basis
+
+    Notes
+    -----
+    Products of degree d of harmonics up to H hold harmonics up to dH; those alias back onto H unless the cycle has more
+    than (d + 1) H samples.  For odd harmonics both factors of a projection change sign after half a period, so half the
+    samples suffice.  Source: [Krack19] (alternating frequency-time).
+
+    Examples
+    --------
+    >>> basis((1, 3), degree=3, modulus=False).values.shape
+    (4, 7)
+    """
+    top = max(orders)
+    samples = (degree + 1) * top + extra + 1
+    if modulus:
+        samples = max(samples, 64 * top + extra)
+    symmetric = all(h % 2 == 1 for h in orders)
+    samples += samples % 2
+    phases = 2 * np.pi * np.arange(samples // 2 if symmetric else samples) / samples
+    values, rates, factors, weights = [], [], [], []
+    for h in orders:
+        if h == 0:
+            values.append(np.ones_like(phases))
+            rates.append(np.ones_like(phases))
+            factors.append(0.0)
+            weights.append(1.0 / phases.size)
+            continue
+        values += [np.cos(h * phases), np.sin(h * phases)]
+        rates += [-h * np.sin(h * phases), h * np.cos(h * phases)]
+        factors += [float(h)] * 2
+        weights += [2.0 / phases.size] * 2
+    tables = [np.ascontiguousarray(np.array(t, dtype=float)) for t in (values, rates, factors, weights)]
+    for t in tables:
+        t.flags.writeable = False
+    return Basis(orders, *tables)

@@ -1,0 +1,56 @@
+"""Small dense linear systems inside compiled kernels: LU with partial pivoting."""
+
+from __future__ import annotations
+
+from numba import njit
+
+
+@njit(cache=True, nogil=True)
+def lu_factor(a, pivots):  # type: ignore[no-untyped-def]
+    """Factor the square matrix ``a`` in place; returns False when it is singular to working precision.
+
+    Notes
+    -----
+    Source: closed form (Gaussian elimination with partial pivoting).
+    """
+    n = a.shape[0]
+    for j in range(n):
+        best, size = j, abs(a[j, j])
+        for i in range(j + 1, n):
+            if abs(a[i, j]) > size:
+                best, size = i, abs(a[i, j])
+        pivots[j] = best
+        if not size > 0.0 or size > 1e300:
+            return False
+        if best != j:
+            for k in range(n):
+                a[j, k], a[best, k] = a[best, k], a[j, k]
+        inverse = 1.0 / a[j, j]
+        for i in range(j + 1, n):
+            factor = a[i, j] * inverse
+            a[i, j] = factor
+            if factor != 0.0:
+                for k in range(j + 1, n):
+                    a[i, k] -= factor * a[j, k]
+    return True
+
+
+@njit(cache=True, nogil=True)
+def lu_solve(a, pivots, b):  # type: ignore[no-untyped-def]
+    """Solve in place for one right-hand side ``b``, with ``a`` and ``pivots`` from `lu_factor`.
+
+    Notes
+    -----
+    Source: closed form (forward and back substitution).
+    """
+    n = a.shape[0]
+    for j in range(n):
+        if pivots[j] != j:
+            b[j], b[pivots[j]] = b[pivots[j]], b[j]
+    for j in range(n):
+        for i in range(j + 1, n):
+            b[i] -= a[i, j] * b[j]
+    for i in range(n - 1, -1, -1):
+        for k in range(i + 1, n):
+            b[i] -= a[i, k] * b[k]
+        b[i] /= a[i, i]

@@ -1,0 +1,220 @@
+"""The equations of motion: from named terms to accelerations, the acceleration coupling removed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quartering.conventions import InputError
+from quartering.motion.terms import TermTable, term_table
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """The canonical equations of n conditions: accelerations as explicit functions of the state and the time.
+
+    ``d/dt (v, p, r) = linear (v, phi, p, r) + coefficients products + mean + cos cos(w t) + sin sin(w t)``, d phi/dt = p.
+
+    Parameters
+    ----------
+    linear : (n, 3, 4) float          rows sway, roll, yaw; columns v, phi, p, r
+    coefficients : (n, 3, t) float    of the nonlinear products
+    powers : (t, 4) int               powers of (v, phi, p, r) in each product
+    modulus : (t,) int                1-4 for the variable between modulus bars, 0 for none
+    mean, cos, sin : (n, 3) float     excitation accelerations
+    frequency : (n,) float            w > 0 [rad/s]
+    """
+
+    linear: Floats
+    coefficients: Floats
+    powers: NDArray[np.int64]
+    modulus: NDArray[np.int64]
+    mean: Floats
+    cos: Floats
+    sin: Floats
+    frequency: Floats
+
+    @property
+    def count(self) -> int:
+        """Number of conditions."""
+        return int(self.frequency.size)
+
+    @property
+    def degree(self) -> int:
+        """Highest degree of the polynomial products (1 when the system is linear)."""
+        return int(self.powers.sum(axis=1).max(initial=1))
+
+    @property
+    def has_modulus(self) -> bool:
+        """Is some product not smooth?"""
+        return bool(self.modulus.any())
+
+    @property
+    def symmetric(self) -> bool:
+        """Does reversing the state and shifting by half a period leave the equations as they are?"""
+        return not self.mean.any() and bool((self.powers.sum(axis=1) % 2 == 1).all())
+
+    @property
+    def finite(self) -> NDArray[np.bool_]:
+        """Conditions (n,) of which every number is finite and the frequency positive."""
+        ok = np.isfinite(self.frequency) & (self.frequency > 0)
+        for array in (self.linear, self.coefficients, self.mean, self.cos, self.sin):
+            ok &= np.isfinite(array).reshape(self.count, -1).all(axis=1)
+        return ok
+
+    def kernel_arrays(self) -> tuple[NDArray[np.generic], ...]:
+        """Arrays in the order every compiled kernel takes them."""
+        return (
+            self.linear,
+            self.coefficients,
+            self.powers,
+            self.modulus,
+            self.mean,
+            self.cos,
+            self.sin,
+            self.frequency,
+        )
+
+
+def canonical(
+    inertia: ArrayLike,
+    table: TermTable,
+    frequency: ArrayLike,
+    force_cos: ArrayLike,
+    force_sin: ArrayLike,
+    force_mean: ArrayLike = 0.0,
+    linear: ArrayLike | None = None,
+) -> System:
+    """Remove the acceleration coupling: multiply every row by the inverse inertia.
+
+    Parameters
+    ----------
+    inertia : (n, 3, 3) or (3, 3) float    rigid body plus added mass [kg, kg m, kg m2]
+    table : TermTable                      the terms on the right
+    frequency : (n,) float                 w > 0 [rad/s]
+    force_cos, force_sin, force_mean : (n, 3) or (3,) float    excitation [N, N m, N m]
+    linear : (n, 3, 4) float, optional     linear terms of each condition in place of the table's
+
+    Returns
+    -------
+    System
+
+    Raises
+    ------
+    InputError    an inertia matrix that is singular
+
+    Notes
+    -----
+    Source: [H71] eq. (3); the restoring moment then stands in all three rows.
+
+    Examples
+    --------
+    >>> system = canonical(2 * np.eye(3), term_table({"K_phi": -3.0}), [0.5], np.zeros(3), np.ones(3))
+    >>> float(system.linear[0, 1, 1]), float(system.sin[0, 0])
+    (-1.5, 0.5)
+    """
+    w = np.atleast_1d(np.asarray(frequency, dtype=float))
+    masses = np.asarray(inertia, dtype=float)
+    scale = np.sqrt(np.abs(np.diagonal(masses, axis1=-2, axis2=-1)))
+    balanced = np.abs(np.linalg.det(masses / (scale[..., :, None] * scale[..., None, :]))) if scale.all() else 0.0
+    if not np.all(balanced > 1e-12):
+        raise InputError(
+            "the inertia matrix (rigid body plus added mass) is singular or has a zero on its diagonal;"
+            " give mass, roll and yaw inertia greater than zero"
+        )
+    inverse = np.linalg.inv(masses)
+
+    def row(force: ArrayLike) -> Floats:
+        forces = np.broadcast_to(np.asarray(force, dtype=float), (w.size, 3))
+        return np.ascontiguousarray(np.einsum("...ij,...j->...i", inverse, forces))
+
+    def rows(matrix: Floats) -> Floats:
+        product = inverse @ matrix
+        return np.ascontiguousarray(np.broadcast_to(product, (w.size, *product.shape[-2:])))
+
+    raw_linear = table.linear if linear is None else np.asarray(linear, dtype=float)
+    return System(
+        linear=rows(raw_linear),
+        coefficients=rows(table.coefficients),
+        powers=table.powers,
+        modulus=table.modulus,
+        mean=row(force_mean),
+        cos=row(force_cos),
+        sin=row(force_sin),
+        frequency=w,
+    )
+
+
+def _triple(values: Sequence[float] | Floats, name: str) -> Floats:
+    array = np.array(values, dtype=float)
+    if array.shape != (3,) or not np.isfinite(array).all():
+        raise InputError(f"{name} needs three finite numbers (sway N, roll N m, yaw N m); given {values!r}")
+    array.flags.writeable = False
+    return array
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """Equations of sway, roll and yaw of one ship in one regular wave, every number taken literally.
+
+    ``inertia d/dt (v, p, r) = sum of terms + force_mean + force_cos cos(w t) + force_sin sin(w t)``.
+
+    Parameters
+    ----------
+    inertia : (3, 3) float         rigid body plus added mass [kg, kg m, kg m2]
+    terms : mapping                name -> coefficient [SI]; ``Y_r`` already contains ``-m U``
+    frequency : float              encounter frequency w > 0 [rad/s]
+    force_cos, force_sin : (3,)    wave excitation [N, N m, N m]
+    force_mean : (3,)              steady excitation [N, N m, N m]
+    source : mapping               where the model comes from (ship, wave, speed, heading), for the record
+
+    Raises
+    ------
+    InputError    a frequency that is not positive, an unknown term, a singular inertia, a NaN
+
+    Notes
+    -----
+    Source: [H71] eqs. (1)-(3).  Valid: constant speed, small yaw from the mean course, deep water.
+
+    Examples
+    --------
+    >>> model = Model(inertia=np.eye(3), terms={"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "N_r": -0.6}, frequency=0.8,
+    ...               force_cos=(0, 0.1, 0), force_sin=(0, 0, 0))
+    >>> model.system.count
+    1
+    """
+
+    inertia: Floats
+    terms: Mapping[str, float]
+    frequency: float
+    force_cos: Floats
+    force_sin: Floats
+    force_mean: Floats = field(default_factory=lambda: np.zeros(3))
+    source: Mapping[str, object] = field(default_factory=dict)
+    references: tuple[str, ...] = ("H71",)
+    system: System = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        inertia = np.array(self.inertia, dtype=float)
+        if inertia.shape != (3, 3) or not np.isfinite(inertia).all():
+            raise InputError(f"inertia needs a 3 x 3 array of finite numbers (sway, roll, yaw); given {self.inertia!r}")
+        if not (np.isfinite(self.frequency) and self.frequency > 0):
+            raise InputError(
+                f"encounter frequency {self.frequency} rad/s must be greater than zero: a wave that keeps pace with the"
+                " ship has no periodic motion; change speed or heading (for a negative one, give its modulus and the"
+                " conjugate force: reverse the sign of force_sin)"
+            )
+        inertia.flags.writeable = False
+        object.__setattr__(self, "inertia", inertia)
+        object.__setattr__(self, "terms", MappingProxyType({k: float(v) for k, v in self.terms.items()}))
+        for name in ("force_cos", "force_sin", "force_mean"):
+            object.__setattr__(self, name, _triple(getattr(self, name), name))
+        table = term_table(self.terms)
+        system = canonical(inertia, table, self.frequency, self.force_cos, self.force_sin, self.force_mean)
+        object.__setattr__(self, "system", system)

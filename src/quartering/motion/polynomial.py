@@ -1,0 +1,59 @@
+"""Accelerations and their derivatives at one state: the right-hand side every kernel shares."""
+
+from __future__ import annotations
+
+from numba import njit
+
+
+@njit(cache=True, nogil=True)
+def accelerations(linear, coefficients, powers, modulus, strength, state, table, force, jacobian):  # type: ignore[no-untyped-def]
+    """Right-hand side of the canonical equations without excitation, and its derivative by the state.
+
+    Parameters
+    ----------
+    linear : (3, 4) float           columns v, phi, p, r
+    coefficients : (3, t) float     of the nonlinear products
+    powers : (t, 4) int             powers of (v, phi, p, r)
+    modulus : (t,) int              1-4: the variable between modulus bars; 0: none
+    strength : float                multiplies the nonlinear products (1 is the equation itself; less in a homotopy)
+    state : (4,) float              (v, phi, p, r)
+    table : (4, 8) float            scratch: powers of each variable
+    force : (3,) float              out
+    jacobian : (3, 4) float         out
+
+    Notes
+    -----
+    Works on complex states too (for complex-step derivatives).  Source: [H71] eq. (3).
+    """
+    for k in range(3):
+        force[k] = 0.0
+        for s in range(4):
+            jacobian[k, s] = linear[k, s]
+            force[k] += linear[k, s] * state[s]
+    for s in range(4):
+        table[s, 0] = 1.0
+        for d in range(1, 8):
+            table[s, d] = table[s, d - 1] * state[s]
+    for t in range(powers.shape[0]):
+        a, b, c, d = powers[t, 0], powers[t, 1], powers[t, 2], powers[t, 3]
+        va, fb, pc, rd = table[0, a], table[1, b], table[2, c], table[3, d]
+        bars = modulus[t]
+        size, sign = strength, 0.0
+        if bars > 0:
+            sign = strength if state[bars - 1].real >= 0.0 else -strength
+            size = sign * state[bars - 1]
+        vf, pr = va * fb, pc * rd
+        product = vf * pr
+        dv = a * table[0, a - 1] * fb * pr * size if a > 0 else 0.0 * product
+        df = b * table[1, b - 1] * va * pr * size if b > 0 else 0.0 * product
+        dp = c * table[2, c - 1] * vf * rd * size if c > 0 else 0.0 * product
+        dr = d * table[3, d - 1] * vf * pc * size if d > 0 else 0.0 * product
+        for k in range(3):
+            coefficient = coefficients[k, t]
+            force[k] += coefficient * product * size
+            jacobian[k, 0] += coefficient * dv
+            jacobian[k, 1] += coefficient * df
+            jacobian[k, 2] += coefficient * dp
+            jacobian[k, 3] += coefficient * dr
+            if bars > 0:
+                jacobian[k, bars - 1] += coefficient * product * sign

@@ -1,0 +1,53 @@
+"""Whether a condition has an answer, and what to do when it has none."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+
+class Status(IntEnum):
+    """Outcome of the search for a periodic motion; `advice` says what to try.
+
+    Notes
+    -----
+    Stored as int8 in datasets, with CF ``flag_values`` and ``flag_meanings``.
+
+    Examples
+    --------
+    >>> Status.NO_MOTION_FOUND.advice
+    'no periodic motion was found from the linear solution: the ship may capsize here; try a lower wave or simulate'
+    """
+
+    CONVERGED = 0
+    CONVERGED_BY_HOMOTOPY = 1
+    NO_MOTION_FOUND = 2
+    SINGULAR = 3
+    NOT_FINITE = 4
+    ENCOUNTER_FREQUENCY_NEAR_ZERO = 5
+    BEYOND_VANISHING_ANGLE = 6
+
+    @property
+    def ok(self) -> bool:
+        """Is there a motion?"""
+        return self in (Status.CONVERGED, Status.CONVERGED_BY_HOMOTOPY)
+
+    @property
+    def advice(self) -> str:
+        """One line: what happened and what to try."""
+        return _ADVICE[self]
+
+
+_ADVICE = {
+    Status.CONVERGED: "the motion that grows out of the linear solution",
+    Status.CONVERGED_BY_HOMOTOPY: "found by raising the nonlinear terms step by step; other motions may exist:"
+    " see all_motions",
+    Status.NO_MOTION_FOUND: "no periodic motion was found from the linear solution: the ship may capsize here;"
+    " try a lower wave or simulate",
+    Status.SINGULAR: "the balance equations are singular here: a fold or an undamped resonance; change the frequency"
+    " a little or add damping",
+    Status.NOT_FINITE: "a coefficient or force is not a finite number; check the ship and the wave",
+    Status.ENCOUNTER_FREQUENCY_NEAR_ZERO: "the ship keeps pace with the wave: no periodic motion, surf-riding and"
+    " broaching are possible; change speed or heading",
+    Status.BEYOND_VANISHING_ANGLE: "the motion rolls past the angle where the righting moment vanishes: the polynomial"
+    " does not describe a ship there; treat as capsize risk and try a lower wave",
+}

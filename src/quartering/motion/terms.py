@@ -1,0 +1,154 @@
+"""Names of the terms on the right-hand side, and what they mean as powers of (v, phi, p, r).
+
+A name is the row (Y, K or N), an underscore, and the factors: ``K_ppp``, ``N_vpr``, ``K_phiphiphi``, ``Y_v|r|``.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import combinations_with_replacement
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.conventions import STATE, InputError
+
+ROWS = ("Y", "K", "N")
+_TOKEN = re.compile(r"phi([57])?|\|(v|p|r|phi)\||v|p|r")
+
+
+@dataclass(frozen=True)
+class Factors:
+    """Powers of (v, phi, p, r) in one term, and which variable (1-4, 0 for none) stands between modulus bars."""
+
+    powers: tuple[int, int, int, int]
+    modulus: int
+
+    @property
+    def degree(self) -> int:
+        """Number of factors, the modulus included."""
+        return sum(self.powers) + (self.modulus > 0)
+
+    @property
+    def odd(self) -> bool:
+        """Does the term change sign when the motion does? A modulus does not."""
+        return sum(self.powers) % 2 == 1
+
+
+def parse(name: str) -> tuple[int, Factors]:
+    """Row and factors of a term name.
+
+    Parameters
+    ----------
+    name : str    such as "Y_v", "K_phi5", "N_rvv", "K_p|p|"
+
+    Returns
+    -------
+    (int, Factors)    row (0 sway, 1 roll, 2 yaw) and powers
+
+    Raises
+    ------
+    InputError    a name that is not a row and known factors, or of a degree the equations do not carry
+
+    Notes
+    -----
+    The order of the factors does not matter.  Source: [H71] eq. (2), [Abkowitz64].
+    Valid: polynomials to third degree, phi^5, phi^7, and one modulus factor beside one plain factor.
+
+    Examples
+    --------
+    >>> parse("K_prr")
+    (1, Factors(powers=(0, 0, 1, 2), modulus=0))
+    """
+    row, _, rest = name.partition("_")
+    powers, modulus, position = [0, 0, 0, 0], 0, 0
+    bars = 0
+    while position < len(rest) and (token := _TOKEN.match(rest, position)):
+        if token[1]:
+            powers[1] += int(token[1])
+        elif token[2]:
+            modulus, bars = STATE.index(token[2]) + 1, bars + 1
+        else:
+            powers[STATE.index(token[0])] += 1
+        position = token.end()
+    factors = Factors((powers[0], powers[1], powers[2], powers[3]), modulus)
+    plain = sum(powers)
+    allowed = (bars == 0 and 1 <= plain <= 3) or (bars == 1 and plain == 1) or (plain in (5, 7) and powers[1] == plain)
+    if row not in ROWS or position < len(rest) or not allowed:
+        near = difflib.get_close_matches(name, _common_names(), n=1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise InputError(
+            f"term {name!r} is not known: give Y_, K_ or N_ and one to three of v, phi, p, r (K_phi5, K_phi7 for the"
+            f" righting moment, one |.| factor as in K_p|p|){hint}"
+        )
+    return ROWS.index(row), factors
+
+
+def _common_names() -> list[str]:
+    factors = ["".join(c) for n in (1, 2, 3) for c in combinations_with_replacement(("v", "phi", "p", "r"), n)]
+    factors += ["pvv", "prr", "rvv", "rpp", "phi5", "phi7", "p|p|", "v|v|", "v|r|", "r|r|"]
+    return [f"{row}_{f}" for row in ROWS for f in factors]
+
+
+@dataclass(frozen=True, eq=False)
+class TermTable:
+    """Right-hand-side coefficients as arrays: linear part, and one column for each nonlinear product.
+
+    Parameters
+    ----------
+    linear : (3, 4) float         rows Y, K, N; columns v, phi, p, r
+    powers : (t, 4) int           powers of (v, phi, p, r) in each nonlinear product
+    modulus : (t,) int            1-4 for the variable between modulus bars, 0 for none
+    coefficients : (3, t) float   rows Y, K, N
+    """
+
+    linear: NDArray[np.float64]
+    powers: NDArray[np.int64]
+    modulus: NDArray[np.int64]
+    coefficients: NDArray[np.float64]
+
+
+def term_table(terms: Mapping[str, float]) -> TermTable:
+    """Arrays of the named terms.
+
+    Parameters
+    ----------
+    terms : mapping of name to value    as in [H71] eq. (2), every term on the right with its own sign [SI]
+
+    Returns
+    -------
+    TermTable
+
+    Raises
+    ------
+    InputError    an unknown name, or a value that is not a finite number
+
+    Notes
+    -----
+    Source: [H71] eq. (2); complete coefficients, not Taylor derivatives (a cubic in one variable is 1/6 of its derivative).
+
+    Examples
+    --------
+    >>> table = term_table({"K_phi": -1.0, "K_ppp": -0.2, "N_ppp": 0.1})
+    >>> table.linear[1], table.coefficients.T
+    (array([ 0., -1.,  0.,  0.]), array([[ 0. , -0.2,  0.1]]))
+    """
+    linear = np.zeros((3, 4))
+    columns: dict[Factors, NDArray[np.float64]] = {}
+    for name, value in terms.items():
+        if not np.isfinite(value):
+            raise InputError(f"term {name!r} is {value}; every coefficient must be a finite number (leave out what is 0)")
+        row, factors = parse(name)
+        if factors.degree == 1:
+            linear[row, factors.powers.index(1)] += value
+        else:
+            columns.setdefault(factors, np.zeros(3))[row] += value
+    return TermTable(
+        linear,
+        np.array([f.powers for f in columns], dtype=np.int64).reshape(-1, 4),
+        np.array([f.modulus for f in columns], dtype=np.int64),
+        np.array(list(columns.values())).reshape(-1, 3).T,
+    )
