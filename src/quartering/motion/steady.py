@@ -1,0 +1,221 @@
+"""The steady periodic motion of a model, as a record a person can read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.motion.equations import Floats, Model, System
+from quartering.motion.harmonic import harmonic_balance, orders_for
+from quartering.motion.status import Status
+from quartering.motion.struble import modified_struble
+
+_PEAK_SAMPLES = 256
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A periodic motion: harmonics of sway [m], roll [rad] and yaw [rad].
+
+    Sway and yaw are the integrals of sway velocity and yaw rate, the paper's x1 and x3.
+
+    Parameters
+    ----------
+    frequency : float          w [rad/s]
+    orders : tuple of int      harmonics present, without the mean
+    cos, sin : (h, 3) float    coefficients of sway, roll, yaw
+    mean : (3,) float          mean sway velocity [m/s], heel [rad], yaw rate [rad/s]
+    status : Status            how it was found; ``status.advice`` says what to do when it was not
+    residual : float           largest imbalance relative to the excitation
+    method : str               "modified Struble" or "harmonic balance"
+    """
+
+    frequency: float
+    orders: tuple[int, ...]
+    cos: Floats
+    sin: Floats
+    mean: Floats
+    status: Status
+    residual: float
+    method: str
+    references: tuple[str, ...] = ("H71",)
+
+    @property
+    def amplitude(self) -> Floats:
+        """Amplitude (3,) of the fundamental: sway [m], roll [rad], yaw [rad]."""
+        return np.hypot(self.cos[0], self.sin[0])
+
+    @property
+    def peak(self) -> Floats:
+        """Largest |sway| [m], |roll| [rad], |yaw| [rad] (3,) over a cycle, heel included."""
+        return peaks(self.coefficients[None], self.orders_with_mean)[0]
+
+    @property
+    def orders_with_mean(self) -> tuple[int, ...]:
+        """Harmonics as the kernels take them: 0 in front when the motion has a mean."""
+        return (0, *self.orders) if self.mean.any() or 2 in self.orders else self.orders
+
+    @property
+    def coefficients(self) -> Floats:
+        """Coefficients (3, b) as the kernels take them: mean if present, then cos and sin of each harmonic."""
+        pairs = np.stack([self.cos, self.sin], axis=1).reshape(-1, 3).T
+        return np.ascontiguousarray(np.column_stack([self.mean, pairs]) if 0 in self.orders_with_mean else pairs)
+
+    def state(self, time: ArrayLike) -> Floats:
+        """State (v, phi, p, r) at given times.
+
+        Parameters
+        ----------
+        time : (...) float    [s]; the wave's surface passes the mean level moving down at G at time 0
+
+        Returns
+        -------
+        (..., 4) float        [m/s, rad, rad/s, rad/s]
+
+        Notes
+        -----
+        Source: [H71] eq. (A-3).
+        """
+        h = np.array(self.orders, dtype=float)
+        phase = np.asarray(time, dtype=float)[..., None] * self.frequency * h
+        position = np.cos(phase) @ self.cos + np.sin(phase) @ self.sin
+        velocity = (-np.sin(phase) * h) @ self.cos + (np.cos(phase) * h) @ self.sin
+        velocity = velocity * self.frequency
+        v, heel, r = self.mean
+        return np.stack(
+            [velocity[..., 0] + v, position[..., 1] + heel, velocity[..., 1], velocity[..., 2] + r], axis=-1
+        )
+
+
+def peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
+    """Largest |sway|, |roll|, |yaw| of each motion over a cycle.
+
+    Parameters
+    ----------
+    u : (n, 3, b) float       coefficients as from `harmonic_balance`
+    orders : tuple of int     their harmonics
+
+    Returns
+    -------
+    (n, 3) float              [m, rad, rad]; sway and yaw without their drift
+
+    Notes
+    -----
+    Source: closed form; sampled at 256 phases, which finds a maximum to 1e-4 of a fundamental and 1e-3 of a ninth harmonic.
+
+    Examples
+    --------
+    >>> peaks(np.array([[[0.0, 1.0], [0.3, 0.4], [0.0, 0.0]]]), (1,)).round(3)
+    array([[1. , 0.5, 0. ]])
+    """
+    phases = 2 * np.pi * np.arange(_PEAK_SAMPLES) / _PEAK_SAMPLES
+    rows = [f(h * phases) for h in orders if h > 0 for f in (np.cos, np.sin)]
+    if 0 in orders:
+        offset = u[:, :, :1] * np.array([0.0, 1.0, 0.0])[:, None]
+        return np.abs(u[:, :, 1:] @ np.array(rows) + offset).max(axis=2)
+    return np.abs(u @ np.array(rows)).max(axis=2)
+
+
+def steady_motions(system: System, harmonics: int = 1) -> tuple[Floats, tuple[int, ...], np.ndarray, Floats]:
+    """Periodic motions of a batch of conditions.
+
+    Parameters
+    ----------
+    system : System    n conditions
+    harmonics : int    1: the paper's modified Struble method; 3, 5, ..: harmonic balance to that order
+
+    Returns
+    -------
+    u : (n, 3, b) float       coefficients as from `harmonic_balance`
+    orders : tuple of int     their harmonics
+    status : (n,) int8        `Status`
+    residual : (n,) float     largest imbalance relative to the excitation
+
+    Notes
+    -----
+    Source: [H71] Appendix A, [Krack19].
+
+    Examples
+    --------
+    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}, 0.8, (0, 0.1, 0), (0, 0, 0))
+    >>> steady_motions(model.system, 5)[1]
+    (1, 3, 5)
+    """
+    if harmonics == 1:
+        return modified_struble(system)
+    orders = orders_for(system, harmonics)
+    u, status, residual = harmonic_balance(system, orders)
+    return u, orders, status, residual
+
+
+def motion_record(
+    model: Model, u: Floats, orders: tuple[int, ...], status: int, residual: float, method: str
+) -> Motion:
+    """One motion of a batch as a record.
+
+    Parameters
+    ----------
+    model : Model
+    u : (3, b) float          coefficients as from `harmonic_balance`
+    orders : tuple of int     their harmonics
+    status : int              `Status`
+    residual : float          relative imbalance
+    method : str              how it was found
+
+    Returns
+    -------
+    Motion
+
+    Notes
+    -----
+    Source: [H71] eq. (A-3).
+    """
+    mean = u[:, 0].copy() if orders[0] == 0 else np.zeros(3)
+    pairs = u[:, 1:] if orders[0] == 0 else u
+    used = tuple(h for h in orders if h > 0)
+    return Motion(
+        frequency=model.frequency,
+        orders=used,
+        cos=np.ascontiguousarray(pairs[:, 0::2].T),
+        sin=np.ascontiguousarray(pairs[:, 1::2].T),
+        mean=mean,
+        status=Status(status),
+        residual=float(residual),
+        method=method,
+        references=(*model.references, *(("Struble62",) if method == "modified Struble" else ("Krack19",))),
+    )
+
+
+def steady_motion(model: Model, harmonics: int = 1) -> Motion:
+    """The steady periodic motion that grows out of the linear solution.
+
+    Parameters
+    ----------
+    model : Model
+    harmonics : int    1: the paper's modified Struble method with its linear third harmonic; 3, 5, 7, ..: harmonic balance
+
+    Returns
+    -------
+    Motion    its ``status`` says whether one was found; NaN coefficients when not
+
+    Raises
+    ------
+    InputError    `harmonics` even or not positive
+
+    Notes
+    -----
+    Source: [H71] Appendix A; [Krack19] for more harmonics.  Valid: one of several motions may be found; see `all_motions`.
+
+    Examples
+    --------
+    >>> terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_phiphiphi": -0.25, "K_ppp": -0.08, "N_r": -0.6}
+    >>> model = Model(np.eye(3), terms, 0.85, force_cos=(0, 0.05, 0), force_sin=(0, 0.12, 0))
+    >>> motion = steady_motion(model)
+    >>> round(float(motion.amplitude[1]), 6), motion.status.name
+    (0.414599, 'CONVERGED')
+    """
+    u, orders, status, residual = steady_motions(model.system, harmonics)
+    method = "modified Struble" if harmonics == 1 else "harmonic balance"
+    return motion_record(model, u[0], orders, int(status[0]), float(residual[0]), method)
