@@ -23,6 +23,11 @@ REFERENCES: Final[dict[str, str]] = {
     "Krack19": "Krack, M., Gross, J. (2019). Harmonic balance for nonlinear vibration problems. Springer.",
     "DormandPrince80": "Dormand, J. R., Prince, P. J. (1980). A family of embedded Runge-Kutta formulae. "
     "Journal of Computational and Applied Mathematics 6.",
+    "Hoerner65": "Hoerner, S. F. (1965). Fluid-dynamic drag. Published by the author.",
+    "MMG78": "Ogawa, A., Kasai, H. (1978). On the mathematical model of manoeuvring motion of ships. "
+    "International Shipbuilding Progress 25.",
+    "Himeno81": "Himeno, Y. (1981). Prediction of ship roll damping: state of the art. "
+    "University of Michigan, Department of Naval Architecture and Marine Engineering, Report 239.",
 }
 """Key -> full reference. A `Source:` line in a docstring names one of these keys."""
 

@@ -12,7 +12,7 @@ class Strips:
     """Immersed starboard contours of all sections as quadrature points, and weights along the ship.
 
     Stations run from the aft end to the fore end. On each, ``sum(f * dy)`` is the integral of f dy along the contour
-    from the keel to the waterline (and likewise dz), so a kernel sees offsets, spline sections and exact formulas alike.
+    from the keel to the waterline (and likewise dz), so a kernel sees offsets and exact formulas alike.
 
     Parameters
     ----------

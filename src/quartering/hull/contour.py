@@ -1,0 +1,148 @@
+"""A section's outline as a curve through its offset points, from the keel to the deck."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from quartering.hull.section import Floats
+
+Outline = Literal["smooth", "straight"]
+"""How contour points are joined: by a monotone cubic, or by straight lines."""
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """Monotone cubic curve (y, height) over chord length, through the points of one contour.
+
+    Parameters
+    ----------
+    chord : (n,) float       chord length at the points, from the keel [m]; a repeated value is a knuckle
+    point : (n, 2) float     half breadth and height above the baseline [m]
+    slope : (n, 2) float     derivative of the points by chord length [1]
+    """
+
+    chord: Floats
+    point: Floats
+    slope: Floats
+
+
+def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Curve:
+    """Lay a curve through contour points; a point given twice keeps its corner.
+
+    Parameters
+    ----------
+    y, height : (n,) float    half breadths and heights above the baseline, keel to deck [m]
+    outline : str             "smooth" (monotone cubic) or "straight" (every point a corner)
+
+    Returns
+    -------
+    Curve    piecewise cubic, no overshoot between points, continuous tangent except at knuckles
+
+    Notes
+    -----
+    Monotone cubic interpolation of both coordinates over chord length.  Source: [Fritsch84].
+    Valid: heights that do not descend; straight runs (flat bottom, vertical side) stay straight.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> box = contour_curve(np.array([0.0, 5.0, 5.0]), np.array([0.0, 0.0, 4.0]))
+    >>> y, height, *_ = along(box, np.array([2.5, 7.0]))
+    >>> y[1], height[0]
+    (np.float64(5.0), np.float64(0.0))
+    """
+    point = np.stack([y, height], axis=1)
+    if outline == "straight":
+        point = np.repeat(point, 2, axis=0)[1:-1]
+    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(point, axis=0).T))])
+    breaks = [0, *(np.flatnonzero(np.diff(chord) <= 0.0) + 1), len(chord)]
+    slope = np.concatenate(
+        [_slopes(chord[a:b], point[a:b]) for a, b in zip(breaks[:-1], breaks[1:], strict=True) if b > a]
+    )
+    return Curve(chord, point, slope)
+
+
+def _slopes(s: Floats, point: Floats) -> Floats:
+    """Slopes of the monotone cubic through ``point`` (n, 2) over ``s`` (n,)."""
+    if len(s) == 1:
+        return np.zeros_like(point)
+    h = np.diff(s)[:, None]
+    secant = np.diff(point, axis=0) / h
+    if len(s) == 2:
+        return np.repeat(secant, 2, axis=0)
+    w1, w2 = 2 * h[1:] + h[:-1], h[1:] + 2 * h[:-1]
+    left, right = secant[:-1], secant[1:]
+    same = left * right > 0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        inner = np.where(same, (w1 + w2) / (w1 / left + w2 / right), 0.0)
+    first = _end_slope(h[0], h[1], secant[0], secant[1])
+    last = _end_slope(h[-1], h[-2], secant[-1], secant[-2])
+    return np.concatenate([first[None], inner, last[None]])
+
+
+def _end_slope(h0: Floats, h1: Floats, secant0: Floats, secant1: Floats) -> Floats:
+    """Three-point end slope that keeps the sign of the end secant and at most three times its size."""
+    slope = ((2 * h0 + h1) * secant0 - h0 * secant1) / (h0 + h1)
+    slope = np.where(slope * secant0 <= 0, 0.0, slope)
+    turned = (secant0 * secant1 < 0) & (np.abs(slope) > 3 * np.abs(secant0))
+    return np.where(turned, 3 * secant0, slope)
+
+
+def along(curve: Curve, s: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+    """Points and tangents of a contour at chord lengths.
+
+    Parameters
+    ----------
+    curve : Curve       the contour
+    s : (n,) float      chord lengths from the keel [m]
+
+    Returns
+    -------
+    y, height, dy, dheight : (n,) float    coordinates [m] and their derivatives by chord length [1]
+
+    Notes
+    -----
+    Cubic Hermite form.  Source: [Fritsch84].
+    """
+    i = np.clip(np.searchsorted(curve.chord, s, side="right") - 1, 0, len(curve.chord) - 2)
+    while (flat := curve.chord[i + 1] <= curve.chord[i]).any():  # land on the interval before a knuckle
+        i = np.where(flat, i - 1, i)
+    h = (curve.chord[i + 1] - curve.chord[i])[:, None]
+    t = (s - curve.chord[i])[:, None] / h
+    p0, p1, m0, m1 = curve.point[i], curve.point[i + 1], curve.slope[i] * h, curve.slope[i + 1] * h
+    c2, c3 = 3 * (p1 - p0) - 2 * m0 - m1, 2 * (p0 - p1) + m0 + m1
+    value = p0 + t * (m0 + t * (c2 + t * c3))
+    tangent = (m0 + t * (2 * c2 + 3 * t * c3)) / h
+    return value[:, 0], value[:, 1], tangent[:, 0], tangent[:, 1]
+
+
+def chord_at_height(curve: Curve, height: float) -> float:
+    """Chord length at which a contour first reaches a height (its whole length when it stays below).
+
+    Parameters
+    ----------
+    curve : Curve      the contour
+    height : float     above the baseline [m]
+
+    Returns
+    -------
+    float    chord length from the keel [m]
+
+    Notes
+    -----
+    Bisection inside the interval of the crossing.  Source: [Fritsch84] (the curve's height never descends).
+    """
+    heights = curve.point[:, 1]
+    above = np.flatnonzero(heights >= height)
+    if above.size == 0 or above[0] == 0:
+        return float(curve.chord[-1] if above.size == 0 else 0.0)
+    low, high = float(curve.chord[above[0] - 1]), float(curve.chord[above[0]])
+    if heights[above[0]] == height:
+        return high
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if along(curve, np.array([middle]))[1][0] >= height else (middle, high)
+    return 0.5 * (low + high)

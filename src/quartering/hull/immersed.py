@@ -1,0 +1,193 @@
+"""The immersed hull as quadrature points: `strips(hull)`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+import numpy as np
+
+from quartering.conventions import InputError
+from quartering.hull.contour import Curve, along, chord_at_height, contour_curve
+from quartering.hull.offsets import Hull
+from quartering.hull.quadrature import gauss
+from quartering.hull.section import Floats
+from quartering.hull.strips import Strips
+
+POINTS_PER_PANEL = 2
+
+STEM_HALF_THICKNESS = 0.001
+"""Half thickness [of B/2] given to a station that has depth but no breadth (the line of the stem)."""
+
+Nodes = tuple[Floats, Floats, Floats, Floats]
+
+
+@lru_cache(maxsize=64)
+def strips(hull: Hull, points: int = 24) -> Strips:
+    """Quadrature points of the immersed starboard contour at every immersed station, and weights along the ship.
+
+    Parameters
+    ----------
+    hull : Hull
+    points : int    quadrature points on each contour, even, at least 8
+
+    Returns
+    -------
+    Strips    aft to fore; stations without an immersed part are left out (their integrands are zero)
+
+    Raises
+    ------
+    InputError    points odd, or below 8
+
+    Notes
+    -----
+    Offsets: contour curve cut at the waterline, Gauss-Legendre on panels that end at offset points.
+    Wigley and box: the exact outline at Gauss nodes, in a variable in which every wave integrand is entire.
+    A station with depth but no breadth (stem line) is a plate of half thickness 0.001 B/2, so that what depends on its
+    depth is not lost.  Source: [Fritsch84] (contour), [Gill72] (stations), [Abramowitz64] 25.4.30 (Gauss).
+    Valid: symmetric hull on even keel.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull
+    >>> box = strips(box_hull(100.0, 20.0, 5.0, 10.0))
+    >>> round(float(box.weight @ box.area), 6)
+    10000.0
+    """
+    if points < 8 or points % POINTS_PER_PANEL:
+        raise InputError(f"points = {points}; give an even number, 8 or more, such as 24")
+    wet = list(hull.wet)
+    if not wet:
+        raise InputError(f"{hull.name}: no station reaches below the waterline at draught {hull.draught:g} m")
+    if hull.shape == "offsets":
+        nodes = [_offset_nodes(hull, i, points) for i in wet]
+        breadth = np.array([_waterline_breadth(hull, i) for i in wet])
+    else:
+        exact = _wigley_nodes if hull.shape == "wigley" else _box_nodes
+        nodes = [exact(hull, float(hull.x[i]), points) for i in wet]
+        breadth = np.array([_analytic_breadth(hull, float(hull.x[i])) for i in wet])
+    y, z, dy, dz = (np.stack(column) for column in zip(*nodes, strict=True))
+    depth = np.array([hull.draught - hull.contours[i][1][0] for i in wet])
+    area = -2 * (y * dz).sum(axis=1)
+    fields = (hull.x[wet], hull.weight[wet], y, z, dy, dz, breadth, depth, area)
+    for field in fields:
+        field.flags.writeable = False
+    return Strips(*fields)
+
+
+def _offset_nodes(hull: Hull, station: int, points: int) -> Nodes:
+    """Nodes of a contour given by offsets: composite Gauss over panels of its smooth curve."""
+    curve, end = immersed_curve(hull, station)
+    ends = _panels(curve, end, points // POINTS_PER_PANEL)
+    rules = [gauss(POINTS_PER_PANEL, a, b) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+    s, ds = (np.concatenate(part) for part in zip(*rules, strict=True))
+    y, height, dy, dheight = along(curve, s)
+    return y, hull.draught - height, dy * ds, -dheight * ds
+
+
+def immersed_curve(hull: Hull, station: int) -> tuple[Curve, float]:
+    """Smooth contour of a station and the chord length at which it meets the calm plane.
+
+    Parameters
+    ----------
+    hull : Hull
+    station : int    index into ``hull.x``
+
+    Returns
+    -------
+    curve : Curve    keel to deck
+    end : float      chord length at the waterline [m]
+
+    Notes
+    -----
+    Source: [Fritsch84].
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull
+    >>> round(immersed_curve(box_hull(100.0, 20.0, 5.0, 10.0), 0)[1], 9)
+    15.0
+    """
+    y, height = hull.contours[station]
+    thin = STEM_HALF_THICKNESS * hull.beam / 2
+    below = height < hull.draught
+    if (y[below] < thin).all() and np.interp(hull.draught, height, y) < thin:
+        y = np.concatenate([[0.0], np.maximum(y, thin)])
+        height = np.concatenate([height[:1], height])
+    curve = contour_curve(y, height, hull.outline)
+    return curve, chord_at_height(curve, hull.draught)
+
+
+def _waterline_breadth(hull: Hull, station: int) -> float:
+    curve, end = immersed_curve(hull, station)
+    return float(along(curve, np.array([end]))[0][0])
+
+
+def _panels(curve: Curve, end: float, count: int) -> list[float]:
+    """Panel ends: offset points, merged where the rule loses least of the area's moments, or long ones halved."""
+    inner = np.unique(curve.chord[(curve.chord > 1e-9 * end) & (curve.chord < end * (1 - 1e-9))])
+    ends = [0.0, *(float(s) for s in inner), end]
+    exact = list(_moments(curve, ends[:-1], ends[1:], 4))
+    loss = list(_merge_loss(curve, ends, exact, range(1, len(ends) - 1))) if len(ends) - 1 > count else []
+    while len(ends) - 1 > count:
+        k = int(np.argmin(loss)) + 1
+        exact[k - 1 : k + 1] = [exact[k - 1] + exact[k]]
+        del ends[k], loss[k - 1]
+        near = [j for j in (k - 1, k) if 1 <= j < len(ends) - 1]
+        for j, value in zip(near, _merge_loss(curve, ends, exact, near), strict=True):
+            loss[j - 1] = value
+    while len(ends) - 1 < count:
+        k = int(np.argmax(np.diff(ends)))
+        ends.insert(k + 1, 0.5 * (ends[k] + ends[k + 1]))
+    return ends
+
+
+def _merge_loss(curve: Curve, ends: list[float], exact: list[Floats], at: Iterable[int]) -> list[float]:
+    """What the rule on one panel in place of two, either side of each end in ``at``, loses of their moments [m2]."""
+    chosen = list(at)
+    if not chosen:
+        return []
+    rough = _moments(curve, [ends[k - 1] for k in chosen], [ends[k + 1] for k in chosen], POINTS_PER_PANEL)
+    both = np.stack([exact[k - 1] + exact[k] for k in chosen])
+    return [float(value) for value in np.abs(rough - both).sum(axis=1)]
+
+
+def _moments(curve: Curve, start: list[float], end: list[float], points: int) -> Floats:
+    """Integrals of (y dh, y h dh / H, y2 dy / B, h2 dh / H) over pieces of a contour by Gauss rules (pieces, 4) [m2]."""
+    s, ds = (np.stack(part) for part in zip(*(gauss(points, a, b) for a, b in zip(start, end, strict=True)), strict=True))
+    y, h, dy, dh = (v.reshape(s.shape) for v in along(curve, s.ravel()))
+    breadth, height = curve.point[:, 0].max(), curve.point[-1, 1]
+    f = np.stack([y * dh, y * h * dh / height, y * y * dy / breadth, h * h * dh / height], axis=-1)
+    return np.asarray((f * ds[..., None]).sum(axis=1))
+
+
+def _wigley_nodes(hull: Hull, x: float, points: int) -> Nodes:
+    """Exact Wigley contour over t = (design draught - height) / design draught, and the wall above when deeper."""
+    design, draught = hull.design_draught, hull.draught
+    b = hull.beam / 2 * (1 - (2 * x / hull.length) ** 2)
+    wall = 8 if draught > design else 0
+    t, dt = gauss(points - wall, 1.0, max(0.0, 1 - draught / design))
+    y, z = b * (1 - t**2), draught - design * (1 - t)
+    dy, dz = -2 * b * t * dt, design * dt
+    if wall:
+        zw, dzw = gauss(wall, draught - design, 0.0)
+        y, z = np.concatenate([y, np.full(wall, b)]), np.concatenate([z, zw])
+        dy, dz = np.concatenate([dy, np.zeros(wall)]), np.concatenate([dz, dzw])
+    return y, z, dy, dz
+
+
+def _box_nodes(hull: Hull, _x: float, points: int) -> Nodes:
+    """Exact box contour: half of the points on the bottom, half on the side."""
+    half = points // 2
+    yb, dyb = gauss(half, 0.0, hull.beam / 2)
+    zs, dzs = gauss(points - half, hull.draught, 0.0)
+    y = np.concatenate([yb, np.full(points - half, hull.beam / 2)])
+    z = np.concatenate([np.full(half, hull.draught), zs])
+    return y, z, np.concatenate([dyb, np.zeros(points - half)]), np.concatenate([np.zeros(half), dzs])
+
+
+def _analytic_breadth(hull: Hull, x: float) -> float:
+    if hull.shape == "box":
+        return hull.beam / 2
+    t = max(0.0, 1 - hull.draught / hull.design_draught)
+    return hull.beam / 2 * (1 - (2 * x / hull.length) ** 2) * (1 - t**2)

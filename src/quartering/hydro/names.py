@@ -1,0 +1,169 @@
+"""The names of coefficients, and the units that follow from them.
+
+A name is a row (Y sway, K roll, N yaw), an underscore and its factors: ``Y_v``, ``N_rdot``, ``K_vpp``, ``K_phiphiphi``,
+``K_phi5`` (phi to the fifth), ``K_p|p|``. A cubic may be written in any order of its letters (``Y_vvr`` is ``Y_rvv``).
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Final, NamedTuple
+
+from quartering.conventions import CUBIC_MONOMIALS, InputError
+
+ROWS: Final = ("Y", "K", "N")
+LINEAR_NAMES: Final = tuple(tuple(f"{row}_{factor}" for factor in "vpr") for row in ROWS)
+INERTIA_NAMES: Final = tuple(tuple(f"{row}_{factor}dot" for factor in "vpr") for row in ROWS)
+CUBIC_NAMES: Final = tuple(tuple(f"{row}_{monomial}" for monomial in CUBIC_MONOMIALS) for row in ROWS)
+RESTORING_POWERS: Final = (1, 3, 5, 7)
+RESTORING_NAMES: Final = tuple(tuple(f"{row}_{phi}" for phi in ("phi", "phiphiphi", "phi5", "phi7")) for row in ROWS)
+
+_FACTOR: Final = re.compile(r"[vpr]dot|phi[2-9]?|[vpr]")
+_FACTORS: Final = re.compile(r"(?:[vpr]dot|(?:phi[2-9]?|[vpr])+)")
+_SORTED_CUBICS: Final = {"".join(sorted(monomial)): monomial for monomial in CUBIC_MONOMIALS}
+_BODY: Final = {"m": ("Y", "vdot"), "I_x": ("K", "pdot"), "I_z": ("N", "rdot"), "I_xz": ("K", "rdot")}
+
+
+class Term(NamedTuple):
+    """A coefficient taken apart.
+
+    Parameters
+    ----------
+    row : str        "Y", "K" or "N"
+    factors : tuple  "v", "p", "r", "phi", "vdot", "pdot" or "rdot", each as often as it stands in the product
+    """
+
+    row: str
+    factors: tuple[str, ...]
+
+
+def term(name: str) -> Term:
+    """Take a coefficient name apart.
+
+    Parameters
+    ----------
+    name : str    such as "Y_v", "K_vpp", "K_phi5", "N_rdot", "K_p|p|", or "m", "I_x", "I_z", "I_xz"
+
+    Returns
+    -------
+    Term    row and factors
+
+    Raises
+    ------
+    InputError    the name is not of this form
+
+    Notes
+    -----
+    Source: [Abkowitz64] notation.
+
+    Examples
+    --------
+    >>> term("K_vpp"), term("K_phi5").factors.count("phi")
+    (Term(row='K', factors=('v', 'p', 'p')), 5)
+    """
+    if name in _BODY:
+        row, factor = _BODY[name]
+        return Term(row, (factor,))
+    row, _, tail = name.partition("_")
+    bare = re.sub(r"\|([vpr])\|", r"\1", tail)
+    if row not in ROWS or not _FACTORS.fullmatch(bare):
+        raise InputError(
+            f'coefficient name "{name}" is unknown; a name is Y, K or N, "_" and factors v, p, r, phi (or vdot, pdot, '
+            'rdot): for instance "Y_v", "N_rdot", "K_ppp", "K_vvphi", "K_p|p|"'
+        )
+    factors: list[str] = []
+    for token in _FACTOR.findall(bare):
+        factors += ["phi"] * int(token[3:]) if token[:3] == "phi" and token[3:] else [token]
+    return Term(row, tuple(factors))
+
+
+def canonical(name: str) -> str:
+    """The one spelling of a coefficient name under which the tables list it.
+
+    Parameters
+    ----------
+    name : str    any spelling `term` understands
+
+    Returns
+    -------
+    str    cubic letters in the order of CUBIC_MONOMIALS, powers of phi as in RESTORING_NAMES; others unchanged
+
+    Raises
+    ------
+    InputError    the name is not a coefficient name
+
+    Notes
+    -----
+    Source: [H71] equation (2) for the order of the letters.
+
+    Examples
+    --------
+    >>> canonical("Y_vvr"), canonical("K_phi3"), canonical("K_p|p|")
+    ('Y_rvv', 'K_phiphiphi', 'K_p|p|')
+    """
+    row, factors = term(name)
+    if "|" in name or name in _BODY:
+        return name
+    if set(factors) == {"phi"} and len(factors) in RESTORING_POWERS:
+        return RESTORING_NAMES[ROWS.index(row)][RESTORING_POWERS.index(len(factors))]
+    return f"{row}_" + _SORTED_CUBICS.get("".join(sorted(factors)), name.partition("_")[2])
+
+
+def dimension(name: str) -> tuple[int, int, int]:
+    """Powers of kilogram, metre and second in the unit of a coefficient.
+
+    Parameters
+    ----------
+    name : str    any spelling `term` understands
+
+    Returns
+    -------
+    (int, int, int)    powers of kg, m and s
+
+    Raises
+    ------
+    InputError    the name is not a coefficient name
+
+    Notes
+    -----
+    Unit of the force or moment over the units of the factors.  Source: [Abkowitz64], the dimensional rule.
+
+    Examples
+    --------
+    >>> dimension("Y_v"), dimension("K_ppp")
+    ((1, 0, -1), (1, 2, 1))
+    """
+    row, factors = term(name)
+    metre = (1 if row == "Y" else 2) - sum(factor in ("v", "vdot") for factor in factors)
+    second = -2 + sum({"phi": 0, "v": 1, "p": 1, "r": 1}.get(factor, 2) for factor in factors)
+    return 1, metre, second
+
+
+def unit(name: str) -> str:
+    """Unit of a coefficient, as printed.
+
+    Parameters
+    ----------
+    name : str    any spelling `term` understands
+
+    Returns
+    -------
+    str    SI; radians are left out
+
+    Raises
+    ------
+    InputError    the name is not a coefficient name
+
+    Notes
+    -----
+    Source: [Abkowitz64], the dimensional rule.
+
+    Examples
+    --------
+    >>> unit("Y_vdot"), unit("K_r"), unit("Y_vvv"), unit("K_phi")
+    ('kg', 'kg m2/s', 'kg s/m2', 'kg m2/s2')
+    """
+    powers = dict(zip(("kg", "m", "s"), dimension(name), strict=True))
+    above = " ".join(f"{base}{power if power > 1 else ''}" for base, power in powers.items() if power > 0)
+    below = " ".join(f"{base}{-power if power < -1 else ''}" for base, power in powers.items() if power < 0)
+    return f"{above}/{below}" if below else above

@@ -1,0 +1,113 @@
+"""Diffraction force by strip theory from the potentials on the section contours (Salvesen, Tuck, Faltinsen)."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import TYPE_CHECKING
+
+import numba
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quartering.conventions import GRAVITY, WATER_DENSITY
+from quartering.loads.interpolation import frequency_weights
+from quartering.loads.stations import Stations
+from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
+
+if TYPE_CHECKING:
+    from quartering.hydro.table import SectionTable
+
+
+def contour_diffraction(
+    stations: Stations,
+    table: SectionTable,
+    wavenumber: ArrayLike,
+    speed: ArrayLike,
+    heading: ArrayLike,
+    *,
+    density: float = WATER_DENSITY,
+) -> Phasors:
+    """Diffraction sway force, roll moment and yaw moment of many conditions, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    stations : Stations        positions, weights and aft end
+    table : SectionTable       radiation potentials on the section contours, over frequency
+    wavenumber : (n,) float    k > 0 [1/m]
+    speed : (n,) float         U >= 0 [m/s]
+    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
+    density : float            of the water [kg/m3]
+
+    Returns
+    -------
+    (n, 3) complex             phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw
+                               about G [N m/m]
+
+    Notes
+    -----
+    With G_j(x) = rho int psi_j (u.n) ds, u the wave's orbital velocity on the contour and x_A the aft end,
+
+        Y = -i w int G2 dx - U G2(x_A),  K likewise with G4,  N = -int (i w x + U) G2 dx - U x_A G2(x_A)
+
+    (the derivative along the ship is integrated by parts), then K about G = K - z0 Y. For w < 0 the potentials of |w|
+    are conjugated.
+    Source: [STF70] exciting force, body axes x forward, z down.  Valid: deep water, slender ship, and w sqrt(B/g) not
+    small when U > 0 (the speed terms assume that the section's wave is short against the ship).
+
+    Examples
+    --------
+    One section whose potential is that of a rigid lid of mass: psi = -n; a long beam wave gives a force forward of
+    the crest's slope.
+
+    >>> contours = Contours(frequency=np.array([0.5]), y=np.array([[1.0]]), z=np.array([[0.5]]),
+    ...                     ny=np.array([[1.0]]), nz=np.array([[0.0]]), psi=np.array([[[[-1.0 + 0j, 0.0]]]]))
+    >>> stations = Stations(x=np.zeros(1), weight=np.ones(1), z0=0.0, x_aft=0.0, transom=False)
+    >>> Y = contour_diffraction(stations, contours, [1e-6], [0.0], [90.0])[0, 0]
+    >>> round(float(Y.real / (-2.0 * 1025.0 * 9.81e-6)), 4)    # added mass 2 rho times the water's acceleration g k
+    1.0
+    """
+    k, U, mu = (a.copy() for a in np.broadcast_arrays(*(np.asarray(v, float) for v in (wavenumber, speed, heading))))
+    along, across = heading_components(mu)
+    sigma = np.sqrt(GRAVITY * k)
+    omega = encounter_frequency(sigma, U, mu)
+    first, weights = frequency_weights(table.frequency, np.abs(omega))
+    waves = np.stack([k, k * along, across, sigma, omega, U], axis=1)
+    s = stations
+    forces: Phasors = _contour_forces(
+        s.x, s.weight, table.y, table.z, table.ny, table.nz, table.psi, first, weights, waves,
+        s.x_aft, float(s.transom),
+    )  # fmt: skip
+    forces[:, 1] -= s.z0 * forces[:, 0]
+    return 2.0 * density * forces
+
+
+@numba.njit(cache=True, nogil=True)
+def _contour_forces(
+    x: Floats, weight: Floats, y: Floats, z: Floats, ny: Floats, nz: Floats, psi: Phasors,
+    first: NDArray[np.int64], lagrange: Floats, waves: Floats, x_aft: float, transom: float,
+) -> Phasors:  # fmt: skip
+    """Forces per (2 rho amplitude) about the waterline point; waves (n, 6) are k, k1, sin delta, sigma, omega, U."""
+    out = np.zeros((waves.shape[0], 3), dtype=np.complex128)
+    for n in range(waves.shape[0]):
+        k, k1, across, sigma, omega, U = waves[n]
+        for s in range(x.size):
+            g2 = g4 = 0.0j
+            for p in range(y.shape[1]):
+                t = k * across * y[s, p]
+                normal = math.exp(-k * z[s, p]) * (across * math.cos(t) * ny[s, p] - math.sin(t) * nz[s, p])
+                for q in range(lagrange.shape[1]):
+                    g2 += lagrange[n, q] * normal * psi[first[n] + q, s, p, 0]
+                    g4 += lagrange[n, q] * normal * psi[first[n] + q, s, p, 1]
+            if omega < 0:
+                g2, g4 = g2.conjugate(), g4.conjugate()
+            wave = 1j * sigma * cmath.exp(1j * k1 * x[s]) * weight[s]
+            out[n, 0] -= 1j * omega * wave * g2
+            out[n, 1] -= 1j * omega * wave * g4
+            out[n, 2] -= (1j * omega * x[s] + U) * wave * g2
+            if s == 0:
+                end = U * transom * 1j * sigma * cmath.exp(1j * k1 * x_aft)
+                out[n, 0] -= end * g2
+                out[n, 1] -= end * g4
+                out[n, 2] -= end * x_aft * g2
+    return out

@@ -1,0 +1,112 @@
+"""Froude-Krylov force: the pressure of the undisturbed wave on the hull, from the section contours."""
+
+from __future__ import annotations
+
+import math
+
+import numba
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.conventions import GRAVITY, WATER_DENSITY
+from quartering.hull.strips import Strips
+from quartering.loads.stations import Stations
+from quartering.loads.waves import Floats, Phasors, heading_components
+
+
+def froude_krylov(
+    strips: Strips,
+    stations: Stations,
+    wavenumber: ArrayLike,
+    heading: ArrayLike,
+    *,
+    density: float = WATER_DENSITY,
+) -> Phasors:
+    """Froude-Krylov sway force, roll moment and yaw moment of many waves, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    strips : Strips            section contours; their place along the ship is read from stations
+    stations : Stations        the same sections seen from G
+    wavenumber : (n,) float    k > 0 [1/m]
+    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
+    density : float            of the water [kg/m3]
+
+    Returns
+    -------
+    (n, 3) complex             phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw
+                               about G [N m/m]
+
+    Notes
+    -----
+    Per section, with the starboard contour from keel to waterline, zeta the depth and P = i rho g e^{i k1 x}:
+
+        Y' = 2 rho g e^{i k1 x} int e^{-k zeta} sin(k2 y) dz
+        K' = -2 rho g e^{i k1 x} int e^{-k zeta} sin(k2 y) (y dy + (zeta + z0) dz)
+        N' = x Y' - 2 i k1 rho g e^{i k1 x} int e^{-k zeta} J(y) dz,   J(y) = int_0^y t sin(k2 t) dt
+
+    The last integral is the pressure on the tapering ends (n_x), turned into a section integral by Gauss's theorem, so
+    bow, stern and a transom below water are all counted as wetted.
+    Source: [H71] eq. (B-3), equal to (B-4).  Valid: deep water, linear wave, mean position, port-starboard symmetry.
+
+    Examples
+    --------
+    A box 100 x 20 x 5 m in a long beam sea feels its displaced mass times the acceleration of the water.
+
+    >>> side = dict(y=np.full((1, 1), 10.0), z=np.full((1, 1), 2.5), dy=np.zeros((1, 1)), dz=np.full((1, 1), -5.0))
+    >>> box = Strips(x=np.zeros(1), weight=np.array([100.0]), half_breadth=np.array([10.0]), draught=np.array([5.0]),
+    ...              area=np.array([100.0]), **side)
+    >>> amidships = Stations(x=box.x, weight=box.weight, z0=0.0, x_aft=-50.0, transom=True)
+    >>> k = 1e-5
+    >>> force = froude_krylov(box, amidships, [k], [90.0])[0, 0]
+    >>> round(float(force.real / (-1025.0 * 9.81 * 100 * 20 * 5 * k)), 3)
+    1.0
+    """
+    k, mu = np.broadcast_arrays(np.asarray(wavenumber, dtype=float), np.asarray(heading, dtype=float))
+    along, across = heading_components(mu)
+    hull, x, weight, z0 = strips, stations.x, stations.weight, stations.z0
+    phasors: Phasors = _pressure_integrals(
+        x, weight, hull.y, hull.z, hull.dy, hull.dz, k.copy(), k * along, k * across, z0
+    )
+    return density * GRAVITY * phasors
+
+
+@numba.njit(cache=True, nogil=True)
+def _pressure_integrals(
+    x: Floats,
+    weight: Floats,
+    y: Floats,
+    z: Floats,
+    dy: Floats,
+    dz: Floats,
+    wavenumber: Floats,
+    along: Floats,
+    across: Floats,
+    z0: float,
+) -> Phasors:
+    """Force per (rho g amplitude) of each condition: (n, 3) complex; x from G, k1 = along, k2 = across [1/m]."""
+    out = np.zeros((wavenumber.size, 3), dtype=np.complex128)
+    for n in range(wavenumber.size):
+        k, k1, k2 = wavenumber[n], along[n], across[n]
+        for s in range(x.size):
+            sway = roll = taper = 0.0
+            for p in range(y.shape[1]):
+                t = k2 * y[s, p]
+                decay, sine = math.exp(-k * z[s, p]), math.sin(t)
+                sway += decay * sine * dz[s, p]
+                roll -= decay * sine * (y[s, p] * dy[s, p] + (z[s, p] + z0) * dz[s, p])
+                taper += decay * k2 * y[s, p] ** 3 * _lid(t, sine) * dz[s, p]
+            phase = 2.0 * weight[s] * complex(math.cos(k1 * x[s]), math.sin(k1 * x[s]))
+            out[n, 0] += phase * sway
+            out[n, 1] += phase * roll
+            out[n, 2] += phase * complex(x[s] * sway, -k1 * taper)
+    return out
+
+
+@numba.njit(cache=True, nogil=True, inline="always")
+def _lid(t: float, sine: float) -> float:
+    """Value of (sin t - t cos t)/t^3, by its series where the difference would cancel."""
+    if abs(t) < 0.3:
+        q = t * t
+        return 1.0 / 3.0 - q * (1.0 / 30.0 - q * (1.0 / 840.0 - q * (1.0 / 45360.0 - q / 3991680.0)))
+    return (sine - t * math.cos(t)) / t**3

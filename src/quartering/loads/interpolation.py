@@ -1,0 +1,84 @@
+"""Between the frequencies of a table: four neighbours and their weights, found once for every user of the table."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quartering.conventions import InputError
+from quartering.loads.waves import Floats
+
+
+def frequency_weights(grid: ArrayLike, frequency: ArrayLike) -> tuple[NDArray[np.int64], Floats]:
+    """First neighbour and cubic (four-point Lagrange) weights that interpolate a table at given frequencies.
+
+    Parameters
+    ----------
+    grid : (f,) float         frequencies of the table, ascending [rad/s]
+    frequency : (n,) float    where to interpolate, >= 0 [rad/s]; beyond the table's ends its end values are used
+
+    Returns
+    -------
+    first : (n,) int          index of the first neighbour
+    weights : (n, q) float    weights of grid points first .. first + q - 1, q = min(4, f); each row adds up to 1
+
+    Raises
+    ------
+    InputError                grid empty or not ascending, or a frequency that is negative or not a number
+
+    Notes
+    -----
+    Source: Lagrange's interpolation formula.  Valid: exact for cubics; the end values stand for the limits of zero and
+    infinite frequency, so the table must reach where its curves are flat.
+
+    Examples
+    --------
+    >>> first, weights = frequency_weights([0.0, 1.0, 2.0, 3.0], [1.5])
+    >>> first.tolist(), weights.tolist()
+    ([0], [[-0.0625, 0.5625, 0.5625, -0.0625]])
+    """
+    nodes, omega = np.asarray(grid, dtype=float), np.atleast_1d(np.asarray(frequency, dtype=float))
+    if nodes.ndim != 1 or nodes.size == 0 or not (np.diff(nodes) > 0).all():
+        raise InputError(f"a table needs an ascending list of frequencies; given an array of shape {nodes.shape}")
+    if not (np.isfinite(omega) & (omega >= 0)).all():
+        raise InputError("a table is read at finite frequencies >= 0; fold negative encounter frequencies first")
+    points = min(4, nodes.size)
+    omega = np.clip(omega, nodes[0], nodes[-1])
+    first = np.clip(np.searchsorted(nodes, omega, side="right") - points // 2, 0, nodes.size - points)
+    near = nodes[first[:, None] + np.arange(points)]
+    weights = np.ones_like(near)
+    for i in range(points):
+        for j in range(points):
+            if i != j:
+                weights[:, i] *= (omega - near[:, j]) / (near[:, i] - near[:, j])
+    return first.astype(np.int64), weights
+
+
+def interpolated(values: ArrayLike, first: NDArray[np.int64], weights: Floats) -> NDArray[np.complex128]:
+    """Values of a table between its frequencies.
+
+    Parameters
+    ----------
+    values : (f, ...) complex    the table [any unit]
+    first, weights               from frequency_weights
+
+    Returns
+    -------
+    (n, ...) complex             one entry a frequency [the unit of values]
+
+    Notes
+    -----
+    Source: Lagrange's interpolation formula.  Valid: as frequency_weights.
+
+    Examples
+    --------
+    >>> first, weights = frequency_weights([0.0, 1.0, 2.0, 3.0], [1.5])
+    >>> complex(interpolated([0.0, 1.0, 8.0, 27.0], first, weights)[0])
+    (3.375+0j)
+    """
+    table = np.asarray(values, dtype=complex)
+    shape = (-1,) + (1,) * (table.ndim - 1)
+    return sum(
+        (weights[:, q].reshape(shape) * table[first + q] for q in range(weights.shape[1])),
+        start=np.zeros((first.size, *table.shape[1:]), dtype=complex),
+    )

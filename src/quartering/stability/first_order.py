@@ -1,0 +1,225 @@
+"""The paper's first-order stability analysis, complete: index K2, resonances, slow modes, combination.
+
+Everything here is algebra on the harmonics of the variational matrix, vectorised over conditions (n,).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.equations import Floats, System
+
+Complex = NDArray[np.complex128]
+_VELOCITIES = [0, 2, 3]
+RESONANCES = (2, 4, 6)
+"""Values of m at which the paper looks for a resonance n2 = m omega/2."""
+
+
+@dataclass(frozen=True, eq=False)
+class FirstOrder:
+    """First-order stability quantities of n motions.
+
+    Parameters
+    ----------
+    n2 : (n,)                natural roll frequency about the motion [rad/s]; NaN when the mean stiffness is negative
+    rho : (n, 3)             shape (sway [m/rad], roll, yaw) of the free roll mode
+    k2, k2_rho, k2_paper : (n,)    index [1/s2]: full; from I1, I2, I3 with the ship's rho; with the paper's 0.3 and 0.1
+    roll_rate : (n,)         growth rate of the roll mode away from resonance, K2/(2 n2) [1/s]
+    q_paper, q : (n, 3)      largest growth rate at the resonances m = 2, 4, 6 [1/s]: restoring modulation alone; complete
+    slow : (n, 2)            growth rates of the sway-yaw modes averaged over the wave [1/s], the larger first
+    combination : (n,)       largest growth rate when roll and slow modes combine (n2 near 2 omega) [1/s]
+    averaged : (n, 2)        roll pair of the averaged equations (A-10), complex [1/s]
+    mean_jacobian : (n, 4)   eigenvalues of the mean variational matrix, complex [1/s]
+    """
+
+    n2: Floats
+    rho: Floats
+    k2: Floats
+    k2_rho: Floats
+    k2_paper: Floats
+    roll_rate: Floats
+    q_paper: Floats
+    q: Floats
+    slow: Floats
+    combination: Floats
+    averaged: Complex
+    mean_jacobian: Complex
+
+    @property
+    def index(self) -> Floats:
+        """Stability index S = -K2/(2 n2) [1/s], positive is stable."""
+        return -self.roll_rate
+
+    @property
+    def growth(self) -> Floats:
+        """Largest growth rate any first-order quantity predicts, the averaged system deciding near m = 2 [1/s]."""
+        rates = np.column_stack([self.roll_rate, self.averaged.real.max(axis=1), self.slow.max(axis=1), self.combination])
+        return np.asarray(np.nanmax(np.where(np.isnan(rates), -np.inf, rates), axis=1))
+
+
+def roll_cubic(system: System, factors: str) -> Floats:
+    """Coefficient (n,) of one velocity cubic in the canonical roll equation.
+
+    Parameters
+    ----------
+    system : System
+    factors : str    such as "ppp" or "prr"
+
+    Returns
+    -------
+    (n,) float    zero when the system has no such term
+
+    Notes
+    -----
+    Source: [H71] eq. (3).
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_prr": 0.3, "N_r": -1.0}
+    >>> roll_cubic(Model(np.eye(3), terms, 1.0, (0, 0, 0), (0, 0, 0)).system, "prr").tolist()
+    [0.3]
+    """
+    powers = [factors.count("v"), 0, factors.count("p"), factors.count("r")]
+    column = (system.powers == powers).all(axis=1) & (system.modulus == 0)
+    return np.asarray(system.coefficients[:, 1, column].sum(axis=1))
+
+
+def _index_from_amplitudes(system: System, amplitude: Floats, n2: Floats, linear: Floats, roll_axis: Floats | None) -> Floats:
+    """K2 = n2 w^2/2 (I1 P1^2 + I2 P2^2 + I3 P3^2) + n2 sum_j rho_j e_2j; the paper's numbers when no roll axis is given."""
+    c = {name: roll_cubic(system, name) for name in ("vvv", "pvv", "vpp", "ppp", "vrr", "prr")}
+    three, one = (3 * roll_axis, roll_axis) if roll_axis is not None else (0.3, 0.1)
+    i1 = three * c["vvv"] + c["pvv"]
+    i2 = one * c["vpp"] + 3 * c["ppp"]
+    i3 = one * c["vrr"] + c["prr"]
+    p1, p2, p3 = amplitude.T
+    w = system.frequency
+    return np.asarray(0.5 * n2 * w**2 * (i1 * p1**2 + i2 * p2**2 + i3 * p3**2) + n2 * linear)
+
+
+def _averaged_roll_pair(frequency: Floats, phasors: Complex) -> Complex:
+    """Roll pair (n, 2) of d(A', B')/d(A, B) from the averaged equations (A-10)."""
+    w = frequency[:, None]
+    n = frequency.size
+    matrix = np.empty((n, 6, 6))
+    for column in range(6):
+        k, displacement = column % 3, (1.0 if column < 3 else -1j)
+        state = np.zeros((n, 4), dtype=complex)
+        state[:, _VELOCITIES[k]] = 1j * frequency * displacement
+        if k == 1:
+            state[:, 1] = displacement
+        force = np.einsum("nks,ns->nk", phasors[:, 0], state) + 0.5 * np.einsum("nks,ns->nk", phasors[:, 1], state.conj())
+        error = -force
+        error[:, k] -= frequency**2 * displacement
+        matrix[:, :3, column] = -error.imag / (2 * w)
+        matrix[:, 3:, column] = -error.real / (2 * w)
+    values, vectors = np.linalg.eig(matrix)
+    left = np.linalg.inv(vectors)
+    share = np.abs(vectors * left.transpose(0, 2, 1))
+    in_roll = share[:, 1] + share[:, 4]
+    order = np.argsort(-in_roll, axis=1)[:, :2]
+    return np.take_along_axis(values, order, axis=1).astype(complex)
+
+
+def _combination_rate(
+    w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Floats, phasors: Complex
+) -> Floats:
+    """Largest growth rate of roll combined with the slow modes through modulation at 2 omega, near n2 = 2 omega."""
+    n = w.size
+    two, four = phasors[:, 1], phasors[:, 2]
+    d2, d4 = two[:, :, _VELOCITIES], four[:, :, _VELOCITIES]
+    c = (four[:, 1, 1] - 1j * n2 * np.einsum("nj,nj->n", rho, d4[:, 1])) / (4j * n2)
+    diagonal = rate - 1j * (2 * w - n2)
+    into_roll = d2[:, 1][:, [0, 2]] / (4j * n2)[:, None]
+    modulation = np.einsum("nkj,nj->nk", d2, rho)
+    drive = 1j * n2[:, None] * np.conj(modulation - rho * modulation[:, [1]])[:, [0, 2]]
+    matrix = np.zeros((n, 4, 4))
+    matrix[:, 0, 0] = (diagonal + c).real
+    matrix[:, 0, 1] = -(diagonal - c).imag
+    matrix[:, 1, 0] = (diagonal + c).imag
+    matrix[:, 1, 1] = (diagonal - c).real
+    matrix[:, 0, 2:], matrix[:, 1, 2:] = into_roll.real, into_roll.imag
+    matrix[:, 2:, 0], matrix[:, 2:, 1] = drive.real, -drive.imag
+    matrix[:, 2:, 2:] = slow
+    return np.asarray(np.linalg.eigvals(matrix).real.max(axis=1))
+
+
+def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrder:
+    """First-order stability of periodic motions from the harmonics of their variational matrix.
+
+    Parameters
+    ----------
+    system : System              n conditions
+    phasors : (n, 4, 3, 4)       from `variational_harmonics`
+    amplitude : (n, 3) float     of the fundamental: sway [m], roll, yaw [rad]
+
+    Returns
+    -------
+    FirstOrder    rows of NaN where the motion is NaN; where the mean roll stiffness is negative, n2 and what rests on it
+
+    Notes
+    -----
+    K2 = n2 sum_j rho_j <d p'/d V_j>; q = K2/(2 n2) +- sqrt(|k_m - i n2 d_m|^2/(16 n2^2) - (m omega/2 - n2)^2) with k_m, d_m
+    the modulation of stiffness and damping at m omega (the paper keeps k_m alone).  Source: [H71] eqs. (8)-(15), with n2 t
+    in every phase, restoring in all rows, cross averages and rho_3 kept; slow modes and combination are additions.
+    Valid: damping small against omega and n2, n2 not near omega (use ``averaged``) unless stated.
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.steady import steady_motion
+    >>> from quartering.stability.variation import variational_harmonics
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
+    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
+    >>> motion = steady_motion(model)
+    >>> phasors = variational_harmonics(model.system, motion.coefficients[None], motion.orders)
+    >>> round(float(first_order(model.system, phasors, motion.amplitude[None]).k2[0]), 6)
+    -0.1
+    """
+    finite = np.isfinite(phasors).all(axis=(1, 2, 3))
+    phasors = np.where(finite[:, None, None, None], phasors, 0.0)
+    w = system.frequency
+    stiffness = phasors[:, 0, :, 1].real
+    mean = phasors[:, 0][:, :, _VELOCITIES].real
+    oscillates = finite & (stiffness[:, 1] < 0)
+    safe = np.where(oscillates, stiffness[:, 1], -1.0)
+    n2, rho = np.sqrt(-safe), stiffness / safe[:, None]
+    rate = 0.5 * np.einsum("nj,nj->n", rho, mean[:, 1])
+    detuning = 0.5 * np.array(RESONANCES) * w[:, None] - n2[:, None]
+    kappa = phasors[:, 1:, 1, 1]
+    damping = np.einsum("nj,nmj->nm", rho, phasors[:, 1:, 1][:, :, _VELOCITIES])
+
+    def growth(modulation: Complex) -> Floats:
+        root = np.abs(modulation) ** 2 / (16 * n2[:, None] ** 2) - detuning**2
+        return rate[:, None] + np.sqrt(np.maximum(root, 0.0))
+
+    course = mean[:, [0, 2]][:, :, [0, 2]] - rho[:, [0, 2], None] * mean[:, 1][:, None, [0, 2]]
+    slow = np.sort(np.linalg.eigvals(course).real, axis=1)[:, ::-1]
+    jacobian = np.zeros((w.size, 4, 4))
+    jacobian[:, [0, 2, 3]] = phasors[:, 0].real
+    jacobian[:, 1, 2] = 1.0
+    linear = np.einsum("nj,nj->n", rho, system.linear[:, 1][:, _VELOCITIES])
+    amplitudes = np.where(finite[:, None], amplitude, 0.0)
+    by_rho = _index_from_amplitudes(system, amplitudes, n2, linear, rho[:, 0])
+    literal = _index_from_amplitudes(system, amplitudes, n2, linear, None)
+
+    def known(values: NDArray[np.generic], where: NDArray[np.bool_] = oscillates) -> NDArray[np.generic]:
+        return np.where(where.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
+
+    return FirstOrder(
+        n2=known(n2),
+        rho=known(rho),
+        k2=known(2 * n2 * rate),
+        k2_rho=known(by_rho),
+        k2_paper=known(literal),
+        roll_rate=known(rate),
+        q_paper=known(growth(kappa)),
+        q=known(growth(kappa - 1j * n2[:, None] * damping)),
+        slow=known(slow),
+        combination=known(_combination_rate(w, n2, rho, rate, course, phasors)),
+        averaged=known(_averaged_roll_pair(w, phasors), finite),
+        mean_jacobian=known(np.linalg.eigvals(jacobian).astype(complex), finite),
+    )

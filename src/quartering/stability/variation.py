@@ -1,0 +1,199 @@
+"""The equations of first variation about a periodic motion: their harmonics and their solution over a cycle."""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from quartering.motion.basis import basis
+from quartering.motion.equations import Floats, System
+from quartering.motion.harmonic import orbit_state
+from quartering.motion.polynomial import accelerations
+from quartering.threads import in_threads
+
+EVEN_HARMONICS = (0, 2, 4, 6)
+"""Harmonics of the variational matrix that first-order theory uses."""
+
+
+@njit(cache=True, nogil=True)
+def _harmonics(first, last, linear, coefficients, powers, modulus, frequency,
+               values, rates, factors, u, project, out):  # type: ignore[no-untyped-def]  # fmt: skip
+    """out (n, m, 3, 4): the projections (m, samples) of d(acceleration)/d(state) along each motion."""
+    power_table, state = np.empty((4, 8)), np.empty(4)
+    force, jacobian = np.empty(3), np.empty((3, 4))
+    for i in range(first, last):
+        for n in range(values.shape[1]):
+            orbit_state(values, rates, factors, frequency[i], u[i], n, state)
+            accelerations(linear[i], coefficients[i], powers, modulus, 1.0, state, power_table, force, jacobian)
+            for m in range(project.shape[0]):
+                for k in range(3):
+                    for s in range(4):
+                        out[i, m, k, s] += project[m, n] * jacobian[k, s]
+
+
+def variational_harmonics(system: System, u: Floats, orders: tuple[int, ...]) -> np.ndarray:
+    """Harmonics 0, 2, 4, 6 of the variational matrix along periodic motions.
+
+    Parameters
+    ----------
+    system : System           n conditions
+    u : (n, 3, b) float       motions, as from `harmonic_balance`
+    orders : tuple of int     their harmonics
+
+    Returns
+    -------
+    (n, 4, 3, 4) complex    phasors J_m of d(v', p', r')/d(v, phi, p, r): J(t) = J_0 + Re sum_m J_m e^{i m w t}
+
+    Notes
+    -----
+    Exact for polynomial terms by the number of samples.  Source: [H71] eqs. (8)-(10), first-order form.
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.steady import steady_motions
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
+    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
+    >>> u, orders, *_ = steady_motions(system)
+    >>> variational_harmonics(system, u, orders)[0, 0, 1].real.tolist()
+    [0.0, -1.0, -0.1, 0.0]
+    """
+    # The matrix has degree one less than the equations; a margin of harmonics keeps J_6 free of aliases.
+    table = basis(orders, system.degree - 2, system.has_modulus, extra=2 * max(EVEN_HARMONICS) + 2)
+    samples = table.values.shape[1]
+    half_cycle = all(h % 2 == 1 for h in orders)
+    phases = (np.pi if half_cycle else 2 * np.pi) * np.arange(samples) / samples
+    rows = [np.full(samples, 1.0 / samples)]
+    for m in EVEN_HARMONICS[1:]:
+        rows += [2.0 / samples * np.cos(m * phases), 2.0 / samples * np.sin(m * phases)]
+    out = np.zeros((system.count, len(rows), 3, 4))
+    in_threads(
+        _harmonics, system.count, *system.kernel_arrays()[:4], system.frequency, *table.arrays[:3], u, np.array(rows), out
+    )
+    phasors = np.empty((system.count, 4, 3, 4), dtype=complex)
+    phasors[:, 0] = out[:, 0]
+    phasors[:, 1:] = out[:, 1::2] - 1j * out[:, 2::2]
+    return phasors
+
+
+@njit(cache=True, nogil=True)
+def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):  # type: ignore[no-untyped-def]
+    """Rows v', p', r' of the variational matrix (3, 4) at the phase whose cosine and sine are given."""
+    linear, coefficients, powers, modulus, w = system
+    power_table, state, force = scratch
+    state[:] = 0.0
+    column, reached = 0, 0
+    c, s = 1.0, 0.0
+    for h in orders:
+        if h == 0:
+            state[0] += u[0, 0]
+            state[1] += u[1, 0]
+            state[3] += u[2, 0]
+            column = 1
+            continue
+        for _ in range(h - reached):
+            c, s = c * cos1 - s * sin1, s * cos1 + c * sin1
+        reached = h
+        rate = h * w
+        state[0] += rate * (c * u[0, column + 1] - s * u[0, column])
+        state[1] += c * u[1, column] + s * u[1, column + 1]
+        state[2] += rate * (c * u[1, column + 1] - s * u[1, column])
+        state[3] += rate * (c * u[2, column + 1] - s * u[2, column])
+        column += 2
+    accelerations(linear, coefficients, powers, modulus, 1.0, state, power_table, force, matrix)
+
+
+@njit(cache=True, nogil=True)
+def _slope(matrix, phi, out):  # type: ignore[no-untyped-def]
+    """Derivative of the state transition matrix phi (4, 4), rows (v, phi, p, r)."""
+    for c in range(4):
+        out[1, c] = phi[2, c]
+        for k in range(3):
+            row = 0 if k == 0 else k + 1
+            out[row, c] = (
+                matrix[k, 0] * phi[0, c] + matrix[k, 1] * phi[1, c] + matrix[k, 2] * phi[2, c] + matrix[k, 3] * phi[3, c]
+            )
+
+
+@njit(cache=True, nogil=True)
+def _transition(first, last, linear, coefficients, powers, modulus, frequency,
+                orders, u, span, steps, transition):  # type: ignore[no-untyped-def]  # fmt: skip
+    """Fourth-order Runge-Kutta solution (n, 4, 4) of the variational equations over ``span`` cycles."""
+    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3))
+    begin, middle, end = np.empty((3, 4)), np.empty((3, 4)), np.empty((3, 4))
+    phi, stage = np.empty((4, 4)), np.empty((4, 4))
+    k1, k2, k3, k4 = np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4))
+    for i in range(first, last):
+        system = (linear[i], coefficients[i], powers, modulus, frequency[i])
+        h = 2.0 * np.pi * span / (frequency[i] * steps[i])
+        half_angle = np.pi * span / steps[i]
+        for a in range(4):
+            for b in range(4):
+                phi[a, b] = 1.0 if a == b else 0.0
+        _jacobian_at(system, orders, u[i], 1.0, 0.0, scratch, end)
+        for n in range(steps[i]):
+            for a in range(3):
+                for b in range(4):
+                    begin[a, b] = end[a, b]
+            angle = (2 * n + 1) * half_angle
+            _jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, middle)
+            angle = (2 * n + 2) * half_angle
+            _jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, end)
+            _slope(begin, phi, k1)
+            for a in range(4):
+                for b in range(4):
+                    stage[a, b] = phi[a, b] + 0.5 * h * k1[a, b]
+            _slope(middle, stage, k2)
+            for a in range(4):
+                for b in range(4):
+                    stage[a, b] = phi[a, b] + 0.5 * h * k2[a, b]
+            _slope(middle, stage, k3)
+            for a in range(4):
+                for b in range(4):
+                    stage[a, b] = phi[a, b] + h * k3[a, b]
+            _slope(end, stage, k4)
+            for a in range(4):
+                for b in range(4):
+                    phi[a, b] += h / 6.0 * (k1[a, b] + 2.0 * k2[a, b] + 2.0 * k3[a, b] + k4[a, b])
+        for a in range(4):
+            for b in range(4):
+                transition[i, a, b] = phi[a, b]
+
+
+def transition_matrices(system: System, u: Floats, orders: tuple[int, ...], span: float, steps: np.ndarray) -> Floats:
+    """State transition matrices of the variational equations, from phase zero over part of a cycle.
+
+    Parameters
+    ----------
+    system : System           n conditions
+    u : (n, 3, b) float       motions, as from `harmonic_balance`
+    orders : tuple of int     their harmonics
+    span : float              fraction of the wave's period: 1 for the monodromy matrix, 0.5 for its symmetric root
+    steps : (n,) int          Runge-Kutta steps over the span
+
+    Returns
+    -------
+    (n, 4, 4) float           state order (v, phi, p, r)
+
+    Notes
+    -----
+    Fourth-order Runge-Kutta; the error falls with the fourth power of the number of steps.
+    Source: [H71] eq. (8), as a first-order system.
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.steady import steady_motions
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
+    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
+    >>> u, orders, *_ = steady_motions(system)
+    >>> phi = transition_matrices(system, u, orders, 1.0, np.array([200]))[0]
+    >>> bool(np.isclose(phi[0, 0], np.exp(-2 * np.pi)))
+    True
+    """
+    transition = np.empty((system.count, 4, 4))
+    in_threads(
+        _transition, system.count, *system.kernel_arrays()[:4], system.frequency, np.array(orders, dtype=np.int64), u,
+        span, steps.astype(np.int64), transition,
+    )  # fmt: skip
+    return transition
