@@ -1,0 +1,147 @@
+"""Floquet multipliers: what decides whether a periodic motion is stable."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.equations import Floats, System
+from quartering.stability.variation import transition_matrices
+
+Complex = NDArray[np.complex128]
+_SMALLEST_DETERMINANT = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Floquet:
+    """Floquet analysis of n motions, modes ordered by the modulus of their multipliers, the largest first.
+
+    Parameters
+    ----------
+    multipliers : (n, 4) complex    of one wave period, states (v, phi, p, r)
+    half : (n, 4) complex           of the half-period map with sign reversal removed: multipliers = half^2 when the motion
+                                    is symmetric; NaN when it is not
+    exponents : (n, 4) complex      w/(2 pi) ln(multiplier) [1/s]
+    share : (n, 4, 4) float         participation of v, phi, p, r (last axis) in each mode, summing to 1
+    liouville : (n,) float          relative difference of the product of multipliers and exp(integral of the trace); NaN
+                                    where the product is too small to be told from rounding
+    """
+
+    multipliers: Complex
+    half: Complex
+    exponents: Complex
+    share: Floats
+    liouville: Floats
+
+    @property
+    def growth(self) -> Floats:
+        """Largest real part (n,) of the exponents [1/s]; positive is unstable."""
+        return np.asarray(self.exponents[:, 0].real)
+
+    @property
+    def roll_share(self) -> Floats:
+        """Participation (n, 4) of roll angle and roll rate in each mode."""
+        return np.asarray(self.share[:, :, 1] + self.share[:, :, 2])
+
+
+def steps_for(frequency: Floats, span: float, mean_jacobian: Complex, highest: int, accuracy: float) -> NDArray[np.int64]:
+    """Runge-Kutta steps that keep the error of the multipliers near a given accuracy.
+
+    Parameters
+    ----------
+    frequency : (n,) float         w [rad/s]
+    span : float                   fraction of the period integrated
+    mean_jacobian : (n, 4)         eigenvalues of the mean variational matrix [1/s]
+    highest : int                  highest harmonic of the motion
+    accuracy : float               relative to the larger of 1 and the multiplier
+
+    Returns
+    -------
+    (n,) int
+
+    Notes
+    -----
+    The local error of the fourth-order method is (rate h)^5/120.  Source: closed form.
+
+    Examples
+    --------
+    >>> steps_for(np.array([0.5]), 0.5, np.array([[0.5j, -0.5j, 0, 0]]), 3, 1e-6).tolist()
+    [89]
+    """
+    rate = 1.5 * np.abs(np.nan_to_num(mean_jacobian)).max(axis=1)
+    with np.errstate(divide="ignore"):
+        turn = np.where(frequency > 0, 2 * np.pi * span * np.maximum(rate / frequency, 1.0), 1.0)
+    steps = np.ceil(turn * (turn / (120 * accuracy)) ** 0.25)
+    return np.asarray(np.clip(steps, 12 + 8 * highest * span, 200_000)).astype(np.int64)
+
+
+def floquet(
+    system: System, u: Floats, orders: tuple[int, ...], mean_jacobian: Complex, trace: Floats, accuracy: float = 1e-6
+) -> Floquet:
+    """Floquet multipliers of periodic motions by integrating their variational equations.
+
+    Parameters
+    ----------
+    system : System              n conditions
+    u : (n, 3, b) float          motions, as from `harmonic_balance`; NaN rows come back as NaN
+    orders : tuple of int        their harmonics
+    mean_jacobian : (n, 4)       eigenvalues of the mean variational matrix, to choose the steps
+    trace : (n,) float           its trace, for the Liouville check [1/s]
+    accuracy : float             of the multipliers
+
+    Returns
+    -------
+    Floquet
+
+    Notes
+    -----
+    A motion with odd harmonics only has a variational matrix of half the period, so half a cycle suffices: a half-period
+    multiplier of -1 is a fold, +1 symmetry breaking, a complex pair on the unit circle a growing oscillation.
+    Source: [H71] eq. (8) and Liouville's formula.
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.steady import steady_motion
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
+    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
+    >>> motion = steady_motion(model)
+    >>> rates = np.array([[-1.0, -0.5, -0.05 + 1j, -0.05 - 1j]])
+    >>> result = floquet(model.system, motion.coefficients[None], motion.orders, rates, np.array([-1.6]), 1e-10)
+    >>> result.exponents[0].real.round(6).tolist()
+    [-0.05, -0.05, -0.5, -1.0]
+    """
+    symmetric = all(h % 2 == 1 for h in orders)
+    span = 0.5 if symmetric else 1.0
+    found = np.isfinite(u).all(axis=(1, 2)) & system.finite
+    steps = np.where(found, steps_for(system.frequency, span, mean_jacobian, max(orders), accuracy), 1)
+    phi = transition_matrices(system, np.where(found[:, None, None], u, 0.0), orders, span, steps)
+    found &= np.isfinite(phi).all(axis=(1, 2))
+    values, vectors = np.linalg.eig(np.where(found[:, None, None], phi, np.eye(4)))
+    values, vectors = values.astype(complex), vectors.astype(complex)
+    order = np.argsort(-np.abs(values), axis=1, kind="stable")
+    values = np.take_along_axis(values, order, axis=1)
+    vectors = np.take_along_axis(vectors, order[:, None, :], axis=2)
+    share = _participation(vectors)
+    full = values**2 if symmetric else values
+    frequency = np.where(found, system.frequency, 1.0)
+    with np.errstate(divide="ignore"):
+        exponents = np.log(full) * (frequency / (2 * np.pi))[:, None]
+    expected = np.exp(np.where(found, trace, 0.0) * 2 * np.pi / frequency)
+    product = np.prod(full, axis=1).real
+    liouville = np.where(expected > _SMALLEST_DETERMINANT, np.abs(product - expected) / np.maximum(expected, 1e-300), np.nan)
+    gone = ~found
+    for array in (full, values, exponents, share, liouville):
+        array[gone] = np.nan
+    return Floquet(full, values if symmetric else np.full_like(values, np.nan), exponents, share, liouville)
+
+
+def _participation(vectors: Complex) -> Floats:
+    """Share (n, mode, state) of each state in each mode: |right eigenvector x left eigenvector|, free of units."""
+    defective = np.abs(np.linalg.det(vectors)) < 1e-13
+    left = np.linalg.inv(np.where(defective[:, None, None], np.eye(4), vectors))
+    share = np.abs(vectors.transpose(0, 2, 1) * left)
+    share[defective] = np.abs(vectors[defective].transpose(0, 2, 1)) ** 2
+    return np.asarray(share / share.sum(axis=2, keepdims=True))

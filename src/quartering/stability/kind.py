@@ -1,0 +1,152 @@
+"""By which mechanism a motion loses stability."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.equations import System
+from quartering.stability.floquet import Floquet
+
+_MOSTLY_ROLL, _HARDLY_ROLL = 0.6, 0.25
+
+
+class Kind(IntEnum):
+    """Mechanism of an instability, decided by the Floquet multipliers and who takes part in the growing mode.
+
+    Notes
+    -----
+    Stored as int8 in datasets, with CF ``flag_values`` and ``flag_meanings``.
+
+    Examples
+    --------
+    >>> Kind.COURSE_IN_CALM_WATER.label
+    'course-in-calm-water'
+    """
+
+    NO_ANSWER = -1
+    STABLE = 0
+    ROLL = 1
+    FOLD = 2
+    SYMMETRY_BREAKING = 3
+    COURSE = 4
+    COURSE_IN_CALM_WATER = 5
+    COMBINATION = 6
+    PERIOD_DOUBLING = 7
+
+    @property
+    def label(self) -> str:
+        """Name as shown to people and stored in datasets."""
+        return self.name.lower().replace("_", "-")
+
+    @property
+    def meaning(self) -> str:
+        """One clause: what grows and why."""
+        return _MEANING[self]
+
+
+_MEANING = {
+    Kind.NO_ANSWER: "no periodic motion to judge",
+    Kind.STABLE: "every small disturbance dies out",
+    Kind.ROLL: "roll grows beside the wave-driven motion, fed by sway and yaw",
+    Kind.FOLD: "roll locked to the wave grows until the motion jumps to another one",
+    Kind.SYMMETRY_BREAKING: "the ship leans to one side more and more",
+    Kind.COURSE: "the ship leaves its course: a slow sway-yaw motion grows because of the wave",
+    Kind.COURSE_IN_CALM_WATER: "the ship is unstable on course without any wave; the wave is not to blame",
+    Kind.COMBINATION: "roll and the slow sway-yaw motion grow together",
+    Kind.PERIOD_DOUBLING: "roll at half the encounter frequency grows",
+}
+
+
+def calm_water_exponents(system: System) -> NDArray[np.complex128]:
+    """Exponents of the linear motion without waves, with the coefficients of each condition.
+
+    Parameters
+    ----------
+    system : System     n conditions
+
+    Returns
+    -------
+    (n, 4) complex      [1/s], the largest real part first; NaN where a coefficient is
+
+    Notes
+    -----
+    Eigenvalues of the linear part in (v, phi, p, r).  Source: [H71] eq. (3), linear terms.
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
+    >>> calm_water_exponents(Model(np.eye(3), terms, 0.8, (0, 0, 0), (0, 0, 0)).system)[0].real.round(3).tolist()
+    [-0.05, -0.05, -0.5, -1.0]
+    """
+    matrix = np.zeros((system.count, 4, 4))
+    matrix[:, [0, 2, 3]] = system.linear
+    matrix[:, 1, 2] = 1.0
+    finite = system.finite
+    values = np.linalg.eigvals(np.where(finite[:, None, None], matrix, 0.0)).astype(complex)
+    values = np.take_along_axis(values, np.argsort(-values.real, axis=1, kind="stable"), axis=1)
+    values[~finite] = np.nan
+    return np.asarray(values)
+
+
+def growing_mode(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int64]:
+    """Index of the mode that names the instability.
+
+    Parameters
+    ----------
+    result : Floquet
+    calm : (n, 4) complex    calm-water exponents [1/s]
+
+    Returns
+    -------
+    (n,) int    the largest multiplier; but where the ship is course-unstable without waves, an unstable mode that is not the
+                course mode goes first, because that one is the wave's doing
+
+    Notes
+    -----
+    Source: participation of eigenvectors; a choice of this library.
+    """
+    unstable = np.abs(np.nan_to_num(result.multipliers)) > 1.0
+    by_wave = unstable & (result.roll_share >= _MOSTLY_ROLL) & (calm[:, :1].real > 0)
+    return np.where(by_wave.any(axis=1), by_wave.argmax(axis=1), 0)
+
+
+def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
+    """Mechanism of each motion's instability, or that it is stable.
+
+    Parameters
+    ----------
+    result : Floquet         n motions
+    calm : (n, 4) complex    calm-water exponents [1/s]
+
+    Returns
+    -------
+    (n,) int8    values of `Kind`
+
+    Notes
+    -----
+    Symmetric motions: half-period multiplier real negative, a fold; real positive, symmetry breaking when roll carries it
+    and course when sway and yaw do; complex, roll, combination or course by the share of roll.  Others: a negative
+    multiplier is period doubling, a positive one a fold.  Source: symmetry of [H71] eq. (3); shares are this library's.
+    """
+    rows = np.arange(result.multipliers.shape[0])
+    mode = growing_mode(result, calm)
+    multiplier, half = result.multipliers[rows, mode], result.half[rows, mode]
+    share = result.roll_share[rows, mode]
+    symmetric = np.isfinite(half)
+    deciding = np.where(symmetric, half, multiplier)
+    real = np.abs(deciding.imag) <= 1e-9 * np.abs(deciding)
+    negative = real & (deciding.real < 0)
+    by_share = np.where(
+        share >= _MOSTLY_ROLL, Kind.ROLL, np.where(share < _HARDLY_ROLL, Kind.COURSE, Kind.COMBINATION)
+    )
+    positive = np.where(symmetric, Kind.SYMMETRY_BREAKING, Kind.FOLD)
+    kind = np.where(real, np.where(share >= _HARDLY_ROLL, positive, Kind.COURSE), by_share)
+    kind = np.where(negative, np.where(symmetric, Kind.FOLD, Kind.PERIOD_DOUBLING), kind)
+    kind = np.where((kind == Kind.COURSE) & (calm[:, 0].real > 0), Kind.COURSE_IN_CALM_WATER, kind)
+    modulus = np.abs(result.multipliers[:, 0])
+    kind = np.where(modulus < 1.0, Kind.STABLE, kind)
+    return np.where(np.isfinite(modulus), kind, Kind.NO_ANSWER).astype(np.int8)
