@@ -1,12 +1,13 @@
 """Small dense linear systems inside compiled kernels: LU with partial pivoting."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 from numba import njit
 
 
 @njit(cache=True, nogil=True)
-def lu_factor(a, pivots):  # type: ignore[no-untyped-def]
+def lu_factor(a, pivots):
     """Factor the square matrix ``a`` in place; returns False when it is singular to working precision.
 
     Notes
@@ -36,7 +37,7 @@ def lu_factor(a, pivots):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True, nogil=True)
-def lu_solve(a, pivots, b):  # type: ignore[no-untyped-def]
+def lu_solve(a, pivots, b):
     """Solve in place for one right-hand side ``b``, with ``a`` and ``pivots`` from `lu_factor`.
 
     Notes

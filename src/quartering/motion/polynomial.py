@@ -1,12 +1,13 @@
 """Accelerations and their derivatives at one state: the right-hand side every kernel shares."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 from numba import njit
 
 
 @njit(cache=True, nogil=True)
-def accelerations(linear, coefficients, powers, modulus, strength, state, table, force, jacobian):  # type: ignore[no-untyped-def]
+def accelerations(linear, coefficients, powers, modulus, strength, state, table, force, jacobian):
     """Right-hand side of the canonical equations without excitation, and its derivative by the state.
 
     Parameters

@@ -1,5 +1,6 @@
 """Direct integration of the full equations in time."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -42,7 +43,7 @@ _DENSE = np.array(
 
 
 @njit(cache=True, nogil=True)
-def _derivative(system, time, y, scratch, out):  # type: ignore[no-untyped-def]
+def _derivative(system, time, y, scratch, out):
     linear, coefficients, powers, modulus, mean, cos, sin, w = system
     power_table, force, jacobian = scratch
     accelerations(linear, coefficients, powers, modulus, 1.0, y, power_table, force, jacobian)
@@ -54,7 +55,7 @@ def _derivative(system, time, y, scratch, out):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True, nogil=True)
-def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):  # type: ignore[no-untyped-def]
+def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):
     """Dormand-Prince 5(4) with fourth-order dense output at ``times``; returns the number of samples written."""
     scratch = (np.empty((4, 8)), np.empty(3), np.empty((3, 4)))
     k = np.empty((7, 4))

@@ -19,7 +19,7 @@ class Status(IntEnum):
     """
 
     CONVERGED = 0
-    CONVERGED_BY_HOMOTOPY = 1
+    CONVERGED_BY_FOLLOWING = 1
     NO_MOTION_FOUND = 2
     SINGULAR = 3
     NOT_FINITE = 4
@@ -29,7 +29,7 @@ class Status(IntEnum):
     @property
     def ok(self) -> bool:
         """Is there a motion?"""
-        return self in (Status.CONVERGED, Status.CONVERGED_BY_HOMOTOPY)
+        return self in (Status.CONVERGED, Status.CONVERGED_BY_FOLLOWING)
 
     @property
     def advice(self) -> str:
@@ -39,8 +39,8 @@ class Status(IntEnum):
 
 _ADVICE = {
     Status.CONVERGED: "the motion that grows out of the linear solution",
-    Status.CONVERGED_BY_HOMOTOPY: "found by raising the nonlinear terms step by step; other motions may exist:"
-    " see all_motions",
+    Status.CONVERGED_BY_FOLLOWING: "found by raising the wave from nothing along the branch of motions; other"
+    " motions may exist: see all_motions",
     Status.NO_MOTION_FOUND: "no periodic motion was found from the linear solution: the ship may capsize here;"
     " try a lower wave or simulate",
     Status.SINGULAR: "the balance equations are singular here: a fold or an undamped resonance; change the frequency"

@@ -1,21 +1,23 @@
 """The paper's modified Struble method: one harmonic in balance, the third (and any second) as a linear correction."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from quartering.motion.balance import balance
 from quartering.motion.basis import basis
 from quartering.motion.dense import lu_factor, lu_solve
 from quartering.motion.equations import Floats, System
-from quartering.motion.harmonic import balance, harmonic_balance
+from quartering.motion.harmonic import harmonic_balance
 from quartering.threads import in_threads
 
 
 @njit(cache=True, nogil=True)
 def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-             values, rates, factors, weights, known, u):  # type: ignore[no-untyped-def]  # fmt: skip
+             values, rates, factors, weights, known, u):  # fmt: skip
     """Fill the columns of ``u`` (n, 3, b) after the first `known` with their linear response."""
     nb = values.shape[0]
     size, free = 3 * nb, nb - known

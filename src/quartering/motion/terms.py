@@ -140,7 +140,9 @@ def term_table(terms: Mapping[str, float]) -> TermTable:
     columns: dict[Factors, NDArray[np.float64]] = {}
     for name, value in terms.items():
         if not np.isfinite(value):
-            raise InputError(f"term {name!r} is {value}; every coefficient must be a finite number (leave out what is 0)")
+            raise InputError(
+                f"term {name!r} is {value}; every coefficient must be a finite number (leave out what is 0)"
+            )
         row, factors = parse(name)
         if factors.degree == 1:
             linear[row, factors.powers.index(1)] += value

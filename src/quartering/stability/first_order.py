@@ -6,6 +6,7 @@ Everything here is algebra on the harmonics of the variational matrix, vectorise
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,7 +57,9 @@ class FirstOrder:
     @property
     def growth(self) -> Floats:
         """Largest growth rate any first-order quantity predicts, the averaged system deciding near m = 2 [1/s]."""
-        rates = np.column_stack([self.roll_rate, self.averaged.real.max(axis=1), self.slow.max(axis=1), self.combination])
+        rates = np.column_stack(
+            [self.roll_rate, self.averaged.real.max(axis=1), self.slow.max(axis=1), self.combination]
+        )
         return np.asarray(np.nanmax(np.where(np.isnan(rates), -np.inf, rates), axis=1))
 
 
@@ -88,7 +91,9 @@ def roll_cubic(system: System, factors: str) -> Floats:
     return np.asarray(system.coefficients[:, 1, column].sum(axis=1))
 
 
-def _index_from_amplitudes(system: System, amplitude: Floats, n2: Floats, linear: Floats, roll_axis: Floats | None) -> Floats:
+def _index_from_amplitudes(
+    system: System, amplitude: Floats, n2: Floats, linear: Floats, roll_axis: Floats | None
+) -> Floats:
     """K2 = n2 w^2/2 (I1 P1^2 + I2 P2^2 + I3 P3^2) + n2 sum_j rho_j e_2j; the paper's numbers when no roll axis is given."""
     c = {name: roll_cubic(system, name) for name in ("vvv", "pvv", "vpp", "ppp", "vrr", "prr")}
     three, one = (3 * roll_axis, roll_axis) if roll_axis is not None else (0.3, 0.1)
@@ -111,7 +116,9 @@ def _averaged_roll_pair(frequency: Floats, phasors: Complex) -> Complex:
         state[:, _VELOCITIES[k]] = 1j * frequency * displacement
         if k == 1:
             state[:, 1] = displacement
-        force = np.einsum("nks,ns->nk", phasors[:, 0], state) + 0.5 * np.einsum("nks,ns->nk", phasors[:, 1], state.conj())
+        force = np.einsum("nks,ns->nk", phasors[:, 0], state) + 0.5 * np.einsum(
+            "nks,ns->nk", phasors[:, 1], state.conj()
+        )
         error = -force
         error[:, k] -= frequency**2 * displacement
         matrix[:, :3, column] = -error.imag / (2 * w)
@@ -124,9 +131,7 @@ def _averaged_roll_pair(frequency: Floats, phasors: Complex) -> Complex:
     return np.take_along_axis(values, order, axis=1).astype(complex)
 
 
-def _combination_rate(
-    w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Floats, phasors: Complex
-) -> Floats:
+def _combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Floats, phasors: Complex) -> Floats:
     """Largest growth rate of roll combined with the slow modes through modulation at 2 omega, near n2 = 2 omega."""
     n = w.size
     two, four = phasors[:, 1], phasors[:, 2]
@@ -179,7 +184,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrd
     >>> round(float(first_order(model.system, phasors, motion.amplitude[None]).k2[0]), 6)
     -0.1
     """
-    finite = np.isfinite(phasors).all(axis=(1, 2, 3))
+    finite = np.isfinite(phasors).reshape(system.count, -1).all(axis=1)
     phasors = np.where(finite[:, None, None, None], phasors, 0.0)
     w = system.frequency
     stiffness = phasors[:, 0, :, 1].real
@@ -206,7 +211,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrd
     by_rho = _index_from_amplitudes(system, amplitudes, n2, linear, rho[:, 0])
     literal = _index_from_amplitudes(system, amplitudes, n2, linear, None)
 
-    def known(values: NDArray[np.generic], where: NDArray[np.bool_] = oscillates) -> NDArray[np.generic]:
+    def known(values: Any, where: NDArray[np.bool_] = oscillates) -> Any:
         return np.where(where.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
 
     return FirstOrder(

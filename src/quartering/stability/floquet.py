@@ -46,14 +46,14 @@ class Floquet:
         return np.asarray(self.share[:, :, 1] + self.share[:, :, 2])
 
 
-def steps_for(frequency: Floats, span: float, mean_jacobian: Complex, highest: int, accuracy: float) -> NDArray[np.int64]:
+def steps_for(frequency: Floats, span: float, rate: Floats, highest: int, accuracy: float) -> NDArray[np.int64]:
     """Runge-Kutta steps that keep the error of the multipliers near a given accuracy.
 
     Parameters
     ----------
     frequency : (n,) float         w [rad/s]
     span : float                   fraction of the period integrated
-    mean_jacobian : (n, 4)         eigenvalues of the mean variational matrix [1/s]
+    rate : (n,) float              fastest rate in the variational equations, see `fastest_rate` [1/s]
     highest : int                  highest harmonic of the motion
     accuracy : float               relative to the larger of 1 and the multiplier
 
@@ -67,18 +67,46 @@ def steps_for(frequency: Floats, span: float, mean_jacobian: Complex, highest: i
 
     Examples
     --------
-    >>> steps_for(np.array([0.5]), 0.5, np.array([[0.5j, -0.5j, 0, 0]]), 3, 1e-6).tolist()
-    [89]
+    >>> steps_for(np.array([0.5]), 0.5, np.array([0.5]), 3, 1e-6).tolist()
+    [84]
     """
-    rate = 1.5 * np.abs(np.nan_to_num(mean_jacobian)).max(axis=1)
-    with np.errstate(divide="ignore"):
-        turn = np.where(frequency > 0, 2 * np.pi * span * np.maximum(rate / frequency, 1.0), 1.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        turn = 2 * np.pi * span * 1.8 * np.nan_to_num(np.maximum(rate / frequency, 1.0), nan=1.0, posinf=1.0)
     steps = np.ceil(turn * (turn / (120 * accuracy)) ** 0.25)
     return np.asarray(np.clip(steps, 12 + 8 * highest * span, 200_000)).astype(np.int64)
 
 
+def fastest_rate(phasors: Complex, mean_jacobian: Complex) -> Floats:
+    """Bound on how fast disturbances can turn, grow or die at any moment of the cycle.
+
+    Parameters
+    ----------
+    phasors : (n, m, 3, 4)       harmonics of the variational matrix, the mean first
+    mean_jacobian : (n, 4)       eigenvalues of its mean [1/s]
+
+    Returns
+    -------
+    (n,) float                   [1/s]
+
+    Notes
+    -----
+    Largest of the mean's eigenvalues, the root of the largest stiffness, and the largest dampings on the diagonal.
+    Source: Gershgorin-type estimate; used to choose steps only.
+
+    Examples
+    --------
+    >>> stiff = np.zeros((1, 2, 3, 4), complex)
+    >>> stiff[0, :, 1, 1] = [-1.0, 3.0]
+    >>> fastest_rate(stiff, np.zeros((1, 4))).tolist()
+    [2.0]
+    """
+    sizes = np.abs(phasors).sum(axis=1)
+    diagonal = np.maximum.reduce([sizes[:, 0, 0], sizes[:, 1, 2], sizes[:, 2, 3]])
+    return np.maximum.reduce([np.abs(mean_jacobian).max(axis=1), np.sqrt(sizes[:, 1, 1]), diagonal])
+
+
 def floquet(
-    system: System, u: Floats, orders: tuple[int, ...], mean_jacobian: Complex, trace: Floats, accuracy: float = 1e-6
+    system: System, u: Floats, orders: tuple[int, ...], rate: Floats, trace: Floats, accuracy: float = 1e-6
 ) -> Floquet:
     """Floquet multipliers of periodic motions by integrating their variational equations.
 
@@ -87,8 +115,8 @@ def floquet(
     system : System              n conditions
     u : (n, 3, b) float          motions, as from `harmonic_balance`; NaN rows come back as NaN
     orders : tuple of int        their harmonics
-    mean_jacobian : (n, 4)       eigenvalues of the mean variational matrix, to choose the steps
-    trace : (n,) float           its trace, for the Liouville check [1/s]
+    rate : (n,) float            from `fastest_rate`, to choose the steps [1/s]
+    trace : (n,) float           mean trace of the variational matrix, for the Liouville check [1/s]
     accuracy : float             of the multipliers
 
     Returns
@@ -108,15 +136,15 @@ def floquet(
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
     >>> motion = steady_motion(model)
-    >>> rates = np.array([[-1.0, -0.5, -0.05 + 1j, -0.05 - 1j]])
-    >>> result = floquet(model.system, motion.coefficients[None], motion.orders, rates, np.array([-1.6]), 1e-10)
+    >>> one, trace = np.array([1.0]), np.array([-1.6])
+    >>> result = floquet(model.system, motion.coefficients[None], motion.orders, one, trace, 1e-10)
     >>> result.exponents[0].real.round(6).tolist()
     [-0.05, -0.05, -0.5, -1.0]
     """
     symmetric = all(h % 2 == 1 for h in orders)
     span = 0.5 if symmetric else 1.0
     found = np.isfinite(u).all(axis=(1, 2)) & system.finite
-    steps = np.where(found, steps_for(system.frequency, span, mean_jacobian, max(orders), accuracy), 1)
+    steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
     phi = transition_matrices(system, np.where(found[:, None, None], u, 0.0), orders, span, steps)
     found &= np.isfinite(phi).all(axis=(1, 2))
     values, vectors = np.linalg.eig(np.where(found[:, None, None], phi, np.eye(4)))
@@ -131,7 +159,9 @@ def floquet(
         exponents = np.log(full) * (frequency / (2 * np.pi))[:, None]
     expected = np.exp(np.where(found, trace, 0.0) * 2 * np.pi / frequency)
     product = np.prod(full, axis=1).real
-    liouville = np.where(expected > _SMALLEST_DETERMINANT, np.abs(product - expected) / np.maximum(expected, 1e-300), np.nan)
+    liouville = np.where(
+        expected > _SMALLEST_DETERMINANT, np.abs(product - expected) / np.maximum(expected, 1e-300), np.nan
+    )
     gone = ~found
     for array in (full, values, exponents, share, liouville):
         array[gone] = np.nan

@@ -140,9 +140,7 @@ def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
     deciding = np.where(symmetric, half, multiplier)
     real = np.abs(deciding.imag) <= 1e-9 * np.abs(deciding)
     negative = real & (deciding.real < 0)
-    by_share = np.where(
-        share >= _MOSTLY_ROLL, Kind.ROLL, np.where(share < _HARDLY_ROLL, Kind.COURSE, Kind.COMBINATION)
-    )
+    by_share = np.where(share >= _MOSTLY_ROLL, Kind.ROLL, np.where(share < _HARDLY_ROLL, Kind.COURSE, Kind.COMBINATION))
     positive = np.where(symmetric, Kind.SYMMETRY_BREAKING, Kind.FOLD)
     kind = np.where(real, np.where(share >= _HARDLY_ROLL, positive, Kind.COURSE), by_share)
     kind = np.where(negative, np.where(symmetric, Kind.FOLD, Kind.PERIOD_DOUBLING), kind)

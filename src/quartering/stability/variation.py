@@ -1,13 +1,14 @@
 """The equations of first variation about a periodic motion: their harmonics and their solution over a cycle."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 import numpy as np
 from numba import njit
 
+from quartering.motion.balance import orbit_state
 from quartering.motion.basis import basis
 from quartering.motion.equations import Floats, System
-from quartering.motion.harmonic import orbit_state
 from quartering.motion.polynomial import accelerations
 from quartering.threads import in_threads
 
@@ -17,7 +18,7 @@ EVEN_HARMONICS = (0, 2, 4, 6)
 
 @njit(cache=True, nogil=True)
 def _harmonics(first, last, linear, coefficients, powers, modulus, frequency,
-               values, rates, factors, u, project, out):  # type: ignore[no-untyped-def]  # fmt: skip
+               values, rates, factors, u, project, out):  # fmt: skip
     """out (n, m, 3, 4): the projections (m, samples) of d(acceleration)/d(state) along each motion."""
     power_table, state = np.empty((4, 8)), np.empty(4)
     force, jacobian = np.empty(3), np.empty((3, 4))
@@ -55,7 +56,7 @@ def variational_harmonics(system: System, u: Floats, orders: tuple[int, ...]) ->
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
     >>> u, orders, *_ = steady_motions(system)
-    >>> variational_harmonics(system, u, orders)[0, 0, 1].real.tolist()
+    >>> variational_harmonics(system, u, orders)[0, 0, 1].real.round(12).tolist()
     [0.0, -1.0, -0.1, 0.0]
     """
     # The matrix has degree one less than the equations; a margin of harmonics keeps J_6 free of aliases.
@@ -68,7 +69,14 @@ def variational_harmonics(system: System, u: Floats, orders: tuple[int, ...]) ->
         rows += [2.0 / samples * np.cos(m * phases), 2.0 / samples * np.sin(m * phases)]
     out = np.zeros((system.count, len(rows), 3, 4))
     in_threads(
-        _harmonics, system.count, *system.kernel_arrays()[:4], system.frequency, *table.arrays[:3], u, np.array(rows), out
+        _harmonics,
+        system.count,
+        *system.kernel_arrays()[:4],
+        system.frequency,
+        *table.arrays[:3],
+        u,
+        np.array(rows),
+        out,
     )
     phasors = np.empty((system.count, 4, 3, 4), dtype=complex)
     phasors[:, 0] = out[:, 0]
@@ -77,7 +85,7 @@ def variational_harmonics(system: System, u: Floats, orders: tuple[int, ...]) ->
 
 
 @njit(cache=True, nogil=True)
-def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):  # type: ignore[no-untyped-def]
+def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):
     """Rows v', p', r' of the variational matrix (3, 4) at the phase whose cosine and sine are given."""
     linear, coefficients, powers, modulus, w = system
     power_table, state, force = scratch
@@ -104,20 +112,23 @@ def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):  # type: ignor
 
 
 @njit(cache=True, nogil=True)
-def _slope(matrix, phi, out):  # type: ignore[no-untyped-def]
+def _slope(matrix, phi, out):
     """Derivative of the state transition matrix phi (4, 4), rows (v, phi, p, r)."""
     for c in range(4):
         out[1, c] = phi[2, c]
         for k in range(3):
             row = 0 if k == 0 else k + 1
             out[row, c] = (
-                matrix[k, 0] * phi[0, c] + matrix[k, 1] * phi[1, c] + matrix[k, 2] * phi[2, c] + matrix[k, 3] * phi[3, c]
+                matrix[k, 0] * phi[0, c]
+                + matrix[k, 1] * phi[1, c]
+                + matrix[k, 2] * phi[2, c]
+                + matrix[k, 3] * phi[3, c]
             )
 
 
 @njit(cache=True, nogil=True)
 def _transition(first, last, linear, coefficients, powers, modulus, frequency,
-                orders, u, span, steps, transition):  # type: ignore[no-untyped-def]  # fmt: skip
+                orders, u, span, steps, transition):  # fmt: skip
     """Fourth-order Runge-Kutta solution (n, 4, 4) of the variational equations over ``span`` cycles."""
     scratch = (np.empty((4, 8)), np.empty(4), np.empty(3))
     begin, middle, end = np.empty((3, 4)), np.empty((3, 4)), np.empty((3, 4))

@@ -1,0 +1,135 @@
+"""Following a branch of motions while the wave is raised from nothing, through folds: a compiled kernel."""
+
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+from quartering.motion.balance import balance
+from quartering.motion.dense import lu_factor, lu_solve
+
+
+@njit(cache=True, nogil=True)
+def _excitation(system, first, nb, out):
+    """Excitation as it stands in the balance equations (3 b,)."""
+    mean, cos, sin = system[4], system[5], system[6]
+    for row in range(3 * nb):
+        out[row] = 0.0
+    for k in range(3):
+        if first == 1:
+            out[k * nb] = mean[k]
+        out[k * nb + first] = cos[k]
+        out[k * nb + first + 1] = sin[k]
+
+
+@njit(cache=True, nogil=True)
+def _correct(system, tables, u, share, scale, tangent, force, bordered, pivots, step, work):
+    """Newton's method across the tangent from a predicted point (u, share); returns iterations, or -1, and the share.
+
+    On success ``bordered`` holds the factored bordered matrix of the last iterate.
+    """
+    residual, matrix, scratch = work[0], work[1], work[7]
+    nb = u.shape[1]
+    size = 3 * nb
+    for iteration in range(8):
+        balance(system, tables, u, 1.0, True, residual, matrix, scratch)
+        for row in range(size):
+            step[row] = -(residual[row] + (1.0 - share) * force[row])
+            for column in range(size):
+                bordered[row, column] = matrix[row, column] * scale[column // nb]
+            bordered[row, size] = -force[row]
+            bordered[size, row] = tangent[row]
+        bordered[size, size] = tangent[size]
+        step[size] = 0.0
+        if not lu_factor(bordered, pivots):
+            return -1, share
+        lu_solve(bordered, pivots, step)
+        largest = abs(step[size])
+        for row in range(size):
+            u[row // nb, row % nb] += scale[row // nb] * step[row]
+            largest = max(largest, abs(step[row]))
+        share += step[size]
+        if not largest < 1e3:
+            return -1, share
+        if largest < 1e-8:
+            return iteration, share
+    return -1, share
+
+
+@njit(cache=True, nogil=True)
+def follow(system, tables, linear_motion, u, work):
+    """Follow the motion from rest while the excitation grows from 0 to 1; leaves ``u`` near the first motion at 1.
+
+    Pseudo-arclength continuation: the share of the excitation is an unknown beside the harmonics, and each step goes along
+    the tangent, so the branch is followed through folds where no motion exists for a slightly higher wave.
+
+    Returns
+    -------
+    bool    True when the full excitation was reached
+
+    Notes
+    -----
+    Source: [Krack19] (arclength continuation).
+    """
+    nb = u.shape[1]
+    size = 3 * nb
+    force, scale = np.empty(size), np.empty(3)
+    tangent, new = np.zeros(size + 1), np.empty(size + 1)
+    step, trial = np.empty(size + 1), np.empty((3, nb))
+    bordered, pivots = np.empty((size + 1, size + 1)), np.empty(size + 1, np.int64)
+    first = 1 if tables[2][0] == 0.0 else 0
+    _excitation(system, first, nb, force)
+    whole = 1e-300
+    for k in range(3):
+        for b in range(nb):
+            whole = max(whole, abs(linear_motion[k, b]))
+    for k in range(3):
+        scale[k] = 1e-3 * whole
+        for b in range(nb):
+            scale[k] = max(scale[k], abs(linear_motion[k, b]))
+    norm = 1.0
+    for row in range(size):
+        tangent[row] = linear_motion[row // nb, row % nb] / scale[row // nb]
+        norm += tangent[row] ** 2
+        u[row // nb, row % nb] = 0.0
+    tangent[size] = 1.0
+    for row in range(size + 1):
+        tangent[row] /= np.sqrt(norm)
+    share, length = 0.0, 0.05
+    for _ in range(600):
+        for row in range(size):
+            trial[row // nb, row % nb] = u[row // nb, row % nb] + length * tangent[row] * scale[row // nb]
+        iterations, reached = _correct(
+            system, tables, trial, share + length * tangent[size], scale, tangent, force, bordered, pivots, step, work
+        )
+        for row in range(size + 1):
+            new[row] = 0.0
+        new[size] = 1.0
+        turn, norm = -1.0, 0.0
+        if iterations >= 0:
+            lu_solve(bordered, pivots, new)
+            turn = 0.0
+            for row in range(size + 1):
+                norm += new[row] ** 2
+                turn += new[row] * tangent[row]
+            turn /= np.sqrt(norm)
+        if not turn > 0.9:  # not converged, or the branch bent too sharply to be sure it is the same one
+            length *= 0.5
+            if length < 1e-7:
+                return False
+            continue
+        crossed = share < 1.0 <= reached
+        part = (1.0 - share) / (reached - share) if crossed else 1.0
+        for row in range(size):
+            k, b = row // nb, row % nb
+            u[k, b] += part * (trial[k, b] - u[k, b])
+        if crossed:
+            return True
+        for row in range(size + 1):
+            tangent[row] = new[row] / np.sqrt(norm)
+        share = reached
+        if abs(share) > 1e3:
+            return False
+        length = min(0.5, 1.4 * length)
+    return False

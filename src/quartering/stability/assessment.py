@@ -1,0 +1,71 @@
+"""All judgements of many motions at once: first order, Floquet, mechanism."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.equations import Floats, System
+from quartering.stability.first_order import FirstOrder, first_order
+from quartering.stability.floquet import Floquet, fastest_rate, floquet
+from quartering.stability.kind import calm_water_exponents, kinds
+from quartering.stability.variation import variational_harmonics
+
+
+@dataclass(frozen=True, eq=False)
+class Assessment:
+    """Stability of n motions by every method.
+
+    Parameters
+    ----------
+    first_order : FirstOrder    the paper's analysis, completed
+    floquet : Floquet           what decides
+    kind : (n,) int8            `Kind`
+    calm : (n, 4) complex       exponents of the linear motion without waves [1/s]
+    """
+
+    first_order: FirstOrder
+    floquet: Floquet
+    kind: NDArray[np.int8]
+    calm: NDArray[np.complex128]
+
+
+def assess(system: System, u: Floats, orders: tuple[int, ...], accuracy: float = 1e-6) -> Assessment:
+    """Judge the stability of periodic motions by every method.
+
+    Parameters
+    ----------
+    system : System           n conditions
+    u : (n, 3, b) float       motions, as from `harmonic_balance`
+    orders : tuple of int     their harmonics
+    accuracy : float          of the Floquet multipliers
+
+    Returns
+    -------
+    Assessment
+
+    Notes
+    -----
+    Source: [H71] eqs. (8)-(15), completed; Floquet's theorem.
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.steady import steady_motions
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
+    >>> system = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0)).system
+    >>> u, orders, *_ = steady_motions(system)
+    >>> int(assess(system, u, orders).kind[0])
+    0
+    """
+    phasors = variational_harmonics(system, u, orders)
+    first = 1 if orders[0] == 0 else 0
+    amplitude = np.hypot(u[:, :, first], u[:, :, first + 1])
+    indices = first_order(system, phasors, amplitude)
+    trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
+    rate = fastest_rate(phasors, indices.mean_jacobian)
+    multipliers = floquet(system, u, orders, rate, trace, accuracy)
+    calm = calm_water_exponents(system)
+    return Assessment(indices, multipliers, kinds(multipliers, calm), calm)

@@ -1,0 +1,77 @@
+"""Which coefficient makes a motion grow: the growth rate split over the named terms."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from quartering.motion.equations import Model
+from quartering.motion.steady import Motion
+from quartering.motion.terms import parse
+
+_ROWS_OF_STATE = (0, 2, 3)
+
+
+def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, float]:
+    """Share of every named coefficient in the growth rate of the roll mode or of the slowest course mode.
+
+    Parameters
+    ----------
+    model : Model
+    motion : Motion        its steady motion
+    oscillating : bool     True for the roll mode, False for the non-oscillating (course) mode that grows most
+
+    Returns
+    -------
+    dict of str to float   term name -> part of the growth rate [1/s], the most destabilising first; they add up to the
+                           mode's growth rate by the mean variational matrix
+
+    Notes
+    -----
+    With l and r the left and right eigenvectors of the mean variational matrix (l r = 1), its eigenvalue is l J r, which is
+    linear in the coefficients.  Source: first-order perturbation of eigenvalues; [H71] eq. (13) is its small-damping limit.
+
+    Examples
+    --------
+    >>> from quartering.motion.steady import steady_motion
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
+    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
+    >>> parts = contributions(model, steady_motion(model), oscillating=True)
+    >>> min(parts, key=parts.get), round(parts["K_p"], 6)
+    ('K_p', -0.05)
+    """
+    inverse = np.linalg.inv(model.inertia)
+    times = 2 * np.pi / model.frequency * np.arange(128) / 128
+    states = motion.state(times)
+    parts: dict[str, np.ndarray] = {}
+    for name, value in model.terms.items():
+        row, factors = parse(name)
+        gradient = _mean_gradient(states, np.array(factors.powers), factors.modulus)
+        matrix = np.zeros((4, 4))
+        matrix[list(_ROWS_OF_STATE)] = value * np.outer(inverse[:, row], gradient)
+        parts[name] = matrix
+    kinematic = np.zeros((4, 4))
+    kinematic[1, 2] = 1.0
+    values, vectors = np.linalg.eig(sum(parts.values(), kinematic))
+    vectors = vectors.astype(complex)
+    left = np.linalg.inv(vectors)
+    share = np.abs(vectors.T * left)
+    roll_share = (share[:, 1] + share[:, 2]) / share.sum(axis=1)
+    mode = (
+        int(np.argmax(roll_share)) if oscillating else int(np.argmax(np.where(roll_share < 0.5, values.real, -np.inf)))
+    )
+    rates = {name: float((left[mode] @ matrix @ vectors[:, mode]).real) for name, matrix in parts.items()}
+    return dict(sorted(rates.items(), key=lambda item: -item[1]))
+
+
+def _mean_gradient(states: np.ndarray, powers: np.ndarray, modulus: int) -> np.ndarray:
+    """Average over the motion of the gradient (4,) of one product by (v, phi, p, r)."""
+    size = np.abs(states[:, modulus - 1]) if modulus else np.ones(len(states))
+    gradient = np.zeros(4)
+    for s in range(4):
+        if powers[s] > 0:
+            lower = powers - np.eye(4, dtype=int)[s]
+            gradient[s] = np.mean(powers[s] * np.prod(states**lower, axis=1) * size)
+    if modulus:
+        sign = np.sign(states[:, modulus - 1])
+        gradient[modulus - 1] += np.mean(np.prod(states**powers, axis=1) * sign)
+    return gradient

@@ -1,0 +1,162 @@
+"""The verdict on one motion: stable or not, by which mechanism, and do the methods agree."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.equations import Floats, Model
+from quartering.motion.steady import Motion
+from quartering.stability.assessment import Assessment, assess
+from quartering.stability.contribution import contributions
+from quartering.stability.first_order import RESONANCES
+from quartering.stability.kind import Kind, growing_mode
+
+_ACCURACY = 1e-12
+_NEUTRAL = 1e-12
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """Is a motion stable, and if not why.
+
+    Parameters
+    ----------
+    stable : bool              decided by the Floquet multipliers; False when there is no motion to judge
+    kind : str                 "stable", "roll", "fold", "symmetry-breaking", "course", "course-in-calm-water",
+                               "combination", "period-doubling" or "no-answer"
+    sentence : str             the verdict in words, with the mechanism and the coefficient most to blame
+    k2, k2_rho, k2_paper : float    index [1/s2]: full; the I1, I2, I3 form with this ship's rho; with the paper's 0.3, 0.1
+    index : float              S = -K2/(2 n2) [1/s], positive is stable
+    n2 : float                 natural roll frequency about the motion [rad/s]
+    q : dict                   m -> (paper, full) growth rate at the resonance n2 = m omega/2 [1/s]
+    slow : (2,)                growth rates of the sway-yaw modes averaged over the wave [1/s]
+    averaged : (2,) complex    roll pair of the averaged equations (A-10) [1/s]
+    combination : float        growth rate of roll and slow modes combined, n2 near 2 omega [1/s]
+    mean_jacobian : (4,) complex    eigenvalues of the mean variational matrix [1/s]
+    multipliers : (4,) complex      Floquet multipliers of (v, phi, p, r), the largest first
+    exponents : (4,) complex        Floquet exponents [1/s]
+    calm_water : (4,) complex       exponents without waves [1/s]
+    roll_share : float         participation of roll in the deciding mode, 0 to 1
+    liouville : float          relative error of the product of the multipliers; NaN when too small to tell
+    strongest : (name, rate)   coefficient that adds most to the growth, and how much [1/s]
+    first_order_stable : bool  what the first-order theory alone would say
+    """
+
+    stable: bool
+    kind: str
+    sentence: str
+    k2: float
+    k2_rho: float
+    k2_paper: float
+    index: float
+    n2: float
+    q: dict[int, tuple[float, float]]
+    slow: Floats
+    averaged: NDArray[np.complex128]
+    combination: float
+    mean_jacobian: NDArray[np.complex128]
+    multipliers: NDArray[np.complex128]
+    exponents: NDArray[np.complex128]
+    calm_water: NDArray[np.complex128]
+    roll_share: float
+    liouville: float
+    strongest: tuple[str, float]
+    first_order_stable: bool
+    references: tuple[str, ...] = ("H71",)
+
+
+def stability(model: Model, motion: Motion) -> Verdict:
+    """Judge one motion by first-order theory and by Floquet multipliers, which decide.
+
+    Parameters
+    ----------
+    model : Model
+    motion : Motion    a steady motion of that model
+
+    Returns
+    -------
+    Verdict            ``kind`` "no-answer" and NaN when the motion was not found
+
+    Notes
+    -----
+    Source: [H71] eqs. (8)-(15) corrected and completed.  Valid: as the motion; multipliers to 1e-10 of the motion given,
+    whose own harmonics are the larger error: ask for more of them when a verdict is close.
+
+    Examples
+    --------
+    >>> from quartering.motion.steady import steady_motion
+    >>> terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_phiphiphi": -0.25, "K_ppp": -0.08, "N_r": -0.6}
+    >>> model = Model(np.eye(3), terms, 0.85, force_cos=(0, 0.05, 0), force_sin=(0, 0.12, 0))
+    >>> print(stability(model, steady_motion(model)).sentence)
+    Stable: disturbances die out at 0.0325 1/s or faster; first-order theory says the same.
+    """
+    u = motion.coefficients[None]
+    result = assess(model.system, u, motion.orders_with_mean, _ACCURACY)
+    f, m = result.first_order, result.floquet
+    kind = Kind(int(result.kind[0]))
+    mode = int(growing_mode(m, result.calm)[0])
+    share = float(m.roll_share[0, mode])
+    strongest = ("", float("nan"))
+    if kind is not Kind.NO_ANSWER:
+        strongest = _strongest(kind, model, motion, result, share)
+    agrees = bool(f.growth[0] < _NEUTRAL)
+    return Verdict(
+        stable=kind is Kind.STABLE,
+        kind=kind.label,
+        sentence=_sentence(kind, result, motion, strongest, mode),
+        k2=float(f.k2[0]),
+        k2_rho=float(f.k2_rho[0]),
+        k2_paper=float(f.k2_paper[0]),
+        index=float(f.index[0]),
+        n2=float(f.n2[0]),
+        q={s: (float(f.q_paper[0, i]), float(f.q[0, i])) for i, s in enumerate(RESONANCES)},
+        slow=f.slow[0],
+        averaged=f.averaged[0],
+        combination=float(f.combination[0]),
+        mean_jacobian=f.mean_jacobian[0],
+        multipliers=m.multipliers[0],
+        exponents=m.exponents[0],
+        calm_water=result.calm[0],
+        roll_share=share,
+        liouville=float(m.liouville[0]),
+        strongest=strongest,
+        first_order_stable=agrees,
+        references=motion.references,
+    )
+
+
+def _strongest(kind: Kind, model: Model, motion: Motion, result: Assessment, share: float) -> tuple[str, float]:
+    """Coefficient to blame: at a fold driven by the righting moment its largest nonlinear term, else the mean's."""
+    f = result.first_order
+    by_restoring, by_both = f.q_paper[0, 0] - f.roll_rate[0], f.q[0, 0] - f.roll_rate[0]
+    restoring = [name for name in model.terms if name in ("K_phiphiphi", "K_phi5", "K_phi7")]
+    if kind is Kind.FOLD and restoring and by_restoring > 0.5 * by_both:
+        roll = float(motion.amplitude[1])
+        size = {
+            name: abs(model.terms[name]) * roll ** (3 if name == "K_phiphiphi" else int(name[-1])) for name in restoring
+        }
+        return max(size, key=lambda name: size[name]), float(by_restoring)
+    return next(iter(contributions(model, motion, oscillating=share >= 0.5).items()), ("", float("nan")))
+
+
+def _sentence(kind: Kind, result: Assessment, motion: Motion, strongest: tuple[str, float], mode: int) -> str:
+    """The verdict in one plain sentence, with what first-order theory says beside it."""
+    if kind is Kind.NO_ANSWER:
+        return f"No answer: {motion.status.advice}."
+    growth = float(result.floquet.exponents[0, mode].real)
+    first = float(result.first_order.growth[0])
+    stable_by_first_order = first < _NEUTRAL
+    if kind is Kind.STABLE:
+        opinion = "says the same" if stable_by_first_order else f"would call it unstable ({first:+.3g} 1/s)"
+        return f"Stable: disturbances die out at {abs(growth):.3g} 1/s or faster; first-order theory {opinion}."
+    opinion = f"says the same ({first:+.3g} 1/s)" if not stable_by_first_order else f"misses it ({first:+.3g} 1/s)"
+    index = float(result.first_order.k2[0])
+    index_says = "no K2 here" if np.isnan(index) else f"K2 alone {'agrees' if index > 0 else 'does not see it'}"
+    blame = f"; {strongest[0]} adds most ({strongest[1]:+.3g} 1/s)" if strongest[1] > 0 else ""
+    return (
+        f"Unstable ({kind.label}): {kind.meaning} ({growth:+.3g} 1/s by Floquet; first-order theory {opinion}, {index_says})"
+        f"{blame}."
+    )
