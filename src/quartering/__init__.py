@@ -1,1 +1,85 @@
-"""Nonlinear sway-roll-yaw motion of a ship in regular oblique waves, and its stability."""
+"""Nonlinear sway-roll-yaw motion of a ship in regular oblique waves, and its stability.
+
+The pipeline, room by room: ``hull`` (lines, loading) -> ``hydro`` (coefficients) -> ``loads`` (wave forces) -> ``motion``
+(steady and transient motion) -> ``stability`` (verdict) -> ``study`` (maps) -> ``view`` (command line, plots).
+
+Examples
+--------
+>>> import quartering as qt
+>>> ship = qt.ship("series60-cb60")
+>>> model = qt.equations(ship, qt.Wave(length=150.0, height=4.0), speed=7.5, heading=30.0)
+>>> qt.stability(model, qt.steady_motion(model)).kind
+'stable'
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from quartering.conventions import InputError, RangeWarning
+    from quartering.hull.hydrostatics import hydrostatics
+    from quartering.hull.righting import righting_arm
+    from quartering.hull.section import Section
+    from quartering.hull.ship import Loading, Ship, ship
+    from quartering.hydro.coefficients import coefficients
+    from quartering.hydro.sections import section_coefficients
+    from quartering.hydro.strip import hydrodynamics
+    from quartering.loads.forces import wave_forces
+    from quartering.loads.waves import Wave, encounter_frequency
+    from quartering.motion.branch import all_motions, branch
+    from quartering.motion.equations import Model
+    from quartering.motion.of_ship import equations
+    from quartering.motion.simulate import simulate
+    from quartering.motion.steady import Motion, steady_motion
+    from quartering.references import cite
+    from quartering.stability.verdict import Verdict, stability
+    from quartering.study.polar import polar
+    from quartering.study.sensitivity import sensitivity
+    from quartering.study.sweep import sweep
+
+_HOMES = {
+    "InputError": "conventions",
+    "RangeWarning": "conventions",
+    "hydrostatics": "hull.hydrostatics",
+    "righting_arm": "hull.righting",
+    "Section": "hull.section",
+    "Loading": "hull.ship",
+    "Ship": "hull.ship",
+    "ship": "hull.ship",
+    "coefficients": "hydro.coefficients",
+    "section_coefficients": "hydro.sections",
+    "hydrodynamics": "hydro.strip",
+    "wave_forces": "loads.forces",
+    "Wave": "loads.waves",
+    "encounter_frequency": "loads.waves",
+    "all_motions": "motion.branch",
+    "branch": "motion.branch",
+    "Model": "motion.equations",
+    "equations": "motion.of_ship",
+    "simulate": "motion.simulate",
+    "Motion": "motion.steady",
+    "steady_motion": "motion.steady",
+    "cite": "references",
+    "Verdict": "stability.verdict",
+    "stability": "stability.verdict",
+    "polar": "study.polar",
+    "sensitivity": "study.sensitivity",
+    "sweep": "study.sweep",
+}
+__all__ = sorted(_HOMES)
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name from its room on first use, so that ``import quartering`` costs nothing."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'quartering' has no attribute {name!r}")
+    value = getattr(import_module(f"quartering.{_HOMES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Public names, imported or not yet."""
+    return sorted({*globals(), *_HOMES})

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from quartering.motion.equations import Floats, System
 from quartering.stability.first_order import FirstOrder, first_order
 from quartering.stability.floquet import Floquet, fastest_rate, floquet
-from quartering.stability.kind import calm_water_exponents, kinds
+from quartering.stability.kind import linear_exponents, kinds
 from quartering.stability.variation import variational_harmonics
 
 
@@ -67,5 +67,5 @@ def assess(system: System, u: Floats, orders: tuple[int, ...], accuracy: float =
     trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
     rate = fastest_rate(phasors, indices.mean_jacobian)
     multipliers = floquet(system, u, orders, rate, trace, accuracy)
-    calm = calm_water_exponents(system)
+    calm = linear_exponents(system)
     return Assessment(indices, multipliers, kinds(multipliers, calm), calm)

@@ -211,7 +211,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrd
     by_rho = _index_from_amplitudes(system, amplitudes, n2, linear, rho[:, 0])
     literal = _index_from_amplitudes(system, amplitudes, n2, linear, None)
 
-    def known(values: Any, where: NDArray[np.bool_] = oscillates) -> Any:
+    def known(values: Any, where: Any = oscillates) -> Any:
         return np.where(where.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
 
     return FirstOrder(

@@ -60,7 +60,7 @@ _MEANING = {
 }
 
 
-def calm_water_exponents(system: System) -> NDArray[np.complex128]:
+def linear_exponents(system: System) -> NDArray[np.complex128]:
     """Exponents of the linear motion without waves, with the coefficients of each condition.
 
     Parameters
@@ -79,7 +79,7 @@ def calm_water_exponents(system: System) -> NDArray[np.complex128]:
     --------
     >>> from quartering.motion.equations import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
-    >>> calm_water_exponents(Model(np.eye(3), terms, 0.8, (0, 0, 0), (0, 0, 0)).system)[0].real.round(3).tolist()
+    >>> linear_exponents(Model(np.eye(3), terms, 0.8, (0, 0, 0), (0, 0, 0)).system)[0].real.round(3).tolist()
     [-0.05, -0.05, -0.5, -1.0]
     """
     matrix = np.zeros((system.count, 4, 4))
