@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import cmath
 import math
-from typing import TYPE_CHECKING
 
 import numba
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, WATER_DENSITY
+from quartering.hydro.table import SectionTable
 from quartering.loads.interpolation import frequency_weights
 from quartering.loads.stations import Stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
-
-if TYPE_CHECKING:
-    from quartering.hydro.table import SectionTable
 
 
 def contour_diffraction(
@@ -57,14 +54,16 @@ def contour_diffraction(
 
     Examples
     --------
-    One section whose potential is that of a rigid lid of mass: psi = -n; a long beam wave gives a force forward of
-    the crest's slope.
+    One metre of a half circle in a long beam wave: its displaced mass, as added mass, times the water's acceleration g k.
 
-    >>> contours = Contours(frequency=np.array([0.5]), y=np.array([[1.0]]), z=np.array([[0.5]]),
-    ...                     ny=np.array([[1.0]]), nz=np.array([[0.0]]), psi=np.array([[[[-1.0 + 0j, 0.0]]]]))
-    >>> stations = Stations(x=np.zeros(1), weight=np.ones(1), z0=0.0, x_aft=0.0, transom=False)
-    >>> Y = contour_diffraction(stations, contours, [1e-6], [0.0], [90.0])[0, 0]
-    >>> round(float(Y.real / (-2.0 * 1025.0 * 9.81e-6)), 4)    # added mass 2 rho times the water's acceleration g k
+    >>> from quartering.hull.strips import Strips
+    >>> from quartering.hydro.table import radiation_table
+    >>> one, blank = np.ones(1), np.zeros((1, 1))
+    >>> circle = Strips(0 * one, one, blank, blank, blank, blank, one, one, one * np.pi / 2)
+    >>> table = radiation_table(circle, [0.01], density=1025.0)
+    >>> place = Stations(x=0 * one, weight=one, z0=0.0, x_aft=0.0, transom=False)
+    >>> Y = contour_diffraction(place, table, [1e-5], [0.0], [90.0])[0, 0]
+    >>> round(float(Y.real / (-1025.0 * np.pi / 2 * 9.81e-5)), 3)
     1.0
     """
     k, U, mu = (a.copy() for a in np.broadcast_arrays(*(np.asarray(v, float) for v in (wavenumber, speed, heading))))

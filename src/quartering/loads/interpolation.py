@@ -28,7 +28,7 @@ def frequency_weights(grid: ArrayLike, frequency: ArrayLike) -> tuple[NDArray[np
 
     Notes
     -----
-    Source: Lagrange's interpolation formula.  Valid: exact for cubics; the end values stand for the limits of zero and
+    Source: [Abramowitz64] 25.2 (Lagrange).  Valid: exact for cubics; the end values stand for the limits of zero and
     infinite frequency, so the table must reach where its curves are flat.
 
     Examples
@@ -68,7 +68,7 @@ def interpolated(values: ArrayLike, first: NDArray[np.int64], weights: Floats) -
 
     Notes
     -----
-    Source: Lagrange's interpolation formula.  Valid: as frequency_weights.
+    Source: [Abramowitz64] 25.2 (Lagrange).  Valid: as frequency_weights.
 
     Examples
     --------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,12 +10,10 @@ from numpy.typing import ArrayLike
 from quartering.conventions import GRAVITY
 from quartering.hull.strips import Strips
 from quartering.hydro.strip import about_gravity_centre
+from quartering.hydro.table import SectionTable
 from quartering.loads.interpolation import frequency_weights, interpolated
 from quartering.loads.stations import Stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
-
-if TYPE_CHECKING:
-    from quartering.hydro.table import SectionTable
 
 RelativeForm = Literal["paper", "paper-corrected", "relative-motion"]
 
@@ -50,9 +48,9 @@ def relative_motion_diffraction(
     Notes
     -----
     With <e^{-m k zeta} cos k2 y> the average over the section area and sinc = sin(k2 b)/(k2 b) over the waterline:
-    "paper": u = i s sin(d) <m=1>, slope a = +k sin(d) sinc, Y' = (b22 + i s a22) u + (i s b24 - s^2 a24) a, K' likewise,
-    N' = x Y', with coefficients about G; s is the wave frequency, and the forward speed enters only through the
-    frequency of the coefficients. "paper-corrected": a = -k sin(d) sinc, the surface's own slope across the ship.
+    "paper": u = i s sin(d) <m=1>, slope a = +k sin(d) sinc, Y' = (b22 + i s a22) u + (i s b24 - s^2 a24) a, K' in the
+    same way, N' = x Y', with coefficients about G; s is the wave frequency, and the forward speed enters only through
+    the frequency of the coefficients. "paper-corrected": a = -k sin(d) sinc, the surface's own slope across the ship.
     "relative-motion": V2 = i s sin(d) <m=2>, V4 = -i s k sin(d) sinc, m_i = sum (a_ij + b_ij/(i w)) V_j and
 
         Y = i w int m2 dx + U m2(x_A),  K likewise with m4,  N = int (i w x + U) m2 dx + U x_A m2(x_A)
@@ -63,10 +61,16 @@ def relative_motion_diffraction(
 
     Examples
     --------
-    See the function ``quartering.wave_forces``, whose form "relative-motion" is this one.
+    One metre of a half circle in a long beam wave: its displaced mass, as added mass, times the water's acceleration g k.
 
-    >>> relative_motion_diffraction.__name__
-    'relative_motion_diffraction'
+    >>> from quartering.hydro.table import radiation_table
+    >>> one, blank = np.ones(1), np.zeros((1, 1))
+    >>> circle = Strips(0 * one, one, blank, blank, blank, blank, one, one, one * np.pi / 2)
+    >>> table = radiation_table(circle, [0.01], density=1025.0)
+    >>> place = Stations(x=0 * one, weight=one, z0=0.0, x_aft=0.0, transom=False)
+    >>> Y = relative_motion_diffraction(circle, place, table, [1e-5], [0.0], [90.0], form="relative-motion")[0, 0]
+    >>> round(float(Y.real / (-1025.0 * np.pi / 2 * 9.81e-5)), 3)
+    1.0
     """
     k, U, mu = np.broadcast_arrays(*(np.asarray(v, dtype=float)[..., None] for v in (wavenumber, speed, heading)))
     along, across = heading_components(mu)
@@ -114,8 +118,8 @@ def section_average(strips: Strips, wavenumber: ArrayLike, heading: ArrayLike, *
 
     >>> depth, weight = np.polynomial.legendre.leggauss(8)
     >>> side = dict(y=np.ones((1, 8)), z=0.5 + depth[None] / 2, dy=np.zeros((1, 8)), dz=-weight[None] / 2)
-    >>> box = Strips(x=np.zeros(1), weight=np.ones(1), half_breadth=np.ones(1), draught=np.ones(1), area=np.full(1, 2.0),
-    ...              **side)
+    >>> one = np.ones(1)
+    >>> box = Strips(x=0 * one, weight=one, half_breadth=one, draught=one, area=2 * one, **side)
     >>> exact = np.sin(0.3) / 0.3 * (1 - np.exp(-0.3)) / 0.3
     >>> bool(abs(section_average(box, [0.3], [90.0])[0, 0] - exact) < 1e-14)
     True

@@ -3,8 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.immersed import strips
+from quartering.hydro.strip import has_transom
 from quartering.loads.waves import Floats
+
+if TYPE_CHECKING:
+    from quartering.hull.ship import Ship
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,3 +43,31 @@ class Stations:
     z0: float
     x_aft: float
     transom: bool
+
+
+def stations(ship: Ship) -> Stations:
+    """Sections of a ship seen from its centre of gravity.
+
+    Parameters
+    ----------
+    ship : Ship
+
+    Returns
+    -------
+    Stations    x from G, which lies over the centre of buoyancy (even keel)
+
+    Notes
+    -----
+    The terms of the aft section are kept where the hull ends in a section with area (``has_transom``), as in the
+    added mass and damping of the ship, and dropped for a pointed stern.
+    Source: [STF70], end terms.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> round(stations(ship("box")).x_aft, 6), stations(ship("box")).transom, stations(ship("wigley")).transom
+    (-50.0, True, False)
+    """
+    hull, immersed = ship.hull, strips(ship.hull)
+    x_g, z0 = hydrostatics(hull).lcb, ship.loading.kg - hull.draught
+    return Stations(immersed.x - x_g, immersed.weight, z0, hull.x_aft - x_g, has_transom(immersed))
