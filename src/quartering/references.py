@@ -28,6 +28,15 @@ REFERENCES: Final[dict[str, str]] = {
     "International Shipbuilding Progress 25.",
     "Himeno81": "Himeno, Y. (1981). Prediction of ship roll damping: state of the art. "
     "University of Michigan, Department of Naval Architecture and Marine Engineering, Report 239.",
+    "Fritsch84": "Fritsch, F. N., Butland, J. (1984). A method for constructing local monotone piecewise cubic "
+    "interpolants. SIAM Journal on Scientific and Statistical Computing 5.",
+    "Gill72": "Gill, P. E., Miller, G. F. (1972). An algorithm for the integration of unequally spaced data. "
+    "The Computer Journal 15.",
+    "Abramowitz64": "Abramowitz, M., Stegun, I. A. (1964). Handbook of mathematical functions. National Bureau of "
+    "Standards.",
+    "Lewis88": "Lewis, E. V., ed. (1988). Principles of naval architecture, volume I: stability and strength. SNAME.",
+    "Journee92": "Journée, J. M. J. (1992). Experiments and calculations on 4 Wigley hull forms in head waves. "
+    "Delft University of Technology, Report 0909.",
 }
 """Key -> full reference. A `Source:` line in a docstring names one of these keys."""
 

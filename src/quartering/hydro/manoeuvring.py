@@ -8,13 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
+from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
 from quartering.hydro.names import term
 from quartering.hydro.transfer import transfer, transfer_cubic, transfer_matrix
 
 __all__ = [
     "PrimeSystem",
     "clarke_derivatives",
+    "hull_lift",
     "lift_derivatives",
     "to_prime",
     "to_si",
@@ -46,7 +49,7 @@ def clarke_derivatives(length: float, beam: float, draught: float, block: float)
     Notes
     -----
     Source: [Clarke83] regression over rotating-arm and planar-motion tests.  Valid: merchant hulls on even keel in deep
-    water; single ships lie tens of per cent off in Y_r and N_v.
+    water; single ships lie tens of per cent off (Y_r of the S-175 by 29 %, N_v of the Mariner by 57 %).
 
     Examples
     --------
@@ -109,6 +112,36 @@ def lift_derivatives(
     per_speed = transfer(set_about_o, x, z) + 0.0
     lift: Floats = np.asarray(speed, dtype=float)[..., None, None] * per_speed
     return lift
+
+
+def hull_lift(ship: Ship, speed: ArrayLike) -> Floats:
+    """Estimated lift derivatives of a ship in sway, roll and yaw about G, from its main dimensions.
+
+    Parameters
+    ----------
+    ship : Ship
+    speed : (...) float    U [m/s]
+
+    Returns
+    -------
+    (..., 3, 3) float    [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], hydrodynamic only, SI
+
+    Notes
+    -----
+    Regression about midship, the force at half the draught (assumed), moved to G above the centre of buoyancy.
+    Source: [Clarke83].  Valid: as `clarke_derivatives`; an estimate, the Munk moment included.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> lift = hull_lift(ship("wigley"), 5.0)
+    >>> bool(lift[0, 0] < 0 < lift[0, 2]), bool(lift[1, 1] < 0)
+    (True, True)
+    """
+    hull, loading, floating = ship.hull, ship.loading, hydrostatics(ship)
+    prime = clarke_derivatives(hull.length, hull.beam, hull.draught, floating.cb)
+    depth = loading.kg - hull.draught / 2  # of the point at half draught, below G
+    return lift_derivatives(prime, hull.length, loading.density, x=-floating.lcb, z=depth, speed=speed)
 
 
 def _prime_divisor(

@@ -10,44 +10,41 @@ from scipy.optimize import brentq
 from quartering.conventions import InputError
 
 
-def natural_roll_frequency(stiffness: float, inertia: float, added_inertia: Callable[[float], float]) -> float:
-    """Frequency n2 of small free roll, with the added inertia taken at that same frequency.
+def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], highest: float) -> float:
+    """Frequency n2 of small free roll, with the inertia of the water taken at that same frequency.
 
     Parameters
     ----------
     stiffness : float           rho g V GM [N m]
-    inertia : float             m k_xx^2 [kg m2]
-    added_inertia : callable    a44 about G [kg m2] of the frequency [rad/s]
+    inertia : callable          inertia felt in roll [kg m2] of the frequency [rad/s]: 1/(M^-1)_22, sway and yaw free
+    highest : float             upper bound of the root [rad/s]
 
     Returns
     -------
-    float    n2, the root of n2^2 (I_x + a44(n2)) = rho g V GM [rad/s]
+    float    n2, the root of n2^2 I(n2) = rho g V GM [rad/s]
 
     Raises
     ------
-    InputError    stiffness or inertia not positive: the ship has no upright roll frequency
+    InputError    stiffness not positive, or no root below the bound: the ship has no upright roll frequency
 
     Notes
     -----
-    Source: [H71] equation (8) for small motion of roll alone.  Valid: small angles, sway and yaw left out.
+    Source: [H71] equations (3) and (8): the omega_2 of small motion.  Valid: small angles, no damping.
 
     Examples
     --------
-    >>> natural_roll_frequency(4.0, 0.5, lambda frequency: 0.5)
+    >>> round(natural_roll_frequency(4.0, lambda frequency: 1.0, 10.0), 12)
     2.0
     """
-    if not (stiffness > 0 and inertia > 0 and np.isfinite(stiffness) and np.isfinite(inertia)):
-        raise InputError(
-            f"roll stiffness {stiffness:g} N m and inertia {inertia:g} kg m2 must be positive; check GM and k_xx"
-        )
+    if not (stiffness > 0 and np.isfinite(stiffness)):
+        raise InputError(f"roll stiffness {stiffness:g} N m must be positive; check GM")
 
     def excess(frequency: float) -> float:
-        return frequency**2 * (inertia + added_inertia(frequency)) / stiffness - 1
+        return frequency**2 * inertia(frequency) / stiffness - 1
 
-    upper = float(np.sqrt(stiffness / inertia))
-    if excess(upper) <= 0:  # no added inertia at all
-        return upper
-    return float(brentq(excess, 0.0, upper, xtol=1e-14 * upper, rtol=1e-14))
+    if not excess(highest) > 0:
+        raise InputError(f"no natural roll frequency below {highest:g} rad/s; check the radius of gyration in roll")
+    return float(brentq(excess, 0.0, highest, xtol=1e-14 * highest, rtol=1e-14))
 
 
 def fraction_of_critical(fraction: float, frequency: float, inertia: float) -> float:

@@ -13,140 +13,38 @@ At one section M[c at x_A] is M with ``S_k = x_A^k c(x_A)``. All coefficients ar
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import Literal, get_args
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import GRAVITY, MODES, REFERENCE_POINT, InputError
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
+from quartering.hull.strips import Strips
+from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments
+from quartering.hydro.manoeuvring import hull_lift
+from quartering.hydro.table import radiation_table
 
-if TYPE_CHECKING:
-    from quartering.hull.ship import Ship
+__all__ = [
+    "LowFrequency",
+    "about_gravity_centre",
+    "derivatives_from_moments",
+    "frequency_floor",
+    "has_transom",
+    "hydrodynamics",
+    "strip_derivatives",
+]
 
 LowFrequency = Literal["cap", "drop", "manoeuvring"]
 FREQUENCY_FLOOR = 0.15
 """Below FREQUENCY_FLOOR sqrt(g/B) the U/w^2 terms stop growing: w is held there in their denominator."""
 
-
-def about_gravity_centre(coefficients: ArrayLike, z0: ArrayLike) -> Floats:
-    """Move section coefficients from the waterline point O to G, which lies z0 above it.
-
-    Parameters
-    ----------
-    coefficients : (..., 3) float    [22, 24, 44] of added mass or damping about O, per metre or integrated
-    z0 : (...) float                 depth of the calm plane below G, KG - T [m]; -z0 moves back from G to O
-
-    Returns
-    -------
-    (..., 3) float    [22, 24, 44] about G
-
-    Notes
-    -----
-    Roll about G moves O sideways by -z0 p, and K_G = K_O - z0 Y.
-    Source: [STF70] section coefficients, moved rigidly.  Valid: any section, same frequency.
-
-    Examples
-    --------
-    >>> about_gravity_centre([2.0, 0.0, 0.0], 0.5).tolist()
-    [2.0, -1.0, 0.5]
-    """
-    c = np.asarray(coefficients, dtype=float)
-    z = np.asarray(z0, dtype=float)
-    c22, c24, c44 = c[..., 0], c[..., 1], c[..., 2]
-    return np.stack(np.broadcast_arrays(c22, c24 - z * c22, c44 - 2 * z * c24 + z**2 * c22), axis=-1)
-
-
-def section_moments(x: ArrayLike, weight: ArrayLike, coefficients: ArrayLike) -> Floats:
-    """Integrals of x^0, x^1, x^2 times the section coefficients over the length.
-
-    Parameters
-    ----------
-    x : (s,) float                      section positions [m]
-    weight : (s,) float                 quadrature weights along the ship [m]
-    coefficients : (..., s, 3) float    [22, 24, 44] of each section, per metre
-
-    Returns
-    -------
-    (..., 3, 3) float    first index the power of x, second [22, 24, 44]
-
-    Notes
-    -----
-    Source: [STF70], integrals over the length of the lateral coefficients.
-
-    Examples
-    --------
-    >>> section_moments([-1.0, 1.0], [1.0, 1.0], [[3.0, 0.0, 1.0], [3.0, 0.0, 1.0]])[:, 0].tolist()
-    [6.0, 0.0, 6.0]
-    """
-    xs = np.asarray(x, dtype=float)
-    powers = np.asarray(weight, dtype=float) * xs ** np.arange(3)[:, None]
-    moments: Floats = np.einsum("ks,...sp->...kp", powers, np.asarray(coefficients, dtype=float))
-    return moments
-
-
-def shifted_moments(moments: Floats, x_g: float, z0: float) -> Floats:
-    """Moments about the waterline at the x-origin, moved to G at x_g and z0 above the waterline.
-
-    Parameters
-    ----------
-    moments : (..., 3, 3) float    from `section_moments`, about O
-    x_g : float                    position of G on the x axis of the moments [m]
-    z0 : float                     KG - T [m]
-
-    Returns
-    -------
-    (..., 3, 3) float    the same integrals with x from G and [22, 24, 44] about G
-
-    Notes
-    -----
-    Source: [STF70] section coefficients, moved rigidly.
-
-    Examples
-    --------
-    >>> box = section_moments([-1.0, 1.0], [1.0, 1.0], [[3.0, 0.0, 1.0]] * 2)
-    >>> shifted_moments(box, 2.0, 0.0)[:, 0].tolist()
-    [6.0, -12.0, 30.0]
-    """
-    s0, s1, s2 = (moments[..., k, :] for k in range(3))
-    in_x = np.stack([s0, s1 - x_g * s0, s2 - 2 * x_g * s1 + x_g**2 * s0], axis=-2)
-    return about_gravity_centre(in_x, z0)
-
-
-def moment_matrix(moments: Floats) -> Floats:
-    """Symmetric sway-roll-yaw matrix M[c] of the integrated section coefficients.
-
-    Parameters
-    ----------
-    moments : (..., 3, 3) float    from `section_moments`
-
-    Returns
-    -------
-    (..., 3, 3) float    rows and columns sway, roll, yaw
-
-    Notes
-    -----
-    Source: [STF70] lateral coefficients at zero speed.
-
-    Examples
-    --------
-    >>> moment_matrix(section_moments([1.0], [1.0], [[2.0, 3.0, 5.0]])).tolist()
-    [[2.0, 3.0, 2.0], [3.0, 5.0, 3.0], [2.0, 3.0, 2.0]]
-    """
-    s0, s1, s2 = (moments[..., k, :] for k in range(3))
-    entries = (
-        s0[..., 0],
-        s0[..., 1],
-        s1[..., 0],
-        s0[..., 1],
-        s0[..., 2],
-        s1[..., 1],
-        s1[..., 0],
-        s1[..., 1],
-        s2[..., 0],
-    )
-    return np.stack(entries, axis=-1).reshape(*moments.shape[:-2], 3, 3)
+TRANSOM_SHARE = 0.05
+"""A ship has a transom when its aftmost section carries at least this share of the largest section area."""
 
 
 def _speed_terms(moments: Floats, aft: Floats | None) -> Floats:
@@ -258,3 +156,142 @@ def strip_derivatives(
 def _one(coefficients: ArrayLike) -> Floats:
     """The (..., 3) coefficients of one section as (..., 1, 3)."""
     return np.asarray(coefficients, dtype=float)[..., None, :]
+
+
+def has_transom(immersed: Strips) -> bool:
+    """Does the hull end aft in a section with area?
+
+    Parameters
+    ----------
+    immersed : Strips    of the hull, aft to fore
+
+    Returns
+    -------
+    bool    the aftmost section carries 5 % or more of the largest section area
+
+    Notes
+    -----
+    Source: [STF70] keeps the aft terms where the aft section is not a point; the 5 % limit is assumed.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull, wigley_hull
+    >>> has_transom(strips(box_hull(100.0, 20.0, 5.0, 10.0))), has_transom(strips(wigley_hull(100.0, 10.0, 6.0, 9.0)))
+    (True, False)
+    """
+    return bool(immersed.area[0] >= TRANSOM_SHARE * immersed.area.max())
+
+
+def frequency_floor(beam: float) -> float:
+    """Frequency at which the U/omega^2 terms of strip theory stop growing.
+
+    Parameters
+    ----------
+    beam : float    B [m]
+
+    Returns
+    -------
+    float    0.15 sqrt(g/B) [rad/s]
+
+    Notes
+    -----
+    Source: [STF70] for the terms; the floor is assumed, low enough to leave wave-frequency motion alone.
+
+    Examples
+    --------
+    >>> round(frequency_floor(16.256), 4)
+    0.1165
+    """
+    return float(FREQUENCY_FLOOR * np.sqrt(GRAVITY / beam))
+
+
+def hydrodynamics(
+    ship: Ship, frequency: ArrayLike, speed: float = 0.0, *, low_frequency: LowFrequency = "cap"
+) -> xr.Dataset:
+    """Added mass and damping of a ship in sway, roll and yaw over frequency, about G in body axes.
+
+    Parameters
+    ----------
+    ship : Ship
+    frequency : (f,) float    encounter frequency omega, >= 0 [rad/s]
+    speed : float             U, >= 0 [m/s]
+    low_frequency : str       "cap": the U/omega^2 terms use max(omega, 0.15 sqrt(g/B)); "drop": they are left out;
+                              "manoeuvring": added mass of omega -> 0 at every frequency, no waves, and the damping is
+                              the lift of Clarke's regression in place of all speed terms
+
+    Returns
+    -------
+    Dataset    added_mass, damping (frequency, mode, mode_of_motion): minus the derivatives Y_vdot, .. and Y_v, ..; SI
+
+    Raises
+    ------
+    InputError    a frequency or speed that is negative or not a number, an unknown low_frequency
+
+    Notes
+    -----
+    No rigid-body terms, no viscous damping; the terms of the aft end are kept when the ship has a transom.
+    Source: [STF70] lateral coefficients, rewritten for body axes.  Valid: slender ships, deep water.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> ds = hydrodynamics(ship("wigley"), [0.6], speed=5.0)
+    >>> ds.added_mass.dims, bool(ds.added_mass[0, 0, 0] > 0)
+    (('frequency', 'mode', 'mode_of_motion'), True)
+    """
+    omega = np.atleast_1d(np.asarray(frequency, dtype=float))
+    if omega.ndim != 1 or not (np.isfinite(omega).all() and (omega >= 0).all()):
+        raise InputError("frequency must be one list of numbers >= 0 rad/s; fold a negative one to |omega|")
+    if np.ndim(speed) or not (np.isfinite(speed) and speed >= 0):
+        raise InputError(f"speed {speed!r} must be one number >= 0 m/s; heading tells the direction")
+    if low_frequency not in get_args(LowFrequency):
+        raise InputError(f'low_frequency "{low_frequency}" is unknown; allowed are "cap", "drop" and "manoeuvring"')
+    damping, inertia = _ship_derivatives(ship, omega, float(speed), low_frequency)
+    dims = ("frequency", "mode", "mode_of_motion")
+    units = "SI: kg, kg m, kg m2 (over s for damping) between forces [N, N m] and velocities [m/s, rad/s]"
+    return xr.Dataset(
+        {
+            "added_mass": (dims, -inertia, {"units": units, "symbol": "A", "long_name": "added mass"}),
+            "damping": (dims, -damping, {"units": units, "symbol": "B", "long_name": "damping"}),
+        },
+        coords={
+            "frequency": (
+                "frequency",
+                omega,
+                {"units": "rad/s", "symbol": "omega", "long_name": "encounter frequency"},
+            ),
+            "mode": list(MODES),
+            "mode_of_motion": list(MODES),
+        },
+        attrs=_attributes(ship, float(speed), low_frequency),
+    )
+
+
+def _ship_derivatives(ship: Ship, omega: Floats, speed: float, low_frequency: LowFrequency) -> tuple[Floats, Floats]:
+    """Derivatives about G at the given frequencies, as the low-frequency option wants them."""
+    hull, loading = ship.hull, ship.loading
+    immersed, manoeuvring = strips(hull), low_frequency == "manoeuvring"
+    ascending, back = np.unique(np.zeros(1) if manoeuvring else omega, return_inverse=True)
+    table = radiation_table(immersed, ascending, loading.density)
+    x_g, z0 = hydrostatics(ship).lcb, loading.kg - hull.draught
+    a, b = (about_gravity_centre(c[back], z0) for c in (table.a, table.b))
+    floor = frequency_floor(hull.beam) if low_frequency == "cap" else np.inf
+    aft = (hull.x_aft - x_g, a[:, 0], b[:, 0]) if has_transom(immersed) else None
+    x = immersed.x - x_g
+    if not manoeuvring:
+        return strip_derivatives(x, immersed.weight, a, b, speed, omega, aft, floor=floor)
+    _, inertia = strip_derivatives(x, immersed.weight, a, b, 0.0, np.zeros(1))
+    return np.repeat(hull_lift(ship, [speed]), omega.size, axis=0), np.repeat(inertia, omega.size, axis=0)
+
+
+def _attributes(ship: Ship, speed: float, low_frequency: LowFrequency) -> dict[str, str | float]:
+    """What a dataset of hydrodynamic coefficients says of itself."""
+    return {
+        "ship": ship.name,
+        "speed": speed,
+        "axes": "body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
+        "reference_point": REFERENCE_POINT,
+        "density": ship.loading.density,
+        "method": f"strip theory, Lewis sections; low frequencies: {low_frequency}",
+        "references": "STF70, Tasai61, Lewis29" + (", Clarke83" if low_frequency == "manoeuvring" else ""),
+    }

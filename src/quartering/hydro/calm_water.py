@@ -1,0 +1,81 @@
+"""Is the ship stable without waves: the exponents of its small motions in calm water."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
+from quartering.hydro.coefficients import Coefficients, coefficients
+
+
+def state_matrix(c: Coefficients, condition: int = 0) -> Floats:
+    """Matrix A of d/dt (v, phi, p, r) = A (v, phi, p, r) for small motions without waves.
+
+    Parameters
+    ----------
+    c : Coefficients
+    condition : int    which of its conditions
+
+    Returns
+    -------
+    (4, 4) float    [SI and 1/s]
+
+    Notes
+    -----
+    Source: [H71] equations (2) and (3), linear part.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> state_matrix(coefficients(ship("wigley"), 0.5, 0.0))[1].tolist()
+    [0.0, 0.0, 1.0, 0.0]
+    """
+    right = np.column_stack([c.linear[condition, :, 0], c.restoring[:, 0], c.linear[condition, :, 1:]])
+    accelerations = np.linalg.solve(c.inertia[condition], right)
+    return np.vstack([accelerations[0], [0.0, 0.0, 1.0, 0.0], accelerations[1:]])
+
+
+def calm_water_exponents(ship: Ship, speed: float) -> NDArray[np.complex128]:
+    """Exponents of the four small motions of a ship in calm water.
+
+    Parameters
+    ----------
+    ship : Ship
+    speed : float    U [m/s]
+
+    Returns
+    -------
+    (4,) complex    the two sway-yaw (course) roots, then the two roll roots [1/s]; a real part above zero is unstable
+
+    Raises
+    ------
+    InputError    speed negative or not a number
+
+    Notes
+    -----
+    Each root is taken with the water's coefficients at its own frequency: the course roots, which are slow, at
+    omega -> 0 (no waves made); the roll roots at the natural roll frequency n2. In either system the roll pair is the
+    pair nearest to +- i n2.
+    Source: [H71] equation (3), linear part.  Valid: straight course, upright, no rudder.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> calm_water_exponents(ship("series60-cb60"), 8.6).shape
+    (4,)
+    """
+    n2 = coefficients(ship, 0.0, speed).roll_frequency
+    c = coefficients(ship, [0.0, n2], speed)
+    slow, at_n2 = (np.linalg.eigvals(state_matrix(c, k)).astype(np.complex128) for k in range(2))
+    course = slow[np.argsort(_distance_from_roll(slow, n2))[2:]]
+    roll = at_n2[np.argsort(_distance_from_roll(at_n2, n2))[:2]]
+    in_order = [pair[np.argsort(-pair.real - 1e-12 * pair.imag)] for pair in (course, roll)]
+    return np.concatenate(in_order)
+
+
+def _distance_from_roll(exponents: NDArray[np.complex128], n2: float) -> Floats:
+    """Distance of each exponent from the nearer of i n2 and -i n2."""
+    distance: Floats = np.hypot(exponents.real, np.abs(exponents.imag) - n2)
+    return distance

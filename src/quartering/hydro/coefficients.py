@@ -1,0 +1,316 @@
+"""The coefficients of the equations of motion of a ship, at many conditions at once, each with its source."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from types import MappingProxyType
+from typing import Literal, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.conventions import GRAVITY, InputError
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.immersed import strips
+from quartering.hull.righting import righting_polynomial
+from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
+from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
+from quartering.hydro.integrals import moment_matrix
+from quartering.hydro.manoeuvring import hull_lift
+from quartering.hydro.moments import hull_moments
+from quartering.hydro.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, canonical, unit
+from quartering.hydro.rolldamping import fraction_of_critical, natural_roll_frequency
+from quartering.hydro.strip import derivatives_from_moments, frequency_floor
+
+Kind = Literal["measured", "regression", "strip", "cross-flow", "derived", "given"]
+BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
+"""Rigid-body entries of the table."""
+
+
+class Entry(NamedTuple):
+    """One line of the table of coefficients."""
+
+    name: str
+    value: float
+    unit: str
+    source: str
+    kind: Kind
+
+
+@dataclass(frozen=True, eq=False)
+class Coefficients:
+    """Coefficients of a ship at n conditions, about G in body axes, modes sway, roll, yaw; SI.
+
+    Left side ``inertia d/dt (v, p, r)``; everything else stands on the right with its own sign.
+
+    Parameters
+    ----------
+    ship : str                       name of the ship
+    frequency : (n,) float           encounter frequency, folded to >= 0 [rad/s]
+    speed : (n,) float               U [m/s]
+    inertia : (n, 3, 3) float        rigid body and added mass
+    linear : (n, 3, 3) float         rows Y, K, N, columns v, p, r; Y_r contains -m U
+    restoring : (3, 4) float         columns phi, phi^3, phi^5, phi^7
+    cubic : (3, 10) float            columns in the order of CUBIC_MONOMIALS
+    extra : mapping of str to float  further terms by name (modulus terms, products with phi), alike at every condition
+    body : mapping of str to float   "m" [kg], "I_x", "I_z", "I_xz" [kg m2]
+    roll_frequency : float           n2 of small free roll as loaded, before overrides and multipliers [rad/s]
+    sources : mapping                name -> (kind, source)
+    references : tuple of str        keys of the papers behind the numbers
+    """
+
+    ship: str
+    frequency: Floats
+    speed: Floats
+    inertia: Floats
+    linear: Floats
+    restoring: Floats
+    cubic: Floats
+    extra: Mapping[str, float]
+    body: Mapping[str, float]
+    roll_frequency: float
+    sources: Mapping[str, tuple[Kind, str]]
+    references: tuple[str, ...]
+
+    def table(self, condition: int = 0) -> tuple[Entry, ...]:
+        """Every coefficient of one condition with unit, source and kind, in a fixed order.
+
+        Parameters
+        ----------
+        condition : int    which of the n conditions
+
+        Returns
+        -------
+        tuple of Entry    rigid body; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r without its -m U); restoring;
+                          cubic; further terms. What is estimated says so in its source.
+
+        Notes
+        -----
+        Source: [H71] equation (2) for the terms; each entry names its own.
+        """
+        added, linear = rigid_inertia(self.body) - self.inertia[condition], self.linear[condition].copy()
+        linear[0, 2] += self.body["m"] * self.speed[condition]
+        values = dict(self.body)
+        for names, matrix in (
+            (INERTIA_NAMES, added),
+            (LINEAR_NAMES, linear),
+            (RESTORING_NAMES, self.restoring),
+            (CUBIC_NAMES, self.cubic),
+        ):
+            values |= {name: float(matrix[i, j]) for i, row in enumerate(names) for j, name in enumerate(row)}
+        values |= self.extra
+        return tuple(
+            Entry(name, value, unit(name), self.sources[name][1], self.sources[name][0])
+            for name, value in values.items()
+        )
+
+
+def rigid_inertia(body: Mapping[str, float]) -> Floats:
+    """Inertia matrix of the ship without water.
+
+    Parameters
+    ----------
+    body : mapping    "m" [kg], "I_x", "I_z", "I_xz" [kg m2]
+
+    Returns
+    -------
+    (3, 3) float    sway, roll, yaw about G
+
+    Notes
+    -----
+    Source: [H71] equation (1).
+
+    Examples
+    --------
+    >>> rigid_inertia({"m": 2.0, "I_x": 3.0, "I_z": 5.0, "I_xz": 0.5}).tolist()
+    [[2.0, 0.0, 0.0], [0.0, 3.0, -0.5], [0.0, -0.5, 5.0]]
+    """
+    cross = -body["I_xz"]
+    return np.array([[body["m"], 0.0, 0.0], [0.0, body["I_x"], cross], [0.0, cross, body["I_z"]]])
+
+
+class _Given:
+    """The ship's overrides and multipliers by canonical name, applied one coefficient at a time and recorded."""
+
+    def __init__(self, ship: Ship, sources: dict[str, tuple[Kind, str]]) -> None:
+        self.sources = sources
+        self.values = {canonical(name): value for name, value in ship.overrides.items()}
+        self.factors: dict[str, float] = {}
+        for name, factor in ship.multipliers.items():
+            self.factors[canonical(name)] = factor * self.factors.get(canonical(name), 1.0)
+        self.provenance = {canonical(name): ship.provenance.get(name, "given") for name in ship.overrides}
+        for name in self.values:
+            measured = self.provenance[name].startswith(("measured", "published"))
+            sources[name] = ("measured" if measured else "given", self.provenance[name])
+        missing = [name for name in self.factors if name not in sources]
+        if missing:
+            near = get_close_matches(missing[0], list(sources), n=1, cutoff=0.0)
+            raise InputError(
+                f'{ship.name}: a multiplier is given for "{missing[0]}", which this ship has no value of; '
+                f'give its value first, or multiply "{near[0]}"'
+            )
+        for name, factor in self.factors.items():
+            kind, source = sources[name]
+            sources[name] = (kind, f"{source}; times {factor:g}")
+
+    def applied(self, name: str, value: Floats) -> Floats:
+        """Value of one coefficient after override and multiplier."""
+        start = np.full_like(value, self.values[name]) if name in self.values else value
+        return start * self.factors.get(name, 1.0)
+
+    def matrix(self, names: tuple[tuple[str, ...], ...], matrix: Floats) -> Floats:
+        """Matrix (..., rows, columns) of coefficients after overrides and multipliers."""
+        rows = [
+            np.stack([self.applied(name, matrix[..., i, j]) for j, name in enumerate(row)], axis=-1)
+            for i, row in enumerate(names)
+        ]
+        return np.stack(rows, axis=-2)
+
+    def further(self, known: set[str]) -> dict[str, float]:
+        """Overrides that name no coefficient of the standard set."""
+        return {name: value * self.factors.get(name, 1.0) for name, value in self.values.items() if name not in known}
+
+
+def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coefficients:
+    """Inertia, linear, restoring and cubic coefficients of a ship at n conditions, about G.
+
+    Parameters
+    ----------
+    ship : Ship
+    frequency : (n,) float    encounter frequency omega; a negative one counts as |omega| [rad/s]
+    speed : (n,) float        U >= 0 [m/s]; the two are broadcast
+
+    Returns
+    -------
+    Coefficients
+
+    Raises
+    ------
+    InputError    a frequency or speed that is not a number, a negative speed, a multiplier of what has no value
+
+    Notes
+    -----
+    linear "default": added mass and wave damping from the strips at omega; the lift part of the velocity derivatives
+    from Clarke's regression times U, in place of every speed term of strip theory (the Munk moment among them).
+    linear "strip": strip theory with its speed terms, U/omega^2 held below 0.15 sqrt(g/B), aft terms for a transom.
+    Both: K_p has the added roll damping -2 zeta n2 (I_x + a44(n2)); Y_r has -m U. The ship's own coefficients
+    (overrides, SI about G, Y_r without -m U) replace, multipliers scale.
+    Source: [STF70] strips, [Clarke83] lift, [Hoerner65] cross-flow, [H71] equation (2).  Valid: deep water, no rudder.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> c = coefficients(ship("wigley"), [0.4, 0.8], 5.0)
+    >>> c.inertia.shape, bool((c.linear[:, 0, 0] < 0).all())
+    ((2, 3, 3), True)
+    """
+    omega, u = (np.array(q) for q in np.broadcast_arrays(*(np.atleast_1d(_number(q)) for q in (frequency, speed))))
+    if not (np.isfinite(omega).all() and np.isfinite(u).all() and (u >= 0).all()):
+        raise InputError("frequency and speed must be finite, and speed >= 0 m/s; heading tells the direction")
+    omega = np.abs(omega)
+    sources = _sources(ship)
+    given = _Given(ship, sources)
+    n2, roll_inertia = _free_roll(ship, _body(ship))
+    body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
+    linear, added = _velocity_and_added_mass(ship, omega, u)
+    linear[:, 1, 1] += fraction_of_critical(ship.loading.roll_damping, n2, roll_inertia)
+    linear = given.matrix(LINEAR_NAMES, linear)
+    linear[:, 0, 2] -= body["m"] * u
+    known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES)
+    return Coefficients(
+        ship=ship.name,
+        frequency=omega,
+        speed=u,
+        inertia=rigid_inertia(body) - given.matrix(INERTIA_NAMES, added),
+        linear=linear,
+        restoring=given.matrix(RESTORING_NAMES, _restoring(ship)),
+        cubic=given.matrix(CUBIC_NAMES, _cross_flow(ship)),
+        extra=MappingProxyType(given.further(known)),
+        body=MappingProxyType(body),
+        roll_frequency=n2,
+        sources=MappingProxyType(sources),
+        references=("H71", "STF70", "Tasai61", "Hoerner65") + (("Clarke83",) if ship.linear == "default" else ()),
+    )
+
+
+def _number(values: ArrayLike) -> Floats:
+    return np.asarray(values, dtype=float)
+
+
+def _body(ship: Ship) -> dict[str, float]:
+    """Rigid-body values of the loading."""
+    mass, loading = hydrostatics(ship).mass, ship.loading
+    return {"m": mass, "I_x": mass * loading.gyradius_roll**2, "I_z": mass * loading.gyradius_yaw**2, "I_xz": 0.0}
+
+
+def _free_roll(ship: Ship, body: Mapping[str, float]) -> tuple[float, float]:
+    """Natural roll frequency n2 of the ship as loaded, sway and yaw free, and I_x + a44 at it about G."""
+    loading, floating = ship.loading, hydrostatics(ship)
+    moments, z0 = hull_moments(ship.hull, loading.density), loading.kg - ship.hull.draught
+
+    def total(frequency: float) -> Floats:
+        return rigid_inertia(body) + moment_matrix(moments.at(frequency).about(floating.lcb, z0).a)
+
+    def felt_in_roll(frequency: float) -> float:
+        return float(1 / np.linalg.inv(total(frequency))[1, 1])
+
+    n2 = natural_roll_frequency(floating.mass * GRAVITY * loading.gm, felt_in_roll, 2 * moments.highest)
+    return n2, float(total(n2)[1, 1])
+
+
+def _velocity_and_added_mass(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:
+    """Velocity and acceleration derivatives of the hull before overrides, (n, 3, 3) each."""
+    z0 = ship.loading.kg - ship.hull.draught
+    at = hull_moments(ship.hull, ship.loading.density).at(omega).about(hydrostatics(ship).lcb, z0)
+    if ship.linear == "strip":
+        floor = frequency_floor(ship.hull.beam)
+        return derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
+    return hull_lift(ship, speed) - moment_matrix(at.b), -moment_matrix(at.a)
+
+
+def _restoring(ship: Ship) -> Floats:
+    """K_phi, K_phiphiphi, K_phi5, K_phi7 in the roll row."""
+    fit, weight = righting_polynomial(ship), hydrostatics(ship).mass * GRAVITY
+    rows = np.zeros((3, 4))
+    rows[1] = [-weight * arm for arm in (ship.loading.gm, fit.gz3, fit.gz5, fit.gz7)]
+    return rows + 0.0
+
+
+def _cross_flow(ship: Ship) -> Floats:
+    """The ten cubics from cross-flow drag acting at half the draught of each section."""
+    immersed, hull, loading = strips(ship.hull), ship.hull, ship.loading
+    lever = loading.kg - hull.draught + immersed.draught / 2
+    scale = ship.velocity_scale if ship.velocity_scale is not None else reference_velocity(hull.length)
+    x = immersed.x - hydrostatics(ship).lcb
+    return cross_flow_cubics(x, immersed.weight, immersed.draught, lever, ship.drag_coefficient, scale, loading.density)
+
+
+def _sources(ship: Ship) -> dict[str, tuple[Kind, str]]:
+    """Kind and source of every standard coefficient before overrides."""
+    loading, scale = ship.loading, ship.velocity_scale or reference_velocity(ship.hull.length)
+    said = {key: ship.provenance.get(key, "given") for key in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping")}
+    waves = "wave damping of the strips"
+    lift, lever = "estimated: Clarke's regression", "estimated: Clarke's regression at half draught"
+    sources: dict[str, tuple[Kind, str]] = {
+        "m": ("derived", "displacement of the lines"),
+        "I_x": ("derived", f"m k_xx^2; k_xx {said['gyradius_roll']}"),
+        "I_z": ("derived", f"m k_zz^2; k_zz {said['gyradius_yaw']}"),
+        "I_xz": ("derived", "principal axes"),
+    }
+    sources |= {name: ("strip", "added mass of the strips at omega") for row in INERTIA_NAMES for name in row}
+    for name in (name for row in LINEAR_NAMES for name in row):
+        levered = "K" in name or "p" in name
+        sources[name] = ("regression", f"{lever if levered else lift}, and {waves} at omega")
+        if ship.linear == "strip":
+            sources[name] = ("strip", "strip theory with speed terms at omega; no lift")
+    kind, source = sources["K_p"]
+    sources["K_p"] = (kind, f"{source}, and {loading.roll_damping:g} of critical ({said['roll_damping']})")
+    sources |= {name: ("derived", "upright symmetry") for row in RESTORING_NAMES for name in row}
+    sources |= dict.fromkeys(RESTORING_NAMES[1], ("derived", "fit to the righting arm of the lines"))
+    sources["K_phi"] = ("derived", f"-rho g V GM; GM {said['gm']}")
+    drag = f"estimated: cross-flow drag, C_D {ship.drag_coefficient:g}, u0 {scale:.3g} m/s, at half draught"
+    sources |= {name: ("cross-flow", drag) for row in CUBIC_NAMES for name in row}
+    return sources

@@ -1,0 +1,160 @@
+"""Added mass and damping of one section over frequency, as a labelled dataset."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Final, Literal, get_args
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from quartering.conventions import WATER_DENSITY, InputError, RangeWarning
+from quartering.hull.section import Floats, Section
+from quartering.hydro.lewis import LewisForms, area_coefficient_limits, lewis_forms
+from quartering.hydro.multipole import Radiation, radiation
+
+Method = Literal["auto", "lewis"]
+
+_VARIABLES: Final = {
+    "a22": ("kg m-1", "sway added mass per metre of length"),
+    "b22": ("kg m-1 s-1", "sway wave damping per metre of length"),
+    "a24": ("kg", "sway-roll added mass per metre of length"),
+    "b24": ("kg s-1", "sway-roll wave damping per metre of length"),
+    "a44": ("kg m", "roll added moment of inertia per metre of length"),
+    "b44": ("kg m s-1", "roll wave damping per metre of length"),
+    "a33": ("kg m-1", "heave added mass per metre of length"),
+    "b33": ("kg m-1 s-1", "heave wave damping per metre of length"),
+}
+
+
+def section_coefficients(
+    section: Section, frequency: ArrayLike, method: Method = "auto", *, density: float = WATER_DENSITY
+) -> xr.Dataset:
+    """Added mass and wave damping of a section in sway, roll and heave, about its waterline point.
+
+    Parameters
+    ----------
+    section : Section
+    frequency : (f,) float   w >= 0 [rad/s]
+    method : "auto" or "lewis"
+        Both take the Lewis form of the section's breadth, draught and immersed area.
+    density : float          of the water, > 0 [kg/m3]
+
+    Returns
+    -------
+    xr.Dataset               a22 b22 a24 b24 a44 b44 a33 b33 over frequency, SI per metre of length, axes z down;
+                             a33 is infinite at w = 0
+
+    Raises
+    ------
+    InputError               unknown method; a frequency negative or not finite; density not positive
+
+    Warns
+    -----
+    RangeWarning             the section is not Lewis-like and the nearest form stands for it: no breadth at the
+                             waterline (0.02 of the draught is taken as half breadth) or an area outside the forms'
+                             range
+
+    Notes
+    -----
+    Source: [Ursell49], [Tasai61] multipoles on [Lewis29] forms.  Valid: deep water, nu B/2 < 20; surface-piercing
+    sections without marked shoulders.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> t = np.linspace(0.0, np.pi / 2, 200)
+    >>> circle = Section(y=np.sin(t), z=np.cos(t))
+    >>> ds = section_coefficients(circle, [np.sqrt(9.81)])
+    >>> round(float(ds.a22[0]) / (1025.0 * np.pi / 2), 3), ds.a22.attrs["units"]
+    (0.382, 'kg m-1')
+    """
+    if method not in get_args(Method):
+        raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Method))}")
+    if not (np.isfinite(density) and density > 0.0):
+        raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
+    forms = lewis_forms(section.half_breadth, section.draught, immersed_area(section))
+    remark = _remark(forms)
+    if remark:
+        warnings.warn(remark, RangeWarning, stacklevel=2)
+    lateral = radiation(forms, frequency, "lateral", density=density)
+    heave = radiation(forms, frequency, "heave", density=density)
+    return _dataset(np.atleast_1d(np.asarray(frequency, dtype=float)), lateral, heave, forms, density, remark)
+
+
+def immersed_area(section: Section) -> float:
+    """Area of a section below the calm plane, both sides.
+
+    Parameters
+    ----------
+    section : Section
+
+    Returns
+    -------
+    float                    [m2]
+
+    Notes
+    -----
+    2 |int y dz| over the polyline, cut at z = 0 and closed to the centre plane.
+    Source: Green's theorem; used with [Lewis29] forms.  Valid: any contour that does not cross itself.
+
+    Examples
+    --------
+    >>> immersed_area(Section(y=[0.0, 2.0, 2.0], z=[1.0, 1.0, -0.5]))
+    4.0
+    """
+    y, z = section.y, section.z
+    inside = np.maximum(z, 0.0)
+    # the part of each piece below z = 0: half breadth where it crosses, linear in between
+    crossing = z[:-1] * z[1:] < 0.0
+    step = np.where(crossing, z[:-1] - z[1:], 1.0)
+    cut = y[:-1] + (y[1:] - y[:-1]) * np.where(crossing, z[:-1] / step, 0.0)
+    y0 = np.where(crossing & (z[:-1] < 0.0), cut, y[:-1])
+    y1 = np.where(crossing & (z[1:] < 0.0), cut, y[1:])
+    return float(abs(np.sum((y0 + y1) * (inside[:-1] - inside[1:]))))
+
+
+def _remark(forms: LewisForms) -> str:
+    parts = []
+    if forms.stretched[0]:
+        parts.append(
+            f"half breadth {forms.half_breadth[0]:.4g} m and draught {forms.draught[0]:.4g} m are taken for its own "
+            "(half breadth is kept between 0.02 and 50 times the draught)"
+        )
+    if forms.clipped[0]:
+        lower, upper = area_coefficient_limits(forms.half_breadth / forms.draught)
+        parts.append(
+            f"area coefficient {forms.asked_area_coefficient[0]:.3f} is outside the range of Lewis forms of its "
+            f"breadth and draught ({lower[0]:.3f} to {upper[0]:.3f}); {forms.area_coefficient[0]:.3f} is taken, "
+            f"off by {abs(forms.excess[0]):.3f}"
+        )
+    return "the section is not Lewis-like: " + "; ".join(parts) if parts else ""
+
+
+def _dataset(
+    w: Floats, lateral: Radiation, heave: Radiation, forms: LewisForms, density: float, remark: str
+) -> xr.Dataset:
+    values = {"a33": heave.added_mass[:, 0, 0, 0], "b33": heave.damping[:, 0, 0, 0]}
+    for modes, i, j in (("22", 0, 0), ("24", 0, 1), ("44", 1, 1)):
+        values["a" + modes] = lateral.added_mass[:, 0, i, j]
+        values["b" + modes] = lateral.damping[:, 0, i, j]
+    variables = {
+        name: ("frequency", values[name], {"units": unit, "long_name": meaning, "symbol": f"{name[0]}_{name[1:]}"})
+        for name, (unit, meaning) in _VARIABLES.items()
+    }
+    axis = ("frequency", w, {"units": "rad s-1", "long_name": "frequency", "symbol": "omega"})
+    attributes = {
+        "method": "lewis",
+        "axes": "y to starboard, z down",
+        "reference_point": "centre of the waterline of the section",
+        "time_factor": "exp(+i omega t)",
+        "water_density": density,
+        "water_density_units": "kg m-3",
+        "lewis_half_breadth": float(forms.half_breadth[0]),
+        "lewis_draught": float(forms.draught[0]),
+        "lewis_area_coefficient": float(forms.area_coefficient[0]),
+        "remark": remark,
+        "references": "Ursell49, Tasai61, Lewis29",
+    }
+    return xr.Dataset(variables, coords={"frequency": axis}, attrs=attributes)
