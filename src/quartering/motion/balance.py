@@ -134,7 +134,9 @@ def _add(u, step, damping, out):
 
 @njit(cache=True, nogil=True)
 def newton(system, tables, u, strength, work):
-    """Damped Newton from ``u``, in place; returns 0 converged, 1 not converged, 2 singular.
+    """Damped Newton from ``u``, in place; returns (0 converged, 1 not converged, 2 singular) and a sign.
+
+    The sign is that of the determinant of the derivative at the solution: it changes from one side of a fold to the other.
 
     A damped step is taken when the next step, with the old matrix, is shorter (the natural monotonicity test): the
     result does not depend on how the equations are scaled.
@@ -143,13 +145,14 @@ def newton(system, tables, u, strength, work):
     for _ in range(40):
         balance(system, tables, u, strength, True, residual, factored, scratch)
         _negative(residual, step)
-        if not lu_factor(factored, pivots):
-            return 2
+        sign = lu_factor(factored, pivots)
+        if sign == 0:
+            return 2, 0
         lu_solve(factored, pivots, step)
         _add(u, step, 1.0, trial)
         full = relative_step(step, trial)
         if not full < 1e12:
-            return 1
+            return 1, 0
         damping = 1.0
         while True:
             _add(u, step, damping, trial)
@@ -162,9 +165,9 @@ def newton(system, tables, u, strength, work):
                 break
             damping *= 0.5
             if damping < 0.01:
-                return 1
+                return 1, 0
         copy_motion(trial, u)
         if damping == 1.0 and (left < 1e-13 or (full < 1e-9 and left > 0.01 * full)):
             _add(u, after, 1.0, u)
-            return 0
-    return 1
+            return 0, sign
+    return 1, 0

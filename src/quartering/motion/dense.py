@@ -8,13 +8,14 @@ from numba import njit
 
 @njit(cache=True, nogil=True)
 def lu_factor(a, pivots):
-    """Factor the square matrix ``a`` in place; returns False when it is singular to working precision.
+    """Factor the square matrix ``a`` in place; returns the sign of its determinant, 0 when it is singular.
 
     Notes
     -----
     Source: closed form (Gaussian elimination with partial pivoting).
     """
     n = a.shape[0]
+    sign = 1
     for j in range(n):
         best, size = j, abs(a[j, j])
         for i in range(j + 1, n):
@@ -22,10 +23,13 @@ def lu_factor(a, pivots):
                 best, size = i, abs(a[i, j])
         pivots[j] = best
         if not size > 0.0 or size > 1e300:
-            return False
+            return 0
         if best != j:
+            sign = -sign
             for k in range(n):
                 a[j, k], a[best, k] = a[best, k], a[j, k]
+        if a[j, j] < 0.0:
+            sign = -sign
         inverse = 1.0 / a[j, j]
         for i in range(j + 1, n):
             factor = a[i, j] * inverse
@@ -33,7 +37,7 @@ def lu_factor(a, pivots):
             if factor != 0.0:
                 for k in range(j + 1, n):
                     a[i, k] -= factor * a[j, k]
-    return True
+    return sign
 
 
 @njit(cache=True, nogil=True)

@@ -42,7 +42,7 @@ def _correct(system, tables, u, share, scale, tangent, force, bordered, pivots, 
             bordered[size, row] = tangent[row]
         bordered[size, size] = tangent[size]
         step[size] = 0.0
-        if not lu_factor(bordered, pivots):
+        if lu_factor(bordered, pivots) == 0:
             return -1, share
         lu_solve(bordered, pivots, step)
         largest = abs(step[size])

@@ -20,8 +20,18 @@ _NO_MOTION, _SINGULAR, _NOT_FINITE = int(Status.NO_MOTION_FOUND), int(Status.SIN
 
 
 @njit(cache=True, nogil=True)
+def _changed(before, after):
+    """Is roll more than twice or less than half of what it was?"""
+    old, new = 0.0, 0.0
+    for b in range(before.shape[1]):
+        old += before[1, b] ** 2
+        new += after[1, b] ** 2
+    return new > 4.0 * old or old > 4.0 * new
+
+
+@njit(cache=True, nogil=True)
 def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-           values, rates, factors, weights, given_start, u, status, error):  # fmt: skip
+           values, rates, factors, weights, given_start, from_rest, u, status, error):  # fmt: skip
     """Periodic motions of conditions first..last; u (n, 3, b) holds the start when `given_start`, then the result."""
     nb = values.shape[0]
     size = 3 * nb
@@ -33,21 +43,29 @@ def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, f
             scratch)  # fmt: skip
     residual, matrix = work[0], work[1]
     tables = (values, rates, factors, weights)
-    linear_motion = np.zeros((3, nb), dtype)
+    linear_motion, kept = np.zeros((3, nb), dtype), np.zeros((3, nb), dtype)
     for i in range(first, last):
         system = (linear[i], coefficients[i], powers, modulus, mean[i], cos[i], sin[i], frequency[i])
         if status[i] != _CONVERGED:
             continue
         if given_start:
-            outcome = newton(system, tables, u[i], 1.0, work)
+            outcome, _ = newton(system, tables, u[i], 1.0, work)
         else:
-            linear_motion[:] = 0.0
-            outcome = newton(system, tables, linear_motion, 0.0, work)
+            for k in range(3):
+                for b in range(nb):
+                    linear_motion[k, b] = 0.0
+            outcome, side = newton(system, tables, linear_motion, 0.0, work)
             if outcome == 0:
                 copy_motion(linear_motion, u[i])
-                outcome = newton(system, tables, u[i], 1.0, work)
-                if outcome != 0 and follow(system, tables, linear_motion, u[i], work):
-                    outcome, status[i] = newton(system, tables, u[i], 1.0, work), _BY_FOLLOWING
+                outcome, side_found = newton(system, tables, u[i], 1.0, work)
+                elsewhere = outcome == 0 and from_rest and (side_found != side or _changed(linear_motion, u[i]))
+                if elsewhere:
+                    copy_motion(u[i], kept)
+                if (outcome != 0 or elsewhere) and follow(system, tables, linear_motion, u[i], work):
+                    outcome, _ = newton(system, tables, u[i], 1.0, work)
+                    status[i] = _BY_FOLLOWING
+                elif elsewhere:
+                    copy_motion(kept, u[i])
         if outcome != 0:
             status[i] = _SINGULAR if outcome == 2 else _NO_MOTION
             continue
@@ -95,7 +113,7 @@ def orders_for(system: System, harmonics: int) -> tuple[int, ...]:
 
 
 def harmonic_balance(
-    system: System, orders: tuple[int, ...], start: Floats | None = None
+    system: System, orders: tuple[int, ...], start: Floats | None = None, *, from_rest: bool = False
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by harmonic balance.
 
@@ -104,6 +122,8 @@ def harmonic_balance(
     system : System                   n conditions
     orders : tuple of int             harmonics kept (see `orders_for`)
     start : (n, 3, b), optional       start of Newton's method; by default the linear solution
+    from_rest : bool                  where Newton's method from the linear solution ends beyond a fold, or with roll
+                                      changed more than twofold, take the motion reached by raising the wave from nothing
 
     Returns
     -------
@@ -130,7 +150,7 @@ def harmonic_balance(
     n = system.count
     u = np.zeros((n, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
     status, residual = np.where(system.finite, _CONVERGED, _NOT_FINITE).astype(np.int8), np.zeros(n)
-    in_threads(_solve, n, *system.kernel_arrays(), *table.arrays, start is not None, u, status, residual)
+    in_threads(_solve, n, *system.kernel_arrays(), *table.arrays, start is not None, from_rest, u, status, residual)
     failed = (status != _CONVERGED) & (status != _BY_FOLLOWING)
     u[failed], residual[failed] = np.nan, np.nan
     return u, status, residual

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
+from quartering.conventions import InputError
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
 from quartering.motion.struble import modified_struble
 
 _PEAK_SAMPLES = 256
+Start = Literal["linear", "rest"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,13 +121,16 @@ def peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
     return np.abs(u @ np.array(rows)).max(axis=2)
 
 
-def steady_motions(system: System, harmonics: int = 1) -> tuple[Floats, tuple[int, ...], np.ndarray, Floats]:
+def steady_motions(
+    system: System, harmonics: int = 1, *, start: Start = "linear"
+) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions.
 
     Parameters
     ----------
     system : System    n conditions
     harmonics : int    1: the paper's modified Struble method; 3, 5, ..: harmonic balance to that order
+    start : str        which motion where several exist, as in `steady_motion`
 
     Returns
     -------
@@ -143,10 +149,14 @@ def steady_motions(system: System, harmonics: int = 1) -> tuple[Floats, tuple[in
     >>> steady_motions(model.system, 5)[1]
     (1, 3, 5)
     """
+    if start not in get_args(Start):
+        raise InputError(
+            f"start={start!r}: 'linear' (Newton from the linear motion) or 'rest' (raising the wave from nothing)"
+        )
     if harmonics == 1:
-        return modified_struble(system)
+        return modified_struble(system, from_rest=start == "rest")
     orders = orders_for(system, harmonics)
-    u, status, residual = harmonic_balance(system, orders)
+    u, status, residual = harmonic_balance(system, orders, from_rest=start == "rest")
     return u, orders, status, residual
 
 
@@ -188,13 +198,15 @@ def motion_record(
     )
 
 
-def steady_motion(model: Model, harmonics: int = 1) -> Motion:
+def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") -> Motion:
     """The steady periodic motion that grows out of the linear solution.
 
     Parameters
     ----------
     model : Model
     harmonics : int    1: the paper's modified Struble method with its linear third harmonic; 3, 5, 7, ..: harmonic balance
+    start : str        where several motions exist: "linear", the one Newton's method reaches from the linear motion, which may
+                       be an unstable one; "rest", the one a wave raised slowly from nothing leads to
 
     Returns
     -------
@@ -202,7 +214,7 @@ def steady_motion(model: Model, harmonics: int = 1) -> Motion:
 
     Raises
     ------
-    InputError    `harmonics` even or not positive
+    InputError    `harmonics` even or not positive, `start` unknown
 
     Notes
     -----
@@ -216,6 +228,6 @@ def steady_motion(model: Model, harmonics: int = 1) -> Motion:
     >>> round(float(motion.amplitude[1]), 6), motion.status.name
     (0.414599, 'CONVERGED')
     """
-    u, orders, status, residual = steady_motions(model.system, harmonics)
+    u, orders, status, residual = steady_motions(model.system, harmonics, start=start)
     method = "modified Struble" if harmonics == 1 else "harmonic balance"
     return motion_record(model, u[0], orders, int(status[0]), float(residual[0]), method)

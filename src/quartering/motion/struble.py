@@ -38,7 +38,7 @@ def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin,
                 for j in range(3):
                     for c in range(free):
                         block[k * free + b, j * free + c] = matrix[k * nb + known + b, j * nb + known + c]
-        if not lu_factor(block, pivots):
+        if lu_factor(block, pivots) == 0:
             right[:] = np.nan
         else:
             lu_solve(block, pivots, right)
@@ -47,12 +47,15 @@ def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin,
                 u[i, k, known + b] = right[k * free + b]
 
 
-def modified_struble(system: System) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
+def modified_struble(
+    system: System, *, from_rest: bool = False
+) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by the paper's method.
 
     Parameters
     ----------
-    system : System    n conditions
+    system : System      n conditions
+    from_rest : bool     which motion where several exist, as in `harmonic_balance`
 
     Returns
     -------
@@ -76,7 +79,7 @@ def modified_struble(system: System) -> tuple[Floats, tuple[int, ...], NDArray[n
     ((1, 3), (1, 3, 4))
     """
     low, orders = ((1,), (1, 3)) if system.symmetric else ((0, 1), (0, 1, 2, 3))
-    fundamental, status, residual = harmonic_balance(system, low)
+    fundamental, status, residual = harmonic_balance(system, low, from_rest=from_rest)
     known = fundamental.shape[2]
     table = basis(orders, system.degree, system.has_modulus)
     u = np.zeros((system.count, 3, table.factors.size))

@@ -60,6 +60,7 @@ def evaluate(
 
     Notes
     -----
+    Where several motions exist, the one that a wave raised slowly from nothing leads to is judged.
     Source: [H71]; every number of a condition without an answer is NaN and its ``status`` says why.
 
     Examples
@@ -92,7 +93,7 @@ def evaluate(
 def _block(equations: ShipSystem, height: Floats, harmonics: int, limit: float) -> dict[str, NDArray[np.generic]]:
     """Results of one block of conditions, flat."""
     system = equations.at_amplitude(0.5 * height)
-    u, orders, status, _ = steady_motions(system, harmonics)
+    u, orders, status, _ = steady_motions(system, harmonics, start="rest")
     largest = np.degrees(peaks(u, orders)[:, 1])
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
     status = np.where(largest > limit, Status.BEYOND_VANISHING_ANGLE, status).astype(np.int8)

@@ -19,7 +19,12 @@ from quartering.stability.first_order import RESONANCES
 from quartering.stability.kind import Kind
 from quartering.study.conditions import RESULTS
 
-_EXTRA_DIMS = {"q": ("resonance",), "q_paper": ("resonance",), "slow": ("slow_mode",), "multiplier_modulus": ("multiplier",)}
+_EXTRA_DIMS = {
+    "q": ("resonance",),
+    "q_paper": ("resonance",),
+    "slow": ("slow_mode",),
+    "multiplier_modulus": ("multiplier",),
+}
 
 
 def labelled(
@@ -51,10 +56,12 @@ def labelled(
     --------
     See `polar` and `sweep`, which call this.
     """
-    variables = {
-        name: ((*dims, *_EXTRA_DIMS.get(name, ())), results[name], attributes(name)) for name in RESULTS
-    }
-    variables["encounter_frequency"] = (tuple(wave_dims), results["encounter_frequency"], attributes("encounter_frequency"))
+    variables = {name: ((*dims, *_EXTRA_DIMS.get(name, ())), results[name], attributes(name)) for name in RESULTS}
+    variables["encounter_frequency"] = (
+        tuple(wave_dims),
+        results["encounter_frequency"],
+        attributes("encounter_frequency"),
+    )
     coords = {name: (where, values, attributes(name)) for name, (where, values) in coordinates.items()}
     coords["resonance"] = (("resonance",), np.array(RESONANCES), {"long_name": "m in n2 = m omega/2", "units": "1"})
     return xr.Dataset(variables, coords, _provenance(ship, form, harmonics))

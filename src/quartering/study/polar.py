@@ -62,7 +62,10 @@ def polar(
     lengths = np.array([one.length for one in waves])
     if lengths.size == 0 or (np.diff(lengths) == 0).any():
         raise InputError("polar needs at least one wave, and each wave length once; use sweep for several heights")
-    speed, heading = axis("speeds", speeds), axis("headings", np.arange(0.0, 181.0, 5.0) if headings is None else headings)
+    speed, heading = (
+        axis("speeds", speeds),
+        axis("headings", np.arange(0.0, 181.0, 5.0) if headings is None else headings),
+    )
     u, mu, length = (a.ravel() for a in np.meshgrid(speed, heading, lengths, indexing="ij"))
     height = np.tile([one.height for one in waves], speed.size * heading.size)[:, None]
     found = evaluate(ship, u, mu, length, height, harmonics=harmonics, form=form, progress=progress)

@@ -74,7 +74,9 @@ def sweep(
     _check_waves(grid["wave_length"], grid["wave_height"])
     extra = {name: axis(name, values) for name, values in axes.items()}
     loadings = [dict(zip(extra, values, strict=True)) for values in product(*extra.values())]
-    u, mu, length = (a.ravel() for a in np.meshgrid(*(grid[n] for n in ("speed", "heading", "wave_length")), indexing="ij"))
+    u, mu, length = (
+        a.ravel() for a in np.meshgrid(*(grid[n] for n in ("speed", "heading", "wave_length")), indexing="ij")
+    )
     heights = np.broadcast_to(grid["wave_height"], (u.size, grid["wave_height"].size))
     total = len(loadings) * heights.size
     shape = tuple(values.size for values in grid.values())

@@ -1,0 +1,21 @@
+"""Compiled kernels are thrown away when any source changed.
+
+The compiler's cache looks at a kernel's own file only; a kernel whose callee in another file changed would stay stale.
+"""
+
+import hashlib
+from pathlib import Path
+
+SOURCES = Path(__file__).parents[1] / "src" / "quartering"
+
+
+def pytest_configure(config):
+    digest = hashlib.sha256()
+    for file in sorted(SOURCES.rglob("*.py")):
+        if "njit" in (text := file.read_text()):
+            digest.update(text.encode())
+    if config.cache is None or config.cache.get("quartering/kernels", None) == digest.hexdigest():
+        return
+    for compiled in SOURCES.rglob("__pycache__/*.nb[ic]"):
+        compiled.unlink(missing_ok=True)
+    config.cache.set("quartering/kernels", digest.hexdigest())
