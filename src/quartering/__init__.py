@@ -63,16 +63,17 @@ _HOMES = {
     "steady_motion": "motion.steady",
     "cite": "references",
     "Verdict": "stability.verdict",
-    "stability": "stability.verdict",
     "polar": "study.polar",
     "sensitivity": "study.sensitivity",
     "sweep": "study.sweep",
 }
-__all__ = sorted(_HOMES)
+__all__ = sorted([*_HOMES, "stability"])
 
 
 def __getattr__(name: str) -> Any:
     """Import a public name from its room on first use, so that ``import quartering`` costs nothing."""
+    if name == "stability":  # a room that can be called: see its own page
+        return import_module("quartering.stability")
     if name not in _HOMES:
         raise AttributeError(f"module 'quartering' has no attribute {name!r}")
     value = getattr(import_module(f"quartering.{_HOMES[name]}"), name)
@@ -82,4 +83,4 @@ def __getattr__(name: str) -> Any:
 
 def __dir__() -> list[str]:
     """Public names, imported or not yet."""
-    return sorted({*globals(), *_HOMES})
+    return sorted({*globals(), *__all__})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -91,7 +92,7 @@ def stability(model: Model, motion: Motion) -> Verdict:
     >>> terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_phiphiphi": -0.25, "K_ppp": -0.08, "N_r": -0.6}
     >>> model = Model(np.eye(3), terms, 0.85, force_cos=(0, 0.05, 0), force_sin=(0, 0.12, 0))
     >>> print(stability(model, steady_motion(model)).sentence)
-    Stable: disturbances die out at 0.0325 1/s or faster; first-order theory says the same.
+    stable: disturbances die out at 0.0325 1/s or faster; first-order theory says the same.
     """
     u = motion.coefficients[None]
     result = assess(model.system, u, motion.orders_with_mean, _ACCURACY)
@@ -106,7 +107,7 @@ def stability(model: Model, motion: Motion) -> Verdict:
     return Verdict(
         stable=kind is Kind.STABLE,
         kind=kind.label,
-        sentence=_sentence(kind, result, motion, strongest, mode),
+        sentence=_sentence(_condition(model.source), kind, result, motion, strongest, mode),
         k2=float(f.k2[0]),
         k2_rho=float(f.k2_rho[0]),
         k2_paper=float(f.k2_paper[0]),
@@ -139,24 +140,39 @@ def _strongest(kind: Kind, model: Model, motion: Motion, result: Assessment, sha
             name: abs(model.terms[name]) * roll ** (3 if name == "K_phiphiphi" else int(name[-1])) for name in restoring
         }
         return max(size, key=lambda name: size[name]), float(by_restoring)
-    return next(iter(contributions(model, motion, oscillating=share >= 0.5).items()), ("", float("nan")))
+    parts = contributions(model, motion, oscillating=share >= 0.5)
+    # A stiffness turns a growing motion round; it does not feed it.
+    feeding = {name: rate for name, rate in parts.items() if "phi" not in name}
+    return next(iter(feeding.items()), ("", float("nan")))
 
 
-def _sentence(kind: Kind, result: Assessment, motion: Motion, strongest: tuple[str, float], mode: int) -> str:
+def _condition(source: Mapping[str, object]) -> str:
+    """The condition a ship's model was made for, to open a sentence; nothing for a model from bare numbers."""
+    if "heading" not in source:
+        return ""
+    return (
+        f"Heading {source['heading']:g} deg, {source['speed']:.3g} m/s,"
+        f" wave {source['wave_length']:.4g} x {source['wave_height']:.3g} m: "
+    )
+
+
+def _sentence(
+    where: str, kind: Kind, result: Assessment, motion: Motion, strongest: tuple[str, float], mode: int
+) -> str:
     """The verdict in one plain sentence, with what first-order theory says beside it."""
     if kind is Kind.NO_ANSWER:
-        return f"No answer: {motion.status.advice}."
+        return f"{where}no answer: {motion.status.advice}."
     growth = float(result.floquet.exponents[0, mode].real)
     first = float(result.first_order.growth[0])
     stable_by_first_order = first < _NEUTRAL
     if kind is Kind.STABLE:
         opinion = "says the same" if stable_by_first_order else f"would call it unstable ({first:+.3g} 1/s)"
-        return f"Stable: disturbances die out at {abs(growth):.3g} 1/s or faster; first-order theory {opinion}."
+        return f"{where}stable: disturbances die out at {abs(growth):.3g} 1/s or faster; first-order theory {opinion}."
     opinion = f"says the same ({first:+.3g} 1/s)" if not stable_by_first_order else f"misses it ({first:+.3g} 1/s)"
     index = float(result.first_order.k2[0])
     index_says = "no K2 here" if np.isnan(index) else f"K2 alone {'agrees' if index > 0 else 'does not see it'}"
     blame = f"; {strongest[0]} adds most ({strongest[1]:+.3g} 1/s)" if strongest[1] > 0 else ""
     return (
-        f"Unstable ({kind.label}): {kind.meaning} ({growth:+.3g} 1/s by Floquet; first-order theory {opinion}, {index_says})"
+        f"{where}unstable ({kind.label}): {kind.meaning} ({growth:+.3g} 1/s by Floquet; first-order theory {opinion}, {index_says})"
         f"{blame}."
     )
