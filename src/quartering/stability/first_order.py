@@ -184,9 +184,9 @@ def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrd
     >>> round(float(first_order(model.system, phasors, motion.amplitude[None]).k2[0]), 6)
     -0.1
     """
-    finite = np.isfinite(phasors).reshape(system.count, -1).all(axis=1)
+    finite = np.isfinite(phasors).reshape(system.count, -1).all(axis=1) & system.finite
     phasors = np.where(finite[:, None, None, None], phasors, 0.0)
-    w = system.frequency
+    w = np.where(finite, system.frequency, 1.0)
     stiffness = phasors[:, 0, :, 1].real
     mean = phasors[:, 0][:, :, _VELOCITIES].real
     oscillates = finite & (stiffness[:, 1] < 0)
