@@ -7,12 +7,17 @@ threads share the work: nothing is copied, nothing is compiled twice, and two ca
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from typing import Any, TypeVar
 
 _WORKERS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else (os.cpu_count() or 1)
 _SMALLEST_BLOCK = 16
+_inside = threading.local()
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 
 def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any) -> None:
@@ -27,15 +32,52 @@ def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any) -> None:
     Notes
     -----
     Blocks are a fraction of each core's share, so that a core that meets harder conditions does not hold the others up.
+    Inside work that `spread` has already put on a thread, the kernel runs there and then.
     """
-    if count == 0:
+    block = max(_SMALLEST_BLOCK, -(-count // (8 * _WORKERS)))
+    if getattr(_inside, "busy", False) or _WORKERS == 1 or count <= block:
+        kernel(0, count, *arrays)
         return
     kernel(0, 1, *arrays)  # compiles once, before threads would race to do it
-    block = max(_SMALLEST_BLOCK, -(-count // (8 * _WORKERS)))
-    starts = range(1, count, block)
-    if len(starts) <= 1 or _WORKERS == 1:
-        kernel(1, count, *arrays)
-        return
     with ThreadPoolExecutor(_WORKERS) as pool:
-        for done in [pool.submit(kernel, first, min(first + block, count), *arrays) for first in starts]:
+        for done in [
+            pool.submit(kernel, first, min(first + block, count), *arrays) for first in range(1, count, block)
+        ]:
             done.result()
+
+
+def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tuple[int, Result]]:
+    """Do a piece of work for each item on all cores, and hand the results over as they are done.
+
+    Parameters
+    ----------
+    work : function    of one item; spends its time in compiled code
+    items : sequence
+
+    Yields
+    ------
+    (int, result)      index of the item, and its result; the first item comes first, done alone so that kernels compile once
+
+    Notes
+    -----
+    Stopping the iteration (an interrupt, an error) drops the items not yet begun.
+    """
+
+    def alone(item: Item) -> Result:
+        _inside.busy = True
+        return work(item)
+
+    if not items:
+        return
+    if len(items) == 1 or _WORKERS == 1:
+        yield from ((i, work(item)) for i, item in enumerate(items))
+        return
+    yield 0, work(items[0])
+    pool = ThreadPoolExecutor(_WORKERS)
+    try:
+        pending = {pool.submit(alone, item): i for i, item in enumerate(items) if i > 0}
+        while pending:
+            for done in wait(pending, return_when=FIRST_COMPLETED).done:
+                yield pending.pop(done), done.result()
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)

@@ -113,12 +113,44 @@ def peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
     >>> peaks(np.array([[[0.0, 1.0], [0.3, 0.4], [0.0, 0.0]]]), (1,)).round(3)
     array([[1. , 0.5, 0. ]])
     """
-    phases = 2 * np.pi * np.arange(_PEAK_SAMPLES) / _PEAK_SAMPLES
-    rows = [f(h * phases) for h in orders if h > 0 for f in (np.cos, np.sin)]
+    displacement = u @ _sampled(orders)
     if 0 in orders:
-        offset = u[:, :, :1] * np.array([0.0, 1.0, 0.0])[:, None]
-        return np.abs(u[:, :, 1:] @ np.array(rows) + offset).max(axis=2)
-    return np.abs(u @ np.array(rows)).max(axis=2)
+        displacement[:, 0] -= u[:, 0, :1]
+        displacement[:, 2] -= u[:, 2, :1]
+    return np.abs(displacement).max(axis=2)
+
+
+def roll_peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
+    """Largest |roll| of each motion over a cycle, heel included.
+
+    Parameters
+    ----------
+    u : (n, 3, b) float       coefficients as from `harmonic_balance`
+    orders : tuple of int     their harmonics
+
+    Returns
+    -------
+    (n,) float                [rad]
+
+    Notes
+    -----
+    Source: as `peaks`, for one mode of many conditions.
+
+    Examples
+    --------
+    >>> roll_peaks(np.array([[[0.0, 1.0], [0.3, 0.4], [0.0, 0.0]]]), (1,)).round(3)
+    array([0.5])
+    """
+    return np.abs(u[:, 1] @ _sampled(orders)).max(axis=1)
+
+
+def _sampled(orders: tuple[int, ...]) -> Floats:
+    """Rows (b, m): the mean, cosines and sines at phases of a cycle, or of half of one when the rest mirrors it."""
+    mirrored = all(h % 2 == 1 for h in orders)
+    phases = 2 * np.pi * np.arange(_PEAK_SAMPLES // 2 if mirrored else _PEAK_SAMPLES) / _PEAK_SAMPLES
+    rows = [np.ones_like(phases)] if 0 in orders else []
+    rows += [f(h * phases) for h in orders if h > 0 for f in (np.cos, np.sin)]
+    return np.array(rows)
 
 
 def steady_motions(

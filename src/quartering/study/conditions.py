@@ -14,13 +14,14 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.motion.of_ship import ShipSystem, ship_system
 from quartering.motion.status import Status
-from quartering.motion.steady import peaks, steady_motions
+from quartering.motion.steady import roll_peaks, steady_motions
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
+from quartering.threads import spread
 
 Floats = NDArray[np.float64]
-BLOCK = 4096
-"""Conditions worked on at once: bounds the memory, and how often progress is told."""
+BLOCK = 512
+"""Conditions worked on at once by one core: bounds the memory, and how often progress is told."""
 
 RESULTS: dict[str, tuple[int, ...]] = {
     "sway": (), "roll": (), "yaw": (), "roll_peak": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (), "index": (),
@@ -78,14 +79,20 @@ def evaluate(
     results["status"] = np.zeros((m, heights), dtype=np.int8)
     limit = _vanishing_angle(ship)
     rows = max(1, BLOCK // heights)
-    for start in range(0, m, rows):
-        part = slice(start, min(start + rows, m))
+    parts = [slice(start, min(start + rows, m)) for start in range(0, m, rows)]
+
+    def block(part: slice) -> dict[str, NDArray[np.generic]]:
         equations = ship_system(ship, 2 * np.pi / wave_length[part], speed[part], heading[part], form=form)
-        results["encounter_frequency"][part] = equations.encounter_frequency
-        for name, values in _block(equations, wave_height[part], harmonics, limit).items():
-            results[name][part] = values.reshape(results[name][part].shape)
+        found = _block(equations, wave_height[part], harmonics, limit)
+        return found | {"encounter_frequency": equations.encounter_frequency}
+
+    done = 0
+    for i, found in spread(block, parts):
+        for name, values in found.items():
+            results[name][parts[i]] = values.reshape(results[name][parts[i]].shape)
+        done += (parts[i].stop - parts[i].start) * heights
         if progress is not None:
-            progress(part.stop * heights, m * heights)
+            progress(done, m * heights)
     _warn_outside_range(ship, results)
     return results
 
@@ -94,7 +101,7 @@ def _block(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     """Results of one block of conditions, flat."""
     system = equations.at_amplitude(0.5 * height)
     u, orders, status, _ = steady_motions(system, harmonics, start="rest")
-    largest = np.degrees(peaks(u, orders)[:, 1])
+    largest = np.degrees(roll_peaks(u, orders))
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
     status = np.where(largest > limit, Status.BEYOND_VANISHING_ANGLE, status).astype(np.int8)
     u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)

@@ -84,7 +84,7 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     }
     data["value"] = ("parameter", np.array(values), {"long_name": "value of the parameter, in its own unit"})
     data["unit"] = ("parameter", np.array(units), {"long_name": "unit of the parameter"})
-    attributes = {f"base_{name}": float(here[i]) for i, name in enumerate(columns)}
+    attributes: dict[str, object] = {f"base_{name}": float(here[i]) for i, name in enumerate(columns)}
     attributes |= {"ship": ship.name, "references": ", ".join(model.references)}
     return xr.Dataset(data, {"parameter": np.array(names)}, attributes)
 
