@@ -14,7 +14,7 @@ def pytest_configure(config):
     for file in sorted(SOURCES.rglob("*.py")):
         if "njit" in (text := file.read_text()):
             digest.update(text.encode())
-    if config.cache is None or config.cache.get("quartering/kernels", None) == digest.hexdigest():
+    if getattr(config, "cache", None) is None or config.cache.get("quartering/kernels", None) == digest.hexdigest():
         return
     for compiled in SOURCES.rglob("__pycache__/*.nb[ic]"):
         compiled.unlink(missing_ok=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -59,9 +60,7 @@ def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Cur
         point = np.repeat(point, 2, axis=0)[1:-1]
     chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(point, axis=0).T))])
     breaks = [0, *(np.flatnonzero(np.diff(chord) <= 0.0) + 1), len(chord)]
-    slope = np.concatenate(
-        [_slopes(chord[a:b], point[a:b]) for a, b in zip(breaks[:-1], breaks[1:], strict=True) if b > a]
-    )
+    slope = np.concatenate([_slopes(chord[a:b], point[a:b]) for a, b in pairwise(breaks) if b > a])
     return Curve(chord, point, slope)
 
 
@@ -91,13 +90,14 @@ def _end_slope(h0: Floats, h1: Floats, secant0: Floats, secant1: Floats) -> Floa
     return np.where(turned, 3 * secant0, slope)
 
 
-def along(curve: Curve, s: Floats) -> tuple[Floats, Floats, Floats, Floats]:
+def along(curve: Curve, s: Floats, side: Literal["left", "right"] = "right") -> tuple[Floats, Floats, Floats, Floats]:
     """Points and tangents of a contour at chord lengths.
 
     Parameters
     ----------
     curve : Curve       the contour
     s : (n,) float      chord lengths from the keel [m]
+    side : str          at a knuckle, the tangent above it ("right") or below it ("left")
 
     Returns
     -------
@@ -107,7 +107,7 @@ def along(curve: Curve, s: Floats) -> tuple[Floats, Floats, Floats, Floats]:
     -----
     Cubic Hermite form.  Source: [Fritsch84].
     """
-    i = np.clip(np.searchsorted(curve.chord, s, side="right") - 1, 0, len(curve.chord) - 2)
+    i = np.clip(np.searchsorted(curve.chord, s, side=side) - 1, 0, len(curve.chord) - 2)
     while (flat := curve.chord[i + 1] <= curve.chord[i]).any():  # land on the interval before a knuckle
         i = np.where(flat, i - 1, i)
     h = (curve.chord[i + 1] - curve.chord[i])[:, None]
@@ -133,16 +133,21 @@ def chord_at_height(curve: Curve, height: float) -> float:
 
     Notes
     -----
-    Bisection inside the interval of the crossing.  Source: [Fritsch84] (the curve's height never descends).
+    Root of the cubic of the crossed interval, by bisection.  Source: [Fritsch84] (the height never descends).
     """
     heights = curve.point[:, 1]
     above = np.flatnonzero(heights >= height)
     if above.size == 0 or above[0] == 0:
         return float(curve.chord[-1] if above.size == 0 else 0.0)
-    low, high = float(curve.chord[above[0] - 1]), float(curve.chord[above[0]])
-    if heights[above[0]] == height:
-        return high
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if along(curve, np.array([middle]))[1][0] >= height else (middle, high)
-    return 0.5 * (low + high)
+    last = int(above[0])
+    if heights[last] == height:
+        return float(curve.chord[last])
+    start, end = float(curve.chord[last - 1]), float(curve.chord[last])
+    h0, h1 = float(heights[last - 1]), float(heights[last])
+    m0, m1 = (float(slope) * (end - start) for slope in curve.slope[last - 1 : last + 1, 1])
+    c2, c3 = 3 * (h1 - h0) - 2 * m0 - m1, 2 * (h0 - h1) + m0 + m1
+    low, high = 0.0, 1.0
+    for _ in range(53):
+        t = 0.5 * (low + high)
+        low, high = (low, t) if h0 + t * (m0 + t * (c2 + t * c3)) >= height else (t, high)
+    return start + high * (end - start)

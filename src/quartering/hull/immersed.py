@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from functools import lru_cache
 
 import numpy as np
 
 from quartering.conventions import InputError
-from quartering.hull.contour import Curve, along, chord_at_height, contour_curve
+from quartering.hull.contour import Curve, along, chord_at_height
 from quartering.hull.offsets import Hull
 from quartering.hull.quadrature import gauss
 from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
 
 POINTS_PER_PANEL = 2
-
-STEM_HALF_THICKNESS = 0.001
-"""Half thickness [of B/2] given to a station that has depth but no breadth (the line of the stem)."""
 
 Nodes = tuple[Floats, Floats, Floats, Floats]
 
@@ -41,7 +37,8 @@ def strips(hull: Hull, points: int = 24) -> Strips:
 
     Notes
     -----
-    Offsets: contour curve cut at the waterline, Gauss-Legendre on panels that end at offset points.
+    Offsets: contour curve cut at the waterline, two Gauss-Legendre points on each of ``points / 2`` panels that end at
+    offset points.
     Wigley and box: the exact outline at Gauss nodes, in a variable in which every wave integrand is entire.
     A station with depth but no breadth (stem line) is a plate of half thickness 0.001 B/2, so that what depends on its
     depth is not lost.  Source: [Fritsch84] (contour), [Gill72] (stations), [Abramowitz64] 25.4.30 (Gauss).
@@ -76,13 +73,11 @@ def strips(hull: Hull, points: int = 24) -> Strips:
 
 
 def _offset_nodes(hull: Hull, station: int, points: int) -> Nodes:
-    """Nodes of a contour given by offsets: composite Gauss over panels of its smooth curve."""
+    """Nodes of a contour given by offsets: Gauss rules on panels of its curve."""
     curve, end = immersed_curve(hull, station)
-    ends = _panels(curve, end, points // POINTS_PER_PANEL)
-    rules = [gauss(POINTS_PER_PANEL, a, b) for a, b in zip(ends[:-1], ends[1:], strict=True)]
-    s, ds = (np.concatenate(part) for part in zip(*rules, strict=True))
-    y, height, dy, dheight = along(curve, s)
-    return y, hull.draught - height, dy * ds, -dheight * ds
+    ends = np.array(_panels(curve, end, points // POINTS_PER_PANEL))
+    y, height, dy, dheight = (part.ravel() for part in _panel_nodes(curve, ends[:-1], ends[1:]))
+    return y, hull.draught - height, dy, -dheight
 
 
 def immersed_curve(hull: Hull, station: int) -> tuple[Curve, float]:
@@ -105,16 +100,11 @@ def immersed_curve(hull: Hull, station: int) -> tuple[Curve, float]:
     Examples
     --------
     >>> from quartering.hull.offsets import box_hull
-    >>> round(immersed_curve(box_hull(100.0, 20.0, 5.0, 10.0), 0)[1], 9)
-    15.0
+    >>> curve, end = immersed_curve(box_hull(100.0, 20.0, 5.0, 10.0), 0)
+    >>> round(float(along(curve, np.array([end]))[1][0]), 9)
+    5.0
     """
-    y, height = hull.contours[station]
-    thin = STEM_HALF_THICKNESS * hull.beam / 2
-    below = height < hull.draught
-    if (y[below] < thin).all() and np.interp(hull.draught, height, y) < thin:
-        y = np.concatenate([[0.0], np.maximum(y, thin)])
-        height = np.concatenate([height[:1], height])
-    curve = contour_curve(y, height, hull.outline)
+    curve = hull.curves[station]
     return curve, chord_at_height(curve, hull.draught)
 
 
@@ -127,38 +117,73 @@ def _panels(curve: Curve, end: float, count: int) -> list[float]:
     """Panel ends: offset points, merged where the rule loses least of the area's moments, or long ones halved."""
     inner = np.unique(curve.chord[(curve.chord > 1e-9 * end) & (curve.chord < end * (1 - 1e-9))])
     ends = [0.0, *(float(s) for s in inner), end]
-    exact = list(_moments(curve, ends[:-1], ends[1:], 4))
-    loss = list(_merge_loss(curve, ends, exact, range(1, len(ends) - 1))) if len(ends) - 1 > count else []
+    below = curve.point[: max(2, int(np.searchsorted(curve.chord, end)))]
+    size = max(float(below[:, 0].max()), 1e-3 * end), float(np.ptp(below[:, 1])) or end
+    exact = list(_moments(_gauss_nodes(curve, np.array(ends)), size))
+    loss = _merge_loss(curve, ends, exact, size, list(range(1, len(ends) - 1)))
     while len(ends) - 1 > count:
         k = int(np.argmin(loss)) + 1
         exact[k - 1 : k + 1] = [exact[k - 1] + exact[k]]
         del ends[k], loss[k - 1]
         near = [j for j in (k - 1, k) if 1 <= j < len(ends) - 1]
-        for j, value in zip(near, _merge_loss(curve, ends, exact, near), strict=True):
+        for j, value in zip(near, _merge_loss(curve, ends, exact, size, near), strict=True):
             loss[j - 1] = value
     while len(ends) - 1 < count:
-        k = int(np.argmax(np.diff(ends)))
+        widths = np.diff(ends)
+        k = int(np.argmax(widths > (1 - 1e-9) * widths.max()))
         ends.insert(k + 1, 0.5 * (ends[k] + ends[k + 1]))
     return ends
 
 
-def _merge_loss(curve: Curve, ends: list[float], exact: list[Floats], at: Iterable[int]) -> list[float]:
-    """What the rule on one panel in place of two, either side of each end in ``at``, loses of their moments [m2]."""
-    chosen = list(at)
-    if not chosen:
+def _merge_loss(
+    curve: Curve, ends: list[float], exact: list[Floats], size: tuple[float, float], at: list[int]
+) -> list[float]:
+    """What one panel in place of two, either side of each end in ``at``, loses of their moments [m2].
+
+    A trace of the panel's length is added: where nothing is lost, as on a straight side, short panels go first.
+    """
+    if not at:
         return []
-    rough = _moments(curve, [ends[k - 1] for k in chosen], [ends[k + 1] for k in chosen], POINTS_PER_PANEL)
-    both = np.stack([exact[k - 1] + exact[k] for k in chosen])
-    return [float(value) for value in np.abs(rough - both).sum(axis=1)]
+    start, end = np.array([ends[k - 1] for k in at]), np.array([ends[k + 1] for k in at])
+    rough = _moments(_panel_nodes(curve, start, end), size)
+    lost = np.abs(rough - np.stack([exact[k - 1] + exact[k] for k in at])).sum(axis=1)
+    return [float(value) for value in lost + 1e-7 * (end - start) ** 2]
 
 
-def _moments(curve: Curve, start: list[float], end: list[float], points: int) -> Floats:
-    """Integrals of (y dh, y h dh / H, y2 dy / B, h2 dh / H) over pieces of a contour by Gauss rules (pieces, 4) [m2]."""
-    s, ds = (np.stack(part) for part in zip(*(gauss(points, a, b) for a, b in zip(start, end, strict=True)), strict=True))
-    y, h, dy, dh = (v.reshape(s.shape) for v in along(curve, s.ravel()))
-    breadth, height = curve.point[:, 0].max(), curve.point[-1, 1]
+def _moments(nodes: Nodes, size: tuple[float, float]) -> Floats:
+    """Integrals of (y dh, y h dh / H, y2 dy / B, h2 dh / H) over pieces of a contour (pieces, 4) [m2]."""
+    y, h, dy, dh = nodes
+    breadth, height = size
     f = np.stack([y * dh, y * h * dh / height, y * y * dy / breadth, h * h * dh / height], axis=-1)
-    return np.asarray((f * ds[..., None]).sum(axis=1))
+    return np.asarray(f.sum(axis=1))
+
+
+def _gauss_nodes(curve: Curve, ends: Floats) -> Nodes:
+    """Nodes (pieces, 4) of the curve itself between neighbouring offset points: exact for its moments."""
+    u, du = gauss(4, 0.0, 1.0)
+    width = np.diff(ends)[:, None]
+    s = ends[:-1, None] + width * u
+    y, h, dy, dh = (part.reshape(s.shape) for part in along(curve, s.ravel()))
+    return y, h, dy * width * du, dh * width * du
+
+
+def _panel_nodes(curve: Curve, start: Floats, end: Floats) -> Nodes:
+    """Gauss nodes (panels, 2) of the cubics that join panel ends with the curve's own points and tangents there.
+
+    The differentials of a panel sum exactly to the step between its ends, however many offset points lie within.
+    """
+    y0, h0, ty0, th0 = along(curve, start, side="right")
+    y1, h1, ty1, th1 = along(curve, end, side="left")
+    u, du = gauss(POINTS_PER_PANEL, 0.0, 1.0)
+    width = end - start
+
+    def cubic(v0: Floats, v1: Floats, t0: Floats, t1: Floats) -> tuple[Floats, Floats]:
+        m0, m1, step = (t0 * width)[:, None], (t1 * width)[:, None], (v1 - v0)[:, None]
+        c2, c3 = 3 * step - 2 * m0 - m1, m0 + m1 - 2 * step
+        return v0[:, None] + u * (m0 + u * (c2 + u * c3)), (m0 + u * (2 * c2 + 3 * u * c3)) * du
+
+    (y, dy), (h, dh) = cubic(y0, y1, ty0, ty1), cubic(h0, h1, th0, th1)
+    return y, h, dy, dh
 
 
 def _wigley_nodes(hull: Hull, x: float, points: int) -> Nodes:

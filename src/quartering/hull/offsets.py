@@ -7,17 +7,22 @@ from functools import cached_property
 from typing import Literal
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
-from quartering.hull.contour import Outline
-from quartering.hull.quadrature import gauss, station_weights
+from quartering.hull.contour import Curve, Outline, along, chord_at_height, contour_curve
+from quartering.hull.quadrature import gauss
 from quartering.hull.section import Floats, Section
 
 Contour = tuple[Floats, Floats]
 Shape = Literal["offsets", "wigley", "box"]
 
-STATIONS_ANALYTIC = 41
+STATIONS = 41
 """Stations of a hull given by formula: Gauss-Legendre nodes, one of them amidships."""
+
+
+STEM_HALF_THICKNESS = 0.001
+"""Half thickness [of B/2] given to a station that has depth but no breadth (the line of the stem)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +59,8 @@ class Hull:
 
     @property
     def depth(self) -> float:
-        """Height of the highest contour point above the baseline [m]: where the deck is closed."""
-        return max(float(height[-1]) for _, height in self.contours)
+        """Height of the lowest deck edge (top of a contour) above the baseline [m]."""
+        return min(float(height[-1]) for _, height in self.contours)
 
     @cached_property
     def wet(self) -> tuple[int, ...]:
@@ -66,121 +71,28 @@ class Hull:
     @cached_property
     def sections(self) -> tuple[Section, ...]:
         """Sections of the immersed stations, aft to fore; z down from the calm plane."""
-        return tuple(
-            Section(self.contours[i][0], self.draught - self.contours[i][1])  # the deck part has z < 0
-            for i in self.wet
-        )
+        return tuple(self._section(i) for i in self.wet)
 
+    @cached_property
+    def curves(self) -> tuple[Curve, ...]:
+        """Contours as curves from keel to deck; one without breadth up to the waterline is a thin plate."""
+        return tuple(self._curve(station) for station in range(len(self.x)))
 
-def hull_from_offsets(
-    name: str,
-    *,
-    length: float,
-    beam: float,
-    draught: float,
-    x: Floats,
-    contours: tuple[Contour, ...],
-    source: str = "given offsets",
-    outline: Outline = "smooth",
-) -> Hull:
-    """Hull from contours at stations.
+    def _curve(self, station: int) -> Curve:
+        y, height = self.contours[station]
+        thin = STEM_HALF_THICKNESS * self.beam / 2
+        if (y[height < self.draught] < thin).all() and np.interp(self.draught, height, y) < thin:
+            y = np.concatenate([[0.0], np.maximum(y, thin)])
+            height = np.concatenate([height[:1], height])
+        return contour_curve(y, height, self.outline)
 
-    Parameters
-    ----------
-    name : str                       what the hull is called
-    length, beam, draught : float    between perpendiculars, moulded, draught [m]
-    x : (s,) float                   stations from midship, + forward, ascending, at least 4 [m]
-    contours : tuple of (y, height)  half breadths and heights above the baseline, keel to deck [m];
-                                     a contour that does not start on the centreline gets a flat bottom
-    source : str                     where the lines come from
-    outline : str                    points joined "smooth" (monotone cubic) or "straight"
-
-    Returns
-    -------
-    Hull    at its design draught
-
-    Raises
-    ------
-    InputError    stations not ascending, heights descending, fewer than two points, a NaN: named by station
-
-    Notes
-    -----
-    Station weights from ``station_weights``.  Source: [Gill72].
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> side = (np.array([0.0, 5.0, 5.0]), np.array([0.0, 0.0, 6.0]))
-    >>> barge = hull_from_offsets("barge", length=60, beam=10, draught=4, x=np.linspace(-30, 30, 7), contours=(side,) * 7)
-    >>> barge.sections[3].draught
-    4.0
-    """
-    stations = np.array(x, dtype=float)
-    _check_stations(name, stations, contours)
-    closed = tuple(_closed(np.asarray(y, dtype=float), np.asarray(h, dtype=float)) for y, h in contours)
-    return Hull(
-        name=name,
-        length=float(length),
-        beam=float(beam),
-        draught=float(draught),
-        x=_frozen(stations),
-        weight=_frozen(station_weights(stations)),
-        contours=closed,
-        x_aft=float(stations[0]),
-        x_fore=float(stations[-1]),
-        source=source,
-        shape="offsets",
-        design_draught=float(draught),
-        outline=outline,
-    )
-
-
-def _check_stations(name: str, x: Floats, contours: tuple[Contour, ...]) -> None:
-    """Refuse stations out of order and contours that cannot be a section, naming the station."""
-    if len(x) != len(contours) or len(x) < 4:
-        raise InputError(f"{name}: {len(x)} stations and {len(contours)} contours; give at least 4 of each, one per station")
-    if not np.isfinite(x).all():
-        raise InputError(f"{name}: a station position is not a number; give x in metres from midship, + forward")
-    if (np.diff(x) <= 0).any():
-        at = int(np.argmax(np.diff(x) <= 0))
-        raise InputError(
-            f"{name}: station {at + 2} (x = {x[at + 1]:g} m) does not lie forward of station {at + 1} (x = {x[at]:g} m); "
-            "stations go from aft to fore, each once; sort them by x"
-        )
-    for i, (y, height) in enumerate(contours):
-        where = f"{name}: station {i + 1} (x = {x[i]:g} m)"
-        if len(y) != len(height) or len(y) < 2:
-            raise InputError(f"{where}: {len(y)} half breadths and {len(height)} heights; give two or more, as many of each")
-        if not (np.isfinite(y).all() and np.isfinite(height).all()):
-            at = int(np.argmin(np.isfinite(y) & np.isfinite(height)))
-            raise InputError(f"{where}, waterline {at + 1}: not a number; every half breadth and height must be finite")
-        if np.min(y) < 0:
-            at = int(np.argmin(y))
-            raise InputError(
-                f"{where}, waterline {at + 1} (height {height[at]:g} m): half breadth {y[at]:g} m is negative; "
-                "half breadths are 0 or more, measured from the centreline to starboard"
-            )
-        if (np.diff(height) < 0).any():
-            at = int(np.argmax(np.diff(height) < 0))
-            raise InputError(
-                f"{where}, waterline {at + 2}: height {height[at + 1]:g} m lies below the one before it ({height[at]:g} m), "
-                "so the offsets cross; heights go up from keel to deck (equal heights make a flat); sort or correct them"
-            )
-        if height[-1] <= height[0]:
-            raise InputError(f"{where}: the contour has no height; give points from the keel up to the deck")
-
-
-def _closed(y: Floats, height: Floats) -> Contour:
-    """Contour that starts on the centreline: a flat bottom is added where the first point has breadth."""
-    if y[0] > 0:
-        y, height = np.concatenate([[0.0], y]), np.concatenate([[height[0]], height])
-    return _frozen(y), _frozen(height)
-
-
-def _frozen(values: Floats) -> Floats:
-    out = np.array(values, dtype=float)
-    out.flags.writeable = False
-    return out
+    def _section(self, station: int) -> Section:
+        """Points of a contour and between them, with one at the waterline."""
+        curve = self.curves[station]
+        ends = np.unique(np.append(curve.chord, chord_at_height(curve, self.draught)))
+        between = ends[:-1, None] + np.diff(ends)[:, None] * (np.arange(4) / 4)
+        y, height, *_ = along(curve, np.append(between.ravel(), ends[-1]))
+        return Section(np.maximum(y, 0.0), self.draught - height)
 
 
 def wigley_hull(length: float, beam: float, draught: float, depth: float, name: str = "Wigley") -> Hull:
@@ -205,13 +117,13 @@ def wigley_hull(length: float, beam: float, draught: float, depth: float, name: 
     >>> wigley_hull(100.0, 10.0, 6.25, 10.0).sections[20].half_breadth
     5.0
     """
-    x, weight = gauss(STATIONS_ANALYTIC, -length / 2, length / 2)
+    x, weight = gauss(STATIONS, -length / 2, length / 2)
     t = np.linspace(1.0, 0.0, 25)
     height = np.concatenate([draught * (1 - t), [draught, depth]])
     profile = np.concatenate([1 - t**2, [1.0, 1.0]])  # the design waterline is given twice: a corner there
-    contours = tuple((_frozen(beam / 2 * (1 - (2 * xi / length) ** 2) * profile), _frozen(height)) for xi in x)
+    contours = tuple((frozen(beam / 2 * (1 - (2 * xi / length) ** 2) * profile), frozen(height)) for xi in x)
     return Hull(
-        name, length, beam, draught, _frozen(x), _frozen(weight), contours, -length / 2, length / 2,
+        name, length, beam, draught, frozen(x), frozen(weight), contours, -length / 2, length / 2,
         "formula of the classical Wigley hull; vertical sides above the design waterline", "wigley", draught,
     )  # fmt: skip
 
@@ -238,21 +150,22 @@ def box_hull(length: float, beam: float, draught: float, depth: float, name: str
     >>> box_hull(100.0, 20.0, 5.0, 10.0).sections[0].draught
     5.0
     """
-    x, weight = gauss(STATIONS_ANALYTIC, -length / 2, length / 2)
-    contour = (_frozen(np.array([0.0, beam / 2, beam / 2])), _frozen(np.array([0.0, 0.0, depth])))
+    x, weight = gauss(STATIONS, -length / 2, length / 2)
+    contour = (frozen(np.array([0.0, beam / 2, beam / 2])), frozen(np.array([0.0, 0.0, depth])))
     return Hull(
-        name, length, beam, draught, _frozen(x), _frozen(weight), (contour,) * len(x), -length / 2, length / 2,
+        name, length, beam, draught, frozen(x), frozen(weight), (contour,) * len(x), -length / 2, length / 2,
         "closed form", "box", draught,
     )  # fmt: skip
 
 
-def at_draught(hull: Hull, draught: float) -> Hull:
+def at_draught(hull: Hull, draught: float, called: str | None = None) -> Hull:
     """The same hull floating at another draught, on even keel.
 
     Parameters
     ----------
     hull : Hull
-    draught : float    above 0, at most the height of the deck [m]
+    draught : float    above 0, at most the height of the lowest deck edge [m]
+    called : str       what the message calls the hull; its name by default
 
     Returns
     -------
@@ -273,8 +186,8 @@ def at_draught(hull: Hull, draught: float) -> Hull:
     """
     if not 0 < draught <= hull.depth:
         raise InputError(
-            f"{hull.name}: draught {draught:g} m; it must lie above 0 and at most {hull.depth:g} m, where the offsets end; "
-            f"try {hull.design_draught:g} m"
+            f"{called or hull.name}: draught = {draught:g} m; it must lie above 0 and at most {hull.depth:g} m, "
+            f"where the lowest deck edge lies; try {hull.design_draught:g} m"
         )
     return replace(hull, draught=float(draught))
 
@@ -314,9 +227,71 @@ def scaled(hull: Hull, length: float, beam: float, height: float) -> Hull:
         beam=hull.beam * beam,
         draught=hull.draught * height,
         design_draught=hull.design_draught * height,
-        x=_frozen(hull.x * length),
-        weight=_frozen(hull.weight * length),
-        contours=tuple((_frozen(y * beam), _frozen(h * height)) for y, h in hull.contours),
+        x=frozen(hull.x * length),
+        weight=frozen(hull.weight * length),
+        contours=tuple((frozen(y * beam), frozen(h * height)) for y, h in hull.contours),
         x_aft=hull.x_aft * length,
         x_fore=hull.x_fore * length,
     )
+
+
+def with_depth(hull: Hull, depth: float, called: str | None = None) -> Hull:
+    """Hull with its sides carried straight up to a deck at a given height, where they end below it.
+
+    Parameters
+    ----------
+    hull : Hull
+    depth : float    height of the deck above the baseline, not below the draught [m]
+    called : str     what the message calls the hull; its name by default
+
+    Returns
+    -------
+    Hull
+
+    Raises
+    ------
+    InputError    depth below the draught, or not a number
+
+    Notes
+    -----
+    Source: geometry; the added sides are an assumption about what the offsets do not give.
+
+    Examples
+    --------
+    >>> with_depth(box_hull(100.0, 20.0, 5.0, 10.0), 12.0).depth
+    12.0
+    """
+    if not (np.isfinite(depth) and depth >= hull.draught):
+        raise InputError(
+            f"{called or hull.name}: depth = {depth:g} m; the deck lies at or above the draught of {hull.draught:g} m; "
+            f"try {1.5 * hull.draught:.4g} m"
+        )
+    raised = tuple(
+        (frozen([*y, y[-1], y[-1]]), frozen([*h, h[-1], depth])) if h[-1] < depth else (y, h) for y, h in hull.contours
+    )
+    return replace(hull, contours=raised)
+
+
+def frozen(values: ArrayLike) -> Floats:
+    """Copy of an array that cannot be written to.
+
+    Parameters
+    ----------
+    values : (...) float    numbers
+
+    Returns
+    -------
+    (...) float    read-only
+
+    Notes
+    -----
+    Source: none needed; what a hull holds does not change.
+
+    Examples
+    --------
+    >>> frozen([1, 2]).flags.writeable
+    False
+    """
+    out = np.array(values, dtype=float)
+    out.flags.writeable = False
+    return out

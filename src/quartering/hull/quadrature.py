@@ -62,7 +62,7 @@ def station_weights(x: Floats) -> Floats:
     Examples
     --------
     >>> import numpy as np
-    >>> x = np.array([0.0, 0.5, 1.0, 2.0, 4.0])
+    >>> x = np.array([0.0, 0.5, 1.0, 2.0, 3.0, 4.0])
     >>> round(float(station_weights(x) @ x**3), 9)
     64.0
     """

@@ -65,5 +65,6 @@ class Section:
         """Half breadth at the calm plane [m] (of the highest point when the contour stops below it)."""
         if self.z.min() > 0:
             return float(self.y[np.argmin(self.z)])
-        order = np.argsort(self.z, kind="stable")
-        return float(np.interp(0.0, self.z[order], self.y[order]))
+        z, y = self.z[::-1], self.y[::-1]  # from the deck down, so that a flat bottom is entered at its outer edge
+        order = np.argsort(z, kind="stable")
+        return float(np.interp(0.0, z[order], y[order]))

@@ -1,0 +1,182 @@
+"""From the keys of a ship file to its hull."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from quartering.conventions import InputError
+from quartering.hull.bilge import elliptic_bilge
+from quartering.hull.offsets import Contour, Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
+from quartering.hull.schema import OffsetKeys, ShipKeys, StationKeys
+from quartering.hull.stations import check_contour, hull_from_offsets
+from quartering.hull.units import quantity
+
+
+def hull_of(where: str, keys: ShipKeys, base: Hull | None) -> Hull:
+    """Hull of a ship file: from its own lines, or from those of its base ship stretched to its dimensions.
+
+    Parameters
+    ----------
+    where : str             file named in messages
+    keys : ShipKeys         content of the file
+    base : Hull or None     hull of the base ship
+
+    Returns
+    -------
+    Hull    at the file's draught
+
+    Raises
+    ------
+    InputError    a dimension missing or not above 0, offsets that cannot be a hull
+
+    Notes
+    -----
+    On a base: ``length`` alone scales everything; ``beam`` and ``design_draught`` stretch one direction; ``draught``
+    floats the lines higher or lower.  Source: geometry.
+
+    Examples
+    --------
+    >>> from quartering.hull.schema import checked_keys
+    >>> hull_of("my.yaml", checked_keys("my.yaml", {"length": "50 m"}), box_hull(100.0, 20.0, 5.0, 10.0)).beam
+    10.0
+    """
+    if base is not None:
+        own = [key for key in ("shape", "offsets") if getattr(keys, key) is not None]
+        if own:
+            raise InputError(
+                f"{where}: `{own[0]}` and `base` are both given; the lines come from one of them, drop the other"
+            )
+        return _stretched(where, keys, base)
+    for key in ("length", "beam", "draught"):
+        if getattr(keys, key) is None:
+            raise InputError(f"{where}: key `{key}` is missing; give it in metres, or start from `base: series60-cb60`")
+    length = _dimension(where, keys, "length")
+    beam = _dimension(where, keys, "beam", length=length)
+    draught = _dimension(where, keys, "draught", length=length, beam=beam)
+    design = draught
+    if keys.design_draught is not None:
+        design = _dimension(where, keys, "design_draught", length=length, beam=beam, draught=draught)
+    name = keys.name or where
+    shape = keys.shape or "offsets"
+    if shape == "offsets":
+        hull = _from_offsets(where, keys, name, length, beam, design)
+    else:
+        depth = 2 * design
+        if keys.depth is not None:
+            depth = _dimension(where, keys, "depth", length=length, beam=beam, draught=design)
+        hull = (wigley_hull if shape == "wigley" else box_hull)(length, beam, design, depth, name)
+    return _floated(where, keys, hull, draught)
+
+
+def _stretched(where: str, keys: ShipKeys, base: Hull) -> Hull:
+    """Base hull stretched to the dimensions given, others in proportion to the length."""
+    length = _dimension(where, keys, "length") if keys.length is not None else base.length
+    ratio = length / base.length
+    beam = _dimension(where, keys, "beam", length=length) if keys.beam is not None else base.beam * ratio
+    design = base.design_draught * ratio
+    if keys.design_draught is not None:
+        design = _dimension(where, keys, "design_draught", length=length, beam=beam)
+    hull = base
+    factors = (ratio, beam / base.beam, design / base.design_draught)
+    if factors != (1.0, 1.0, 1.0):
+        hull = scaled(base, *factors)
+    draught = hull.draught
+    if keys.draught is not None:
+        draught = _dimension(where, keys, "draught", length=length, beam=beam, draught=design)
+    return _floated(where, keys, hull, draught)
+
+
+def _floated(where: str, keys: ShipKeys, hull: Hull, draught: float) -> Hull:
+    if keys.depth is not None and hull.shape == "offsets":
+        depth = _dimension(where, keys, "depth", length=hull.length, beam=hull.beam, draught=hull.design_draught)
+        hull = with_depth(hull, depth, called=where)
+    return hull if draught == hull.draught else at_draught(hull, draught, called=where)
+
+
+def _dimension(where: str, keys: ShipKeys, key: str, **sizes: float) -> float:
+    """A dimension of the file in metres, refused when it is not above 0."""
+    given = getattr(keys, key)
+    value = quantity(given, "length", what=f"{where}: {key}", **sizes)
+    if value <= 0:
+        usual = {
+            "length": "121.92 m",
+            "beam": "16.3 m",
+            "draught": "6.5 m",
+            "design_draught": "6.5 m",
+            "depth": "10 m",
+        }[key]
+        raise InputError(f"{where}: {key} = {given}; it must be above 0; give metres, such as {usual}")
+    return value
+
+
+def _from_offsets(where: str, keys: ShipKeys, name: str, length: float, beam: float, draught: float) -> Hull:
+    """Hull of a file's own offsets, in metres."""
+    if keys.offsets is None:
+        raise InputError(
+            f"{where}: no lines; give `offsets:`, or `shape: wigley` or `box`, or start from `base: series60-cb60`"
+        )
+    offsets = keys.offsets
+    size = (length, beam / 2, draught) if offsets.unit == "LBT" else (1.0, 1.0, 1.0)
+    stations = sorted(offsets.stations, key=lambda station: station.x)
+    _check_order(where, offsets, stations)
+    contours = tuple(_contour(where, offsets, station, size) for station in stations)
+    return hull_from_offsets(
+        where,
+        length=length,
+        beam=beam,
+        draught=draught,
+        x=np.array([station.x * size[0] for station in stations]),
+        contours=contours,
+        source=keys.provenance.get("lines", "given offsets"),
+        outline=offsets.outline,
+        labels=[_label(station) for station in stations],
+        title=name,
+    )
+
+
+def _check_order(where: str, offsets: OffsetKeys, stations: list[StationKeys]) -> None:
+    """Stations run one way in the file, aft to fore or fore to aft."""
+    if offsets.stations not in (stations, stations[::-1]):
+        x = [station.x for station in offsets.stations]
+        turn = next(k for k in range(1, len(x)) if (x[k] - x[k - 1]) * (x[1] - x[0]) <= 0)
+        raise InputError(
+            f"{where}: offsets, {_label(offsets.stations[turn])} follows {_label(offsets.stations[turn - 1])}; "
+            "stations run one way, from aft to fore or from fore to aft; sort them by x"
+        )
+
+
+def _label(station: StationKeys) -> str:
+    name = (
+        ""
+        if station.station is None
+        else f"{station.station:g} "
+        if isinstance(station.station, float)
+        else f"{station.station} "
+    )
+    return f"station {name}(x = {station.x:g})"
+
+
+def _contour(where: str, offsets: OffsetKeys, station: StationKeys, size: tuple[float, float, float]) -> Contour:
+    """Contour of one station in metres; blanks below the hull are left out, the bilge is filled in."""
+    heights = station.heights or offsets.waterlines
+    if heights is None:
+        raise InputError(
+            f"{where}: {_label(station)} has no heights; give `heights:` there or `waterlines:` for all stations"
+        )
+    breadths = station.half_breadths
+    if len(heights) != len(breadths):
+        raise InputError(
+            f"{where}: {_label(station)}: {len(breadths)} half breadths for {len(heights)} heights; give one for each "
+            "(`~` where there is no hull below the first)"
+        )
+    blanks = next((i for i, value in enumerate(breadths) if value is not None), len(breadths))
+    if None in breadths[blanks:] or blanks > len(breadths) - 2:
+        raise InputError(
+            f"{where}: {_label(station)}: a half breadth is blank; `~` may only stand below the first point of the hull"
+        )
+    y = np.array([value for value in breadths[blanks:] if value is not None])
+    height = np.array(heights[blanks:], dtype=float)
+    units = (" B/2", " T") if offsets.unit == "LBT" else (" m", " m")
+    check_contour(f"{where}: {_label(station)}", y, height, units, first=blanks + 1)
+    y, height = y * size[1], height * size[2]
+    return elliptic_bilge(y, height) if offsets.bilge == "ellipse" and blanks == 0 else (y, height)

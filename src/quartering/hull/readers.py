@@ -1,0 +1,243 @@
+"""Ship files: YAML with units, built in or one's own, read into a `Ship`."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from functools import lru_cache
+from pathlib import Path
+from typing import NamedTuple
+
+import yaml
+
+from quartering.conventions import WATER_DENSITY, InputError
+from quartering.hull.coefficient_names import checked_factors
+from quartering.hull.lines import hull_of
+from quartering.hull.offsets import Hull
+from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
+from quartering.hull.ship import DRAG_COEFFICIENT, ROLL_DAMPING, Loading, Ship, reloaded
+from quartering.hull.units import quantity, split_quantity
+
+LIBRARY = Path(__file__).parent / "library"
+_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+_DEFAULTS = {
+    "gm": Entry(value="0.05 B", status="assumed", source="usual for a cargo ship; nothing published was found"),
+    "gyradius_roll": Entry(value="0.35 B", status="assumed", source="usual value; nothing published was found"),
+    "gyradius_yaw": Entry(value="0.25 L", status="assumed", source="usual value; nothing published was found"),
+    "roll_damping": Entry(
+        value=ROLL_DAMPING, status="assumed", source="fraction of critical, for viscosity and bilge keels"
+    ),
+    "water_density": Entry(value=WATER_DENSITY, status="assumed", source="sea water"),
+}
+
+
+class ShipEntry(NamedTuple):
+    """A built-in ship: its name and one line about it."""
+
+    name: str
+    description: str
+
+
+def available_ships() -> list[ShipEntry]:
+    """Built-in ships, sorted by name.
+
+    Returns
+    -------
+    list of ShipEntry    name and one-line description
+
+    Notes
+    -----
+    Source: the files of ``hull/library``; each names where its lines come from.
+
+    Examples
+    --------
+    >>> [entry.name for entry in available_ships()][:2]
+    ['box', 'dtc']
+    """
+    found = []
+    for path in sorted(LIBRARY.glob("*.yaml")):
+        with path.open(encoding="utf-8") as lines:
+            line = next(text for text in lines if text.startswith("description:"))
+        found.append(ShipEntry(path.stem, line.removeprefix("description:").strip().strip('"')))
+    return found
+
+
+def read_ship(name_or_path: str | Path) -> Ship:
+    """Read a ship by built-in name or from a file (see ``ship``).
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+
+    Returns
+    -------
+    Ship
+
+    Raises
+    ------
+    InputError    no such ship or file, or something in it that cannot be right
+
+    Notes
+    -----
+    Source: the file names its own.
+
+    Examples
+    --------
+    >>> read_ship("box").hull.beam
+    20.0
+    """
+    text = str(name_or_path)
+    names = [entry.name for entry in available_ships()]
+    if text in names:
+        return _built_in(text)
+    path = Path(text)
+    if not path.is_file():
+        raise InputError(f'"{text}" is neither a file nor a built-in ship; {_nearest(text, names)}')
+    return _assembled(str(path), _keys(path))
+
+
+def _nearest(text: str, names: list[str]) -> str:
+    """Nearest built-in name to a word, and all of them."""
+    near = [name for name in names if name.startswith(text.lower())] or get_close_matches(
+        text.lower(), names, cutoff=0.6
+    )
+    hint = f'did you mean "{near[0]}"? ' if near else ""
+    return f"{hint}Built-in ships: {', '.join(names)}"
+
+
+@lru_cache(maxsize=32)
+def _built_in(name: str) -> Ship:
+    return _assembled(name, _keys(LIBRARY / f"{name}.yaml"))
+
+
+def _keys(path: Path) -> ShipKeys:
+    try:
+        data = yaml.load(path.read_text(encoding="utf-8"), Loader=_LOADER)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = f", line {mark.line + 1}" if mark else ""
+        problem = getattr(error, "problem", None) or "the text is not YAML"
+        raise InputError(f"{path}{line}: {problem}; write `key: value`, indented with spaces") from None
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}; give a file you may read") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not a text file; a ship file is YAML text in UTF-8") from None
+    return checked_keys(str(path), data)
+
+
+def _assembled(where: str, keys: ShipKeys) -> Ship:
+    """Ship from checked keys, on its base ship when it has one."""
+    base, base_keys = _base(where, keys)
+    hull = hull_of(where, keys, base.hull if base else None)
+    entries = _loading_entries(where, keys.loading, base_keys, base, hull)
+    notes = _notes(keys, base, hull, entries)
+    given = {key: quantity(entry.value, "ratio", what=f"{where}: {key}") for key, entry in keys.coefficients.items()}
+    return Ship(
+        name=keys.name or (base.name if base else hull.name),
+        hull=hull,
+        loading=_loading(where, hull, entries),
+        overrides={**(base.overrides if base else {}), **checked_factors(f"{where}: coefficients", given)},
+        multipliers={
+            **(base.multipliers if base else {}),
+            **checked_factors(f"{where}: multipliers", keys.multipliers),
+        },
+        linear=keys.linear or (base.linear if base else "default"),
+        drag_coefficient=_drag(where, keys, base),
+        velocity_scale=_velocity_scale(where, keys, base, hull),
+        provenance=notes,
+    )
+
+
+def _base(where: str, keys: ShipKeys) -> tuple[Ship | None, ShipKeys | None]:
+    """Base ship of a file, and its keys."""
+    if keys.base is None:
+        return None, None
+    names = [entry.name for entry in available_ships()]
+    if keys.base not in names:
+        raise InputError(f'{where}: base: "{keys.base}" is not a built-in ship; {_nearest(keys.base, names)}')
+    return _built_in(keys.base), _keys(LIBRARY / f"{keys.base}.yaml")
+
+
+def _loading_entries(
+    where: str, own: LoadingKeys, base_keys: ShipKeys | None, base: Ship | None, hull: Hull
+) -> dict[str, Entry]:
+    """Loading values of a file: its own, then those of its base (metres in proportion to the hull), then the usual."""
+    if own.gm is not None and own.kg is not None:
+        raise InputError(f"{where}: gm and kg are both given; one follows from the other (kg = KM - gm), leave one out")
+    entries = dict(_DEFAULTS)
+    if base is not None and base_keys is not None:
+        sizes = {"gyradius_roll": hull.beam / base.hull.beam, "gyradius_yaw": hull.length / base.hull.length}
+        height = hull.design_draught / base.hull.design_draught
+        entries = _over(entries, {
+            key: _proportional(entry, sizes.get(key, height if key in ("gm", "kg") else 1.0))
+            for key, entry in base_keys.loading if entry is not None
+        })  # fmt: skip
+    return _over(entries, {key: entry for key, entry in own if entry is not None})
+
+
+def _over(entries: dict[str, Entry], own: dict[str, Entry]) -> dict[str, Entry]:
+    """Entries with some replaced; gm and kg replace one another."""
+    dropped = {"gm", "kg"} if {"gm", "kg"} & own.keys() else set()
+    return {**{key: entry for key, entry in entries.items() if key not in dropped}, **own}
+
+
+def _proportional(entry: Entry, ratio: float) -> Entry:
+    """Entry in metres of a ship scaled by a ratio; one in L, B or T, or at full size, is left as it is."""
+    number, unit = split_quantity(entry.value)
+    if ratio == 1.0 or unit in ("L", "B", "T"):
+        return entry
+    return Entry(
+        value=f"{number * ratio:.6g} {unit}".strip(), status="derived", source=f"{entry.source}; scaled with the hull"
+    )
+
+
+def _loading(where: str, hull: Hull, entries: dict[str, Entry]) -> Loading:
+    """Loading in SI, checked."""
+    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
+    lengths = {
+        key: quantity(entries[key].value, "length", what=f"{where}: loading, {key}", **sizes)
+        for key in ("gm", "kg", "gyradius_roll", "gyradius_yaw")
+        if key in entries
+    }
+    density = quantity(entries["water_density"].value, "density", what=f"{where}: loading, water_density")
+    if density <= 0:
+        raise InputError(f"{where}: loading, water_density = {density:g} kg/m3; it is above 0; try 1025")
+    blank = Loading(gm=1.0, kg=0.0, gyradius_roll=1.0, gyradius_yaw=1.0, density=density)
+    return reloaded(f"{where}: loading", hull, blank, roll_damping=entries["roll_damping"].value, **lengths)
+
+
+def _notes(keys: ShipKeys, base: Ship | None, hull: Hull, entries: dict[str, Entry]) -> dict[str, str]:
+    """Where each value of a ship comes from."""
+    described = {**entries, **keys.coefficients}
+    described |= {
+        key: entry for key in ("drag_coefficient", "velocity_scale") if (entry := getattr(keys, key)) is not None
+    }
+    notes = {
+        "lines": hull.source,
+        "drag_coefficient": f"assumed: {DRAG_COEFFICIENT}; usual for ship sections in cross-flow",
+        "velocity_scale": "assumed: the cross-flow model's own default",
+        **(base.provenance if base else {}),
+        **{key: f"{entry.status}: {entry.value}; {entry.source}" for key, entry in described.items()},
+        "kg" if "gm" in entries else "gm": "derived: from KM of the lines",
+    }
+    if base is not None and (hull.length, hull.beam) != (base.hull.length, base.hull.beam):
+        notes["dimensions"] = f"given: lines of {base.name} stretched to these dimensions"
+    return {**notes, **keys.provenance}
+
+
+def _drag(where: str, keys: ShipKeys, base: Ship | None) -> float:
+    if keys.drag_coefficient is None:
+        return base.drag_coefficient if base else DRAG_COEFFICIENT
+    value = quantity(keys.drag_coefficient.value, "ratio", what=f"{where}: drag_coefficient")
+    if value < 0:
+        raise InputError(f"{where}: drag_coefficient = {value:g}; it is 0 or more; try {DRAG_COEFFICIENT}")
+    return value
+
+
+def _velocity_scale(where: str, keys: ShipKeys, base: Ship | None, hull: Hull) -> float | None:
+    if keys.velocity_scale is None:
+        return base.velocity_scale if base else None
+    value = quantity(keys.velocity_scale.value, "speed", length=hull.length, what=f"{where}: velocity_scale")
+    if value <= 0:
+        raise InputError(f"{where}: velocity_scale = {value:g} m/s; it is above 0; try 0.03 Fn, or leave it out")
+    return value

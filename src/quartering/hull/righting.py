@@ -1,0 +1,180 @@
+"""The righting arm GZ(phi) of heeled sections at constant displacement, and the odd polynomial fitted to it."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.conventions import InputError, RangeWarning
+from quartering.hull.heeled import cross_curve
+from quartering.hull.offsets import Hull
+from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
+
+MISS = 0.02
+"""Largest miss of the cubic, as a fraction of the largest |GZ|, before phi^5 and then phi^7 are added."""
+
+
+@dataclass(frozen=True)
+class RightingFit:
+    """GZ ~ gm phi + gz3 phi^3 + gz5 phi^5 + gz7 phi^7 with phi in radians.
+
+    Parameters
+    ----------
+    gm : float                  metacentric height: the slope at 0, not fitted [m]
+    gz3, gz5, gz7 : float       fitted coefficients; gz5, gz7 are 0 when the cubic serves [m]
+    residual : float            largest miss over the range, as a fraction of the largest |GZ| [1]
+    max_angle : float           end of the range fitted [deg]
+    deck_angle : float          heel at which the deck edge (top of the offsets) goes under; inf when not below 90 [deg]
+    """
+
+    gm: float
+    gz3: float
+    gz5: float
+    gz7: float
+    residual: float
+    max_angle: float
+    deck_angle: float
+
+    def arm(self, angles_deg: ArrayLike) -> Floats:
+        """Fitted GZ [m] at heel angles [deg]."""
+        phi = np.radians(np.asarray(angles_deg, dtype=float))
+        return np.asarray(phi * (self.gm + phi**2 * (self.gz3 + phi**2 * (self.gz5 + phi**2 * self.gz7))))
+
+
+def righting_arm(ship: Ship, angles_deg: ArrayLike) -> Floats:
+    """Righting arm of a ship heeled in calm water at constant displacement.
+
+    Parameters
+    ----------
+    ship : Ship
+    angles_deg : (...) float    heel, positive starboard side down, between -90 and 90 [deg]
+
+    Returns
+    -------
+    (...) float    GZ [m], positive when it rights the ship
+
+    Raises
+    ------
+    InputError    an angle that is not a number or lies beyond 90 deg
+
+    Warns
+    -----
+    RangeWarning    the deck edge goes under at one of the angles: beyond it GZ rests on a deck closed at the top of
+                    the offsets
+
+    Notes
+    -----
+    GZ = KN - (KM - GM) sin(phi), with KN and KM from the centroid of the heeled sections, cut by the waterline that
+    keeps the volume.
+    Source: [Lewis88] ch. 2.  Valid: no trim, watertight deck closed at the top of the offsets, no water on deck.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> [round(float(gz), 3) for gz in righting_arm(ship("box"), [0, 10])]
+    [0.0, 0.192]
+    """
+    angles = np.asarray(angles_deg, dtype=float)
+    if not (np.isfinite(angles).all() and (np.abs(angles) < 90).all()):
+        raise InputError(f"heel angles {angles.tolist()}; they must be numbers between -90 and 90 deg; try 0 to 60")
+    phi = np.radians(angles.ravel())
+    arm, freeboard = _arm(ship, phi)
+    if (freeboard < 0).any():
+        deck = deck_angle(ship.hull)
+        warnings.warn(
+            f"{ship.name}: the deck edge goes under at {deck:.1f} deg of heel and GZ is asked up to "
+            f"{np.abs(angles).max():g} deg; beyond it GZ rests on a watertight deck at the top of the offsets",
+            RangeWarning,
+            stacklevel=2,
+        )
+    return arm.reshape(angles.shape)
+
+
+def _arm(ship: Ship, phi: Floats) -> tuple[Floats, Floats]:
+    """GZ and freeboard [m] at heel angles [rad], with G set GM below the metacentre of the very sections heeled."""
+    small = 1e-4
+    kn, freeboard = cross_curve(ship.hull, (*phi.tolist(), small))
+    height_of_g = kn[-1] / np.sin(small) - ship.loading.gm
+    return kn[:-1] - height_of_g * np.sin(phi), freeboard[:-1]
+
+
+def deck_angle(hull: Hull) -> float:
+    """Heel at which the first deck edge (top of a contour) goes under, at constant displacement.
+
+    Parameters
+    ----------
+    hull : Hull
+
+    Returns
+    -------
+    float    [deg], to the nearest 0.1; inf when no edge goes under below 80 deg
+
+    Notes
+    -----
+    Source: geometry, with the waterlines of ``righting_arm``.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull
+    >>> round(deck_angle(box_hull(100.0, 20.0, 5.0, 10.0)), 1)
+    26.6
+    """
+    angles = np.linspace(0.0, 80.0, 17)
+    for _ in range(2):
+        freeboard = cross_curve(hull, tuple(np.radians(angles).tolist()))[1]
+        if not (freeboard < 0).any():
+            return float("inf")
+        if freeboard[0] < 0:
+            return 0.0
+        at = max(1, int(np.argmax(freeboard < 0)))
+        angles = np.linspace(angles[at - 1], angles[at], 11)
+    return float(np.interp(0.0, -freeboard[at - 1 : at + 1], [angles[0], angles[-1]]))
+
+
+def righting_polynomial(ship: Ship, max_angle: float = 40.0) -> RightingFit:
+    """Odd polynomial of the righting arm, with the slope at 0 held at GM.
+
+    Parameters
+    ----------
+    ship : Ship
+    max_angle : float    end of the range fitted, above 0 and below 80 [deg]
+
+    Returns
+    -------
+    RightingFit    cubic; phi^5 and then phi^7 are added when the fit misses by more than 2 % of the largest |GZ|
+
+    Raises
+    ------
+    InputError    max_angle outside its range
+
+    Notes
+    -----
+    Least squares at 20 equally spaced angles. K_phi = -rho g volume gm, K_phiphiphi = -rho g volume gz3.
+    Source: [H71] eq. (2), restoring terms.  Valid: up to max_angle; ``deck_angle`` says beyond which heel the curve
+    rests on a closed deck.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> fit = righting_polynomial(ship("box"), max_angle=20.0)
+    >>> round(fit.gm, 3), round(fit.gz3, 1), fit.gz5
+    (1.0, 3.3, 0.0)
+    """
+    if not 0 < max_angle < 80:
+        raise InputError(f"max_angle = {max_angle:g} deg; give an angle above 0 and below 80 deg, such as 40")
+    angles = np.linspace(0.0, max_angle, 21)[1:]
+    phi = np.radians(angles)
+    gz, _ = _arm(ship, phi)
+    gm, largest = ship.loading.gm, float(np.abs(gz).max())
+    for powers in ((3,), (3, 5), (3, 5, 7)):
+        basis = np.stack([phi**power for power in powers], axis=1)
+        found = np.linalg.lstsq(basis, gz - gm * phi, rcond=None)[0]
+        residual = float(np.abs(basis @ found + gm * phi - gz).max()) / largest
+        if residual <= MISS:
+            break
+    gz3, gz5, gz7 = (*(float(value) for value in found), 0.0, 0.0)[:3]
+    return RightingFit(gm, gz3, gz5, gz7, residual, float(max_angle), deck_angle(ship.hull))

@@ -1,0 +1,187 @@
+"""The keys a ship file may have, and what is said when one is wrong."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+
+from quartering.conventions import InputError
+from quartering.hull.units import split_quantity
+
+_ALLOWED = {
+    "finite_number": "a finite number",
+    "float_parsing": "a number",
+    "float_type": "a number",
+    "string_type": "text (in quotes when it looks like a number)",
+    "list_type": "a list, such as [0, 1.5, 2.0]",
+}
+
+
+def _value(given: Any) -> Any:
+    split_quantity(given, "")  # raises when it is not a number, with or without a unit
+    return given
+
+
+def _entry(given: Any) -> Any:
+    return given if isinstance(given, (dict, Entry)) else {"value": given}
+
+
+Value = Annotated[float | str, BeforeValidator(_value)]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class Entry(_Strict):
+    """A value, with whether it is published, derived, assumed or given, and its source."""
+
+    value: Value
+    status: Literal["published", "derived", "assumed", "given"] = "given"
+    source: str = "this file"
+
+
+Given = Annotated[Entry, BeforeValidator(_entry)]
+
+
+class LoadingKeys(_Strict):
+    """`loading:` gm or kg [m], gyradius_roll and gyradius_yaw [m], roll_damping [of critical], water_density [kg/m3]."""
+
+    gm: Given | None = None
+    kg: Given | None = None
+    gyradius_roll: Given | None = None
+    gyradius_yaw: Given | None = None
+    roll_damping: Given | None = None
+    water_density: Given | None = None
+
+
+class StationKeys(_Strict):
+    """One station: x from midship, + forward; half breadths at its own heights or at the common waterlines."""
+
+    x: float
+    half_breadths: list[float | None] = Field(min_length=2)
+    heights: list[float] | None = None
+    station: str | float | None = None
+
+
+class OffsetKeys(_Strict):
+    """`offsets:` unit "m", or "LBT" (x in L, half breadths in B/2, heights in T), and the stations."""
+
+    unit: Literal["m", "LBT"]
+    outline: Literal["smooth", "straight"] = "smooth"
+    bilge: Literal["none", "ellipse"] = "none"
+    waterlines: list[float] | None = None
+    stations: list[StationKeys] = Field(min_length=4)
+
+
+class ShipKeys(_Strict):
+    """A ship file."""
+
+    name: str | None = None
+    description: str | None = None
+    base: str | None = None
+    shape: Literal["offsets", "wigley", "box"] | None = None
+    length: Value | None = None
+    beam: Value | None = None
+    draught: Value | None = None
+    design_draught: Value | None = None
+    depth: Value | None = None
+    offsets: OffsetKeys | None = None
+    loading: LoadingKeys = LoadingKeys()
+    coefficients: dict[str, Given] = {}
+    multipliers: dict[str, float] = {}
+    linear: Literal["default", "strip"] | None = None
+    drag_coefficient: Given | None = None
+    velocity_scale: Given | None = None
+    provenance: dict[str, str] = {}
+
+
+def checked_keys(where: str, data: Any) -> ShipKeys:
+    """The content of a ship file with its keys and types checked.
+
+    Parameters
+    ----------
+    where : str    file named in the message
+    data : Any     what the YAML holds
+
+    Returns
+    -------
+    ShipKeys
+
+    Raises
+    ------
+    InputError    the first thing that is wrong: key, what was given, what is allowed, what to try
+
+    Notes
+    -----
+    Source: the format of the ship file.
+
+    Examples
+    --------
+    >>> checked_keys("my.yaml", {"base": "box", "length": "120 m"}).length
+    '120 m'
+    """
+    if not isinstance(data, dict):
+        raise InputError(f"{where}: a ship file is a list of keys with values; start from `base: series60-cb60`")
+    try:
+        return ShipKeys.model_validate(data)
+    except ValidationError as error:
+        problems = error.errors()
+        more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
+        raise InputError(f"{where}: {_sentence(problems[0], data)}{more}") from None
+
+
+def _sentence(problem: Any, data: dict[str, Any]) -> str:
+    """One problem in words."""
+    location = [part for part in problem["loc"] if not (isinstance(part, str) and "[" in part)]
+    key, given = _path(location, data), problem["input"]
+    kind, context = problem["type"], problem.get("ctx", {})
+    if kind == "extra_forbidden":
+        allowed = _keys_at(location)
+        near = get_close_matches(str(location[-1]), allowed, n=1, cutoff=0.0)
+        return f"key `{key}` is unknown; did you mean `{near[0]}`? Keys allowed here: {', '.join(allowed)}"
+    if kind == "missing":
+        return f"key `{key}` is missing; keys allowed here: {', '.join(_keys_at(location))}"
+    if kind == "literal_error":
+        return f"{key}: {given!r} is given; allowed: {context['expected']}"
+    if kind == "value_error":
+        return f"{key}{context['error']}" if str(context["error"]).startswith(":") else f"{key}: {context['error']}"
+    if kind in _ALLOWED:
+        return f"{key}: {given!r} is given; allowed: {_ALLOWED[kind]}"
+    if kind in ("model_type", "model_attributes_type", "dict_type"):
+        return f"{key}: {given!r} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}"
+    return f"{key}: {given!r} is given; {problem['msg'].lower()}"
+
+
+def _path(location: list[Any], data: dict[str, Any]) -> str:
+    """Key path in words: `offsets, station 3 (x = 0.45), half_breadths 4`."""
+    names = {"stations": "station", "half_breadths": "half_breadths, waterline", "heights": "heights, waterline"}
+    words: list[str] = []
+    here: Any = data
+    for part in location:
+        here = _step(here, part)
+        if isinstance(part, int):
+            x = f" (x = {here['x']})" if isinstance(here, dict) and "x" in here else ""
+            words[-1] = f"{names.get(words[-1], words[-1])} {part + 1}{x}"
+        elif part != "value" or not words:
+            words.append(str(part))
+    return ", ".join(words)
+
+
+def _step(here: Any, part: Any) -> Any:
+    try:
+        return here[part]
+    except (KeyError, IndexError, TypeError):
+        return None
+
+
+def _keys_at(location: list[Any]) -> list[str]:
+    """Keys allowed beside the last part of a location."""
+    groups: dict[str, type[_Strict]] = {"loading": LoadingKeys, "offsets": OffsetKeys, "stations": StationKeys}
+    parents = [part for part in location[:-1] if isinstance(part, str)]
+    model: type[_Strict] = ShipKeys
+    for part in parents:
+        model = groups.get(part, Entry)
+    return list(model.model_fields)

@@ -1,0 +1,284 @@
+"""A ship: its lines, its loading, and the coefficients given for it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from types import MappingProxyType
+from typing import Literal
+
+from quartering.conventions import WATER_DENSITY, InputError
+from quartering.hull.coefficient_names import checked_factors
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.offsets import Hull, at_draught
+from quartering.hull.units import quantity
+
+ROLL_DAMPING = 0.05
+"""Added roll damping, fraction of critical, when none is given (assumed)."""
+
+DRAG_COEFFICIENT = 0.8
+"""Cross-flow drag coefficient when none is given (assumed)."""
+
+
+@dataclass(frozen=True)
+class Loading:
+    """How a ship is loaded.
+
+    Parameters
+    ----------
+    gm, kg : float                          metacentric height, and height of G over the baseline [m]
+    gyradius_roll, gyradius_yaw : float     k_xx, k_zz without added mass [m]
+    roll_damping : float                    added viscous roll damping, fraction of critical [1]
+    density : float                         of the water [kg/m3]
+    """
+
+    gm: float
+    kg: float
+    gyradius_roll: float
+    gyradius_yaw: float
+    roll_damping: float = ROLL_DAMPING
+    density: float = WATER_DENSITY
+
+
+@dataclass(frozen=True, eq=False)
+class Ship:
+    """A ship ready for computation; nothing in it changes, ``with_`` returns another one.
+
+    Parameters
+    ----------
+    name : str
+    hull : Hull
+    loading : Loading
+    overrides : mapping of str to float      coefficients given in SI about G by SNAME name; they replace estimates
+    multipliers : mapping of str to float    factors on coefficients by name
+    linear : str                             "default" (lift from regression) or "strip" for the sway-yaw derivatives
+    drag_coefficient : float                 of the cross-flow [1]
+    velocity_scale : float or None           velocity at which the cross-flow drag is made cubic [m/s]; None: as documented
+    provenance : mapping of str to str       for each value: published, derived, assumed or given, and its source
+    """
+
+    name: str
+    hull: Hull
+    loading: Loading
+    overrides: Mapping[str, float] = field(default_factory=dict)
+    multipliers: Mapping[str, float] = field(default_factory=dict)
+    linear: Literal["default", "strip"] = "default"
+    drag_coefficient: float = DRAG_COEFFICIENT
+    velocity_scale: float | None = None
+    provenance: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for mapping in ("overrides", "multipliers", "provenance"):
+            object.__setattr__(self, mapping, MappingProxyType(dict(getattr(self, mapping))))
+
+    def with_(
+        self,
+        *,
+        gm: float | str | None = None,
+        kg: float | str | None = None,
+        gyradius_roll: float | str | None = None,
+        gyradius_yaw: float | str | None = None,
+        draught: float | str | None = None,
+        roll_damping: float | str | None = None,
+        linear: Literal["default", "strip"] | None = None,
+        coefficients: Mapping[str, float] | None = None,
+    ) -> Ship:
+        """The same ship with some values changed.
+
+        Parameters
+        ----------
+        gm, kg : float or str                          one of the two; the other follows from KM [m, or "0.05 B"]
+        gyradius_roll, gyradius_yaw : float or str     [m, or "0.38 B"]
+        draught : float or str                         another waterline of the same lines; G stays unless given [m]
+        roll_damping : float or str                    fraction of critical, 0 or more
+        linear : str                                   "default" or "strip"
+        coefficients : mapping of str to float         multipliers by name, on top of those already there
+
+        Returns
+        -------
+        Ship
+
+        Raises
+        ------
+        InputError    GM not above 0, a radius not above 0, draught outside the lines, unknown coefficient name, NaN
+
+        Notes
+        -----
+        KG = KM - GM.  Source: [Lewis88] ch. 2.
+
+        Examples
+        --------
+        >>> stiff = ship("series60-cb60").with_(gm=1.2, gyradius_roll="0.38 B", coefficients={"K_ppp": 0.5})
+        >>> stiff.loading.gm, round(stiff.loading.gyradius_roll, 4), stiff.multipliers["K_ppp"]
+        (1.2, 6.1773, 0.5)
+        """
+        hull = self.hull if draught is None else at_draught(self.hull, self._length("draught", draught))
+        given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
+        lengths = {key: self._length(key, value) for key, value in given.items() if value is not None}
+        loading = reloaded(self.name, hull, self.loading, roll_damping=roll_damping, **lengths)
+        before, after = self.loading, loading
+        changed = [
+            key for key in (*given, "roll_damping") if not math.isclose(getattr(before, key), getattr(after, key))
+        ]
+        own = {*lengths, "roll_damping"}
+        notes = {key: f"{'given' if key in own else 'derived'}: changed from the ship's own" for key in changed}
+        return replace(
+            self,
+            hull=hull,
+            loading=loading,
+            linear=checked_linear(self.name, linear or self.linear),
+            multipliers={**self.multipliers, **checked_factors(self.name, coefficients or {})},
+            provenance={**self.provenance, **notes},
+        )
+
+    def _length(self, key: str, value: float | str) -> float:
+        hull = self.hull
+        return quantity(
+            value, "length", length=hull.length, beam=hull.beam, draught=hull.draught, what=f"{self.name}: {key}"
+        )
+
+
+def reloaded(
+    name: str,
+    hull: Hull,
+    loading: Loading,
+    *,
+    gm: float | None = None,
+    kg: float | None = None,
+    gyradius_roll: float | None = None,
+    gyradius_yaw: float | None = None,
+    roll_damping: float | str | None = None,
+) -> Loading:
+    """Loading with some values changed, checked, and GM and KG tied by the hull's KM.
+
+    Parameters
+    ----------
+    name : str                              ship or file named in messages
+    hull : Hull                             at the draught of the loading
+    loading : Loading                       what is not given is taken from here
+    gm, kg : float                          at most one of them [m]
+    gyradius_roll, gyradius_yaw : float     [m]
+    roll_damping : float or str             fraction of critical
+
+    Returns
+    -------
+    Loading
+
+    Raises
+    ------
+    InputError    both gm and kg, GM or a radius not above 0, damping below 0 or above 1
+
+    Notes
+    -----
+    KG = KM - GM.  Source: [Lewis88] ch. 2.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull
+    >>> box = box_hull(100.0, 20.0, 5.0, 10.0)
+    >>> round(reloaded("box", box, Loading(1.0, 8.17, 7.0, 25.0), kg=6.0).gm, 4)
+    3.1667
+    """
+    if gm is not None and kg is not None:
+        raise InputError(
+            f"{name}: gm = {gm:g} m and kg = {kg:g} m are both given; one follows from the other, leave one out"
+        )
+    km = hydrostatics(hull).km
+    if gm is None:
+        kg = loading.kg if kg is None else kg
+        gm = km - kg
+        source = f"kg = {kg:g} m under KM = {km:.3f} m gives "
+    else:
+        kg, source = km - gm, ""
+    if not (math.isfinite(gm) and gm > 0):
+        raise InputError(
+            f"{name}: {source}gm = {gm:g} m; the metacentric height must be above 0 (an upright ship that floats stably); "
+            f"try 0.05 B = {0.05 * hull.beam:.3g} m"
+        )
+    radii = {
+        "gyradius_roll": (gyradius_roll, 0.35 * hull.beam, "0.35 B"),
+        "gyradius_yaw": (gyradius_yaw, 0.25 * hull.length, "0.25 L"),
+    }
+    for key, (radius, usual, words) in radii.items():
+        if radius is not None and not (math.isfinite(radius) and radius > 0):
+            raise InputError(
+                f"{name}: {key} = {radius:g} m; a radius of gyration is above 0; try {words} = {usual:.4g} m"
+            )
+    damping = (
+        loading.roll_damping if roll_damping is None else quantity(roll_damping, "ratio", what=f"{name}: roll_damping")
+    )
+    if not 0 <= damping <= 1:
+        raise InputError(
+            f"{name}: roll_damping = {damping:g}; it is a fraction of critical damping, from 0 to 1; try 0.05"
+        )
+    return replace(
+        loading,
+        gm=gm,
+        kg=kg,
+        gyradius_roll=gyradius_roll or loading.gyradius_roll,
+        gyradius_yaw=gyradius_yaw or loading.gyradius_yaw,
+        roll_damping=damping,
+    )
+
+
+def checked_linear(name: str, linear: str) -> Literal["default", "strip"]:
+    """The choice of linear derivatives, refused when it is neither of the two.
+
+    Parameters
+    ----------
+    name : str      ship or file named in the message
+    linear : str    "default" or "strip"
+
+    Returns
+    -------
+    str    the same
+
+    Raises
+    ------
+    InputError    another word
+
+    Notes
+    -----
+    Source: the format of the ship file.
+
+    Examples
+    --------
+    >>> checked_linear("my ship", "strip")
+    'strip'
+    """
+    if linear == "default":
+        return "default"
+    if linear == "strip":
+        return "strip"
+    raise InputError(f'{name}: linear = "{linear}"; allowed are "default" (lift from regression) and "strip"')
+
+
+def ship(name_or_path: str | Path) -> Ship:
+    """Read a ship: a built-in one by name, or one's own from a YAML file.
+
+    Parameters
+    ----------
+    name_or_path : str or Path    such as "series60-cb60", or the path of a ship file
+
+    Returns
+    -------
+    Ship
+
+    Raises
+    ------
+    InputError    no such ship or file, or something in the file that cannot be right, named by key
+
+    Notes
+    -----
+    Source: each built-in ship names its own in ``provenance``.
+
+    Examples
+    --------
+    >>> ship("series60-cb60").hull.length
+    121.92
+    """
+    from quartering.hull.readers import read_ship  # pydantic and yaml are loaded only when a ship is read
+
+    return read_ship(name_or_path)

@@ -1,0 +1,187 @@
+"""A hull from contours at stations, and what is said when they cannot be one."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from quartering.conventions import InputError
+from quartering.hull.contour import Outline
+from quartering.hull.offsets import Contour, Hull, frozen
+from quartering.hull.quadrature import station_weights
+from quartering.hull.section import Floats
+
+
+def hull_from_offsets(
+    name: str,
+    *,
+    length: float,
+    beam: float,
+    draught: float,
+    x: Floats,
+    contours: tuple[Contour, ...],
+    source: str = "given offsets",
+    outline: Outline = "smooth",
+    labels: list[str] | None = None,
+    title: str | None = None,
+) -> Hull:
+    """Hull from contours at stations.
+
+    Parameters
+    ----------
+    name : str                       what the hull is called
+    length, beam, draught : float    between perpendiculars, moulded, draught [m]
+    x : (s,) float                   stations from midship, + forward, ascending, at least 4 [m]
+    contours : tuple of (y, height)  half breadths and heights above the baseline, keel to deck [m];
+                                     a contour that does not start on the centreline gets a flat bottom
+    source : str                     where the lines come from
+    outline : str                    points joined "smooth" (monotone cubic) or "straight"
+    labels : list of str             what the stations are called in messages; "station 1 (x = -60 m)" by default
+    title : str                      name of the hull when ``name`` is that of the file it comes from
+
+    Returns
+    -------
+    Hull    at its design draught
+
+    Raises
+    ------
+    InputError    stations not ascending, heights descending, fewer than two points, a NaN: named by station
+
+    Notes
+    -----
+    Station weights from ``station_weights``.  Source: [Gill72].
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> side = (np.array([0.0, 5.0, 5.0]), np.array([0.0, 0.0, 6.0]))
+    >>> barge = hull_from_offsets("barge", length=60, beam=10, draught=4, x=np.linspace(-30, 30, 7), contours=(side,) * 7)
+    >>> barge.sections[3].draught
+    4.0
+    """
+    stations = np.array(x, dtype=float)
+    called = labels or [f"station {i + 1} (x = {position:g} m)" for i, position in enumerate(stations)]
+    _check_stations(name, stations, contours, called)
+    _check_size(name, float(length), float(beam), float(draught), stations, contours)
+    _check_freeboard(name, float(draught), contours, called)
+    closed = tuple(_closed(np.asarray(y, dtype=float), np.asarray(h, dtype=float)) for y, h in contours)
+    return Hull(
+        name=title or name,
+        length=float(length),
+        beam=float(beam),
+        draught=float(draught),
+        x=frozen(stations),
+        weight=frozen(station_weights(stations)),
+        contours=closed,
+        x_aft=float(stations[0]),
+        x_fore=float(stations[-1]),
+        source=source,
+        shape="offsets",
+        design_draught=float(draught),
+        outline=outline,
+    )
+
+
+def _check_stations(name: str, x: Floats, contours: tuple[Contour, ...], labels: list[str]) -> None:
+    """Refuse stations out of order and contours that cannot be a section, naming the station."""
+    if len(x) != len(contours) or len(x) < 4:
+        raise InputError(
+            f"{name}: {len(x)} stations and {len(contours)} contours; give at least 4 of each, one contour per station"
+        )
+    if not np.isfinite(x).all():
+        raise InputError(f"{name}: a station position is not a number; give x in metres from midship, + forward")
+    if (np.diff(x) <= 0).any():
+        at = int(np.argmax(np.diff(x) <= 0))
+        raise InputError(
+            f"{name}: {labels[at + 1]} does not lie forward of {labels[at]}; "
+            "stations go from aft to fore, each once; sort them by x"
+        )
+    for label, (y, height) in zip(labels, contours, strict=True):
+        check_contour(f"{name}: {label}", np.asarray(y, dtype=float), np.asarray(height, dtype=float))
+
+
+def check_contour(where: str, y: Floats, height: Floats, units: tuple[str, str] = (" m", " m"), first: int = 1) -> None:
+    """Refuse a contour that cannot be half of a section, naming the waterline.
+
+    Parameters
+    ----------
+    where : str                file and station named in the message
+    y, height : (n,) float     half breadths and heights, keel to deck, as given
+    units : tuple of str       their units, for the message
+    first : int                number of the first waterline
+
+    Raises
+    ------
+    InputError    unequal lengths, a NaN, a negative half breadth, heights that descend or do not rise at all
+
+    Notes
+    -----
+    Source: geometry.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> check_contour("station 1", np.array([0.0, 5.0]), np.array([0.0, 4.0]))
+    """
+    if len(y) != len(height) or len(y) < 2:
+        raise InputError(
+            f"{where}: {len(y)} half breadths and {len(height)} heights; give two or more, as many of each"
+        )
+    if not (np.isfinite(y).all() and np.isfinite(height).all()):
+        at = int(np.argmin(np.isfinite(y) & np.isfinite(height)))
+        raise InputError(f"{where}, waterline {at + first}: not a number; every half breadth and height must be finite")
+    if np.min(y) < 0:
+        at = int(np.argmin(y))
+        raise InputError(
+            f"{where}, waterline {at + first} (height {height[at]:g}{units[1]}): half breadth {y[at]:g}{units[0]} is "
+            "negative; half breadths are 0 or more, measured from the centreline to starboard; try "
+            f"{abs(y[at]):g}{units[0]}"
+        )
+    if (np.diff(height) < 0).any():
+        at = int(np.argmax(np.diff(height) < 0))
+        raise InputError(
+            f"{where}, waterline {at + 1 + first}: height {height[at + 1]:g}{units[1]} lies below the one before it "
+            f"({height[at]:g}{units[1]}), so the offsets cross; heights go up from keel to deck (equal heights make a "
+            "flat); sort or correct them"
+        )
+    if height[-1] <= height[0]:
+        raise InputError(f"{where}: the contour has no height; give points from the keel up to the deck")
+
+
+def _check_size(
+    name: str, length: float, beam: float, draught: float, x: Floats, contours: tuple[Contour, ...]
+) -> None:
+    """Refuse a draught below the keel, and offsets not of the ship's size (wrong unit, breadths for half breadths)."""
+    keel = min(float(height[0]) for _, height in contours)
+    if not (np.isfinite(draught) and draught > 0 and draught > keel):
+        raise InputError(
+            f"{name}: draught {draught:g} m; it must be above 0 and above the keel ({keel:g} m over the baseline)"
+        )
+    extent = float(x[-1] - x[0])
+    if not 0.8 * length <= extent <= 1.25 * length:
+        raise InputError(
+            f"{name}: the stations reach over {extent:g} m, the length is {length:g} m; the two agree within a fifth; "
+            "check the unit of x, and that x is from midship, + forward"
+        )
+    widest = max(float(np.interp(draught, h, y)) if h[0] < draught else 0.0 for y, h in contours)
+    if not 0.9 * beam / 2 <= widest <= 1.1 * beam / 2:
+        raise InputError(
+            f"{name}: the largest half breadth at the waterline is {widest:g} m, half the beam is {beam / 2:g} m; "
+            "the two agree within a tenth; check the unit, and that half breadths are given, not breadths"
+        )
+
+
+def _check_freeboard(name: str, draught: float, contours: tuple[Contour, ...], labels: list[str]) -> None:
+    """Refuse a contour that ends below the waterline."""
+    for label, (_, height) in zip(labels, contours, strict=True):
+        if height[-1] < draught:
+            raise InputError(
+                f"{name}: {label} ends at height {height[-1]:g} m, below the draught of {draught:g} m; "
+                "every contour goes up to the waterline or above it; add points up to the deck, or give a smaller draught"
+            )
+
+
+def _closed(y: Floats, height: Floats) -> Contour:
+    """Contour that starts on the centreline: a flat bottom is added where the first point has breadth."""
+    if y[0] > 0:
+        y, height = np.concatenate([[0.0], y]), np.concatenate([[height[0]], height])
+    return frozen(y), frozen(height)

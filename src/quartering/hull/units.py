@@ -1,0 +1,118 @@
+"""Values with units, as people write them: "4.5 m", "18 kn", "0.38 B", "8500 t"."""
+
+from __future__ import annotations
+
+import math
+import re
+from numbers import Real
+from typing import Final, Literal
+
+from quartering.conventions import GRAVITY, InputError
+
+Kind = Literal["length", "speed", "mass", "angle", "time", "density", "ratio"]
+
+_UNITS: Final[dict[str, dict[str, float]]] = {
+    "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048},
+    "speed": {"m/s": 1.0, "kn": 1852.0 / 3600.0, "km/h": 1.0 / 3.6},
+    "mass": {"kg": 1.0, "t": 1e3},
+    "angle": {"deg": 1.0, "rad": 180.0 / math.pi},
+    "time": {"s": 1.0, "min": 60.0, "h": 3600.0},
+    "density": {"kg/m3": 1.0, "t/m3": 1e3},
+    "ratio": {"": 1.0, "%": 0.01},
+}
+"""Kind -> unit -> factor to the unit a bare number has: m, m/s, kg, deg, s, kg/m3."""
+
+_SHIP_UNITS: Final = ("L", "B", "T")
+_PATTERN: Final = re.compile(
+    r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[-+]?\.?(?:nan|inf))\s*\*?\s*(\S*)\s*", re.IGNORECASE
+)
+
+
+def split_quantity(value: float | str, what: str = "value") -> tuple[float, str]:
+    """Take a value apart into its number and its unit.
+
+    Parameters
+    ----------
+    value : float or str    such as 4.5, "4.5 m", "0.38B"
+    what : str              what the value is, for the message
+
+    Returns
+    -------
+    number : float
+    unit : str    "" when none is given
+
+    Raises
+    ------
+    InputError    no number, or one that is not finite
+
+    Notes
+    -----
+    Source: the format of the ship file.
+
+    Examples
+    --------
+    >>> split_quantity("0.38 B")
+    (0.38, 'B')
+    """
+    if isinstance(value, bool) or not isinstance(value, (Real, str)):
+        raise InputError(f'{what}: {value!r} is not a value; give a number or a number with a unit, such as "4.5 m"')
+    match = _PATTERN.fullmatch(value) if isinstance(value, str) else None
+    if isinstance(value, str) and match is None:
+        raise InputError(f'{what}: "{value}" is not a number with a unit; write it like "4.5 m" or "0.38 B"')
+    number, unit = (
+        (float(match[1].replace(".nan", "nan").replace(".inf", "inf")), match[2]) if match else (float(value), "")
+    )
+    if not math.isfinite(number):
+        raise InputError(f"{what}: {value} is not a finite number; give one, such as 4.5")
+    return number, unit
+
+
+def quantity(
+    value: float | str,
+    kind: Kind,
+    *,
+    length: float | None = None,
+    beam: float | None = None,
+    draught: float | None = None,
+    what: str | None = None,
+) -> float:
+    """Value in SI (angles in degrees) of a number, or of a number with a unit.
+
+    Parameters
+    ----------
+    value : float or str              4.5, "4.5 m", "18 kn", "0.38 B", "1.2L", "0.25 Fn", "5 %"
+    kind : str                        "length", "speed", "mass", "angle", "time", "density" or "ratio"
+    length, beam, draught : float     what L, B and T stand for [m]; left out, those units are refused
+    what : str                        name used in messages; the kind when left out
+
+    Returns
+    -------
+    float    in m, m/s, kg, deg, s, kg/m3 or 1
+
+    Raises
+    ------
+    InputError    not a number, not finite, or a unit this kind does not have
+
+    Notes
+    -----
+    L, B and T multiply lengths, "Fn" is sqrt(g L) for speeds.  Source: SI definitions, 1 kn = 1852 m/h, 1 ft = 0.3048 m.
+
+    Examples
+    --------
+    >>> round(quantity("18 kn", "speed"), 4), quantity("0.5 B", "length", beam=20.0), quantity("20 deg", "angle")
+    (9.26, 10.0, 20.0)
+    """
+    name = what or kind
+    number, unit = split_quantity(value, name)
+    factors = dict(_UNITS[kind])
+    if kind == "length":
+        sizes = zip(_SHIP_UNITS, (length, beam, draught), strict=True)
+        factors |= {letter: size for letter, size in sizes if size is not None}
+    elif kind == "speed" and length is not None:
+        factors["Fn"] = math.sqrt(GRAVITY * length)
+    if unit == "":
+        return number
+    if unit not in factors:
+        allowed = ", ".join(u for u in factors if u) or "none"
+        raise InputError(f'{name}: unit "{unit}" in "{value}" is not known for a {kind}; units allowed: {allowed}')
+    return number * factors[unit]
