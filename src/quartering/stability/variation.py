@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 from numba import njit
+from numpy.typing import NDArray
 
 from quartering.motion.balance import orbit_state
 from quartering.motion.basis import basis
@@ -32,18 +33,21 @@ def _harmonics(first, last, linear, coefficients, powers, modulus, frequency,
                         out[i, m, k, s] += project[m, n] * jacobian[k, s]
 
 
-def variational_harmonics(system: System, u: Floats, orders: tuple[int, ...]) -> np.ndarray:
-    """Harmonics 0, 2, 4, 6 of the variational matrix along periodic motions.
+def variational_harmonics(
+    system: System, u: Floats, orders: tuple[int, ...], harmonics: tuple[int, ...] = EVEN_HARMONICS
+) -> NDArray[np.complex128]:
+    """Harmonics of the variational matrix along periodic motions.
 
     Parameters
     ----------
     system : System           n conditions
     u : (n, 3, b) float       motions, as from `harmonic_balance`
     orders : tuple of int     their harmonics
+    harmonics : (m,) int      wanted, 0 first; even ones where all of `orders` are odd (the others vanish)
 
     Returns
     -------
-    (n, 4, 3, 4) complex    phasors J_m of d(v', p', r')/d(v, phi, p, r): J(t) = J_0 + Re sum_m J_m e^{i m w t}
+    (n, m, 3, 4) complex    phasors J_m of d(v', p', r')/d(v, phi, p, r): J(t) = J_0 + Re sum_m J_m e^{i m w t}
 
     Notes
     -----
@@ -59,13 +63,13 @@ def variational_harmonics(system: System, u: Floats, orders: tuple[int, ...]) ->
     >>> variational_harmonics(system, u, orders)[0, 0, 1].real.round(12).tolist()
     [0.0, -1.0, -0.1, 0.0]
     """
-    # The matrix has degree one less than the equations; a margin of harmonics keeps J_6 free of aliases.
-    table = basis(orders, system.degree - 2, system.has_modulus, extra=2 * max(EVEN_HARMONICS) + 2)
+    # The matrix has degree one less than the equations; a margin of harmonics keeps the last one free of aliases.
+    table = basis(orders, system.degree - 2, system.has_modulus, extra=2 * max(harmonics) + 2)
     samples = table.values.shape[1]
     half_cycle = all(h % 2 == 1 for h in orders)
     phases = (np.pi if half_cycle else 2 * np.pi) * np.arange(samples) / samples
     rows = [np.full(samples, 1.0 / samples)]
-    for m in EVEN_HARMONICS[1:]:
+    for m in harmonics[1:]:
         rows += [2.0 / samples * np.cos(m * phases), 2.0 / samples * np.sin(m * phases)]
     out = np.zeros((system.count, len(rows), 3, 4))
     in_threads(
@@ -78,7 +82,7 @@ def variational_harmonics(system: System, u: Floats, orders: tuple[int, ...]) ->
         np.array(rows),
         out,
     )
-    phasors = np.empty((system.count, 4, 3, 4), dtype=complex)
+    phasors = np.empty((system.count, len(harmonics), 3, 4), dtype=complex)
     phasors[:, 0] = out[:, 0]
     phasors[:, 1:] = out[:, 1::2] - 1j * out[:, 2::2]
     return phasors
