@@ -21,6 +21,8 @@ REFERENCES: Final[dict[str, str]] = {
     "Hydro- and Aerodynamics Laboratory Report Hy-5.",
     "Struble62": "Struble, R. A. (1962). Nonlinear differential equations. McGraw-Hill.",
     "Krack19": "Krack, M., Gross, J. (2019). Harmonic balance for nonlinear vibration problems. Springer.",
+    "Thompson89": "Thompson, J. M. T. (1989). Chaotic phenomena triggering the escape from a potential well. "
+    "Proceedings of the Royal Society A 421.",
     "DormandPrince80": "Dormand, J. R., Prince, P. J. (1980). A family of embedded Runge-Kutta formulae. "
     "Journal of Computational and Applied Mathematics 6.",
     "Hoerner65": "Hoerner, S. F. (1965). Fluid-dynamic drag. Published by the author.",
@@ -37,6 +39,36 @@ REFERENCES: Final[dict[str, str]] = {
     "Lewis88": "Lewis, E. V., ed. (1988). Principles of naval architecture, volume I: stability and strength. SNAME.",
     "Journee92": "Journée, J. M. J. (1992). Experiments and calculations on 4 Wigley hull forms in head waves. "
     "Delft University of Technology, Report 0909.",
+    "Chislett65": "Chislett, M. S., Strøm-Tejsen, J. (1965). Planar motion mechanism tests and full-scale steering and "
+    "manoeuvring predictions for a Mariner class vessel. Hydro- and Aerodynamics Laboratory Report Hy-5.",
+    "Son82": "Son, K.-H., Nomoto, K. (1982). On the coupled motion of steering and rolling of a high speed container "
+    "ship. Naval Architecture and Ocean Engineering 20.",
+    "Blanke93": "Blanke, M., Christensen, A. (1993). Rudder-roll damping autopilot robustness to sway-yaw-roll "
+    "couplings. 10th Ship Control Systems Symposium, Ottawa.",
+    "Inoue81": "Inoue, S., Hirano, M., Kijima, K. (1981). Hydrodynamic derivatives on ship manoeuvring. International "
+    "Shipbuilding Progress 28.",
+    "Kijima90": "Kijima, K., Katsuno, T., Nakiri, Y., Furukawa, Y. (1990). On the manoeuvring performance of a ship with "
+    "the parameter of loading condition. Journal of the Society of Naval Architects of Japan 168.",
+    "Ancellin19": "Ancellin, M., Dias, F. (2019). Capytaine: a Python-based linear potential flow solver. Journal of Open "
+    "Source Software 4.",
+    "WAMIT": "WAMIT, Inc. WAMIT user manual, version 7: definition of quantities, output files, geometric data file.",
+    "Bertram06": "Bertram, V., Veelo, B., Söding, H., Graf, K. (2006). Development of a freely available strip method for "
+    "seakeeping. COMPIT, Oegstgeest.",
+    "Nomoto57": "Nomoto, K., Taguchi, T., Honda, K., Hirano, S. (1957). On the steering qualities of ships. International "
+    "Shipbuilding Progress 4.",
+    "Ikeda78a": "Ikeda, Y., Himeno, Y., Tanaka, N. (1978). On eddy making component of roll damping force on naked hull. "
+    "Journal of the Society of Naval Architects of Japan 142; University of Osaka Prefecture, Report 00403.",
+    "Ikeda78b": "Ikeda, Y., Himeno, Y., Tanaka, N. (1978). Components of roll damping of ship at forward speed. "
+    "Journal of the Society of Naval Architects of Japan 143; University of Osaka Prefecture, Report 00404.",
+    "Ikeda78c": "Ikeda, Y., Himeno, Y., Tanaka, N. (1978). A prediction method for ship roll damping. "
+    "University of Osaka Prefecture, Department of Naval Architecture, Report 00405.",
+    "ITTC11": "ITTC (2011). Numerical estimation of roll damping. Recommended procedure 7.5-02-07-04.5.",
+    "Kawahara09": "Kawahara, Y., Maekawa, K., Ikeda, Y. (2009). A simple prediction formula of roll damping of "
+    "conventional cargo ships on the basis of Ikeda's method and its limitation. Proc. 10th Int. Conf. on Stability "
+    "of Ships and Ocean Vehicles (STAB 2009).",
+    "Journee03": "Journée, J. M. J., Adegeest, L. J. M. (2003). Theoretical manual of strip theory program SEAWAY for "
+    "Windows. Delft University of Technology, Report 1370.",
+    "Froude1874": "Froude, W. (1874). On resistance in rolling of ships. Naval Science 3.",
 }
 """Key -> full reference. A `Source:` line in a docstring names one of these keys."""
 

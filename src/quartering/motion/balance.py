@@ -54,7 +54,7 @@ def balance(system, tables, u, strength, with_matrix, residual, matrix, scratch)
     matrix[:] = 0.0
     for n in range(samples):
         orbit_state(values, rates, factors, w, u, n, state)
-        accelerations(linear, coefficients, powers, modulus, strength, state, power_table, force, jacobian)
+        accelerations(linear, coefficients, powers, modulus, strength, state, with_matrix, power_table, force, jacobian)
         for c in range(nb):
             project = weights[c] * values[c, n]
             for k in range(3):

@@ -35,15 +35,14 @@ def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, f
     """Periodic motions of conditions first..last; u (n, 3, b) holds the start when `given_start`, then the result."""
     nb = values.shape[0]
     size = 3 * nb
-    dtype = u.dtype
-    scratch = (np.empty((4, 8), dtype), np.empty(4, dtype), np.empty(3, dtype), np.empty((3, 4), dtype),
-               np.empty((3, 3, nb), dtype))  # fmt: skip
-    work = (np.empty(size, dtype), np.empty((size, size), dtype), np.empty((size, size), dtype),
-            np.empty(size, np.int64), np.empty((3, nb), dtype), np.empty(size, dtype), np.empty(size, dtype),
+    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)),
+               np.empty((3, 3, nb)))  # fmt: skip
+    work = (np.empty(size), np.empty((size, size)), np.empty((size, size)),
+            np.empty(size, np.int64), np.empty((3, nb)), np.empty(size), np.empty(size),
             scratch)  # fmt: skip
     residual, matrix = work[0], work[1]
     tables = (values, rates, factors, weights)
-    linear_motion, kept = np.zeros((3, nb), dtype), np.zeros((3, nb), dtype)
+    linear_motion, kept = np.zeros((3, nb)), np.zeros((3, nb))
     for i in range(first, last):
         system = (linear[i], coefficients[i], powers, modulus, mean[i], cos[i], sin[i], frequency[i])
         if status[i] != _CONVERGED:

@@ -7,8 +7,8 @@ from numba import njit
 
 
 @njit(cache=True, nogil=True)
-def accelerations(linear, coefficients, powers, modulus, strength, state, table, force, jacobian):
-    """Right-hand side of the canonical equations without excitation, and its derivative by the state.
+def accelerations(linear, coefficients, powers, modulus, strength, state, with_jacobian, table, force, jacobian):
+    """Right-hand side of the canonical equations without excitation and, if asked for, its derivative by the state.
 
     Parameters
     ----------
@@ -18,13 +18,14 @@ def accelerations(linear, coefficients, powers, modulus, strength, state, table,
     modulus : (t,) int              1-4: the variable between modulus bars; 0: none
     strength : float                multiplies the nonlinear products (1 is the equation itself; less in a homotopy)
     state : (4,) float              (v, phi, p, r)
+    with_jacobian : bool            else `jacobian` comes back with the linear part alone
     table : (4, 8) float            scratch: powers of each variable
     force : (3,) float              out
     jacobian : (3, 4) float         out
 
     Notes
     -----
-    Works on complex states too (for complex-step derivatives).  Source: [H71] eq. (3).
+    Source: [H71] eq. (3).
     """
     for k in range(3):
         force[k] = 0.0
@@ -41,17 +42,20 @@ def accelerations(linear, coefficients, powers, modulus, strength, state, table,
         bars = modulus[t]
         size, sign = strength, 0.0
         if bars > 0:
-            sign = strength if state[bars - 1].real >= 0.0 else -strength
+            sign = strength if state[bars - 1] >= 0.0 else -strength
             size = sign * state[bars - 1]
         vf, pr = va * fb, pc * rd
         product = vf * pr
-        dv = a * table[0, a - 1] * fb * pr * size if a > 0 else 0.0 * product
-        df = b * table[1, b - 1] * va * pr * size if b > 0 else 0.0 * product
-        dp = c * table[2, c - 1] * vf * rd * size if c > 0 else 0.0 * product
-        dr = d * table[3, d - 1] * vf * pc * size if d > 0 else 0.0 * product
+        for k in range(3):
+            force[k] += coefficients[k, t] * product * size
+        if not with_jacobian:
+            continue
+        dv = a * table[0, a - 1] * fb * pr * size if a > 0 else 0.0
+        df = b * table[1, b - 1] * va * pr * size if b > 0 else 0.0
+        dp = c * table[2, c - 1] * vf * rd * size if c > 0 else 0.0
+        dr = d * table[3, d - 1] * vf * pc * size if d > 0 else 0.0
         for k in range(3):
             coefficient = coefficients[k, t]
-            force[k] += coefficient * product * size
             jacobian[k, 0] += coefficient * dv
             jacobian[k, 1] += coefficient * df
             jacobian[k, 2] += coefficient * dp

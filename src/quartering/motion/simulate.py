@@ -46,7 +46,7 @@ _DENSE = np.array(
 def _derivative(system, time, y, scratch, out):
     linear, coefficients, powers, modulus, mean, cos, sin, w = system
     power_table, force, jacobian = scratch
-    accelerations(linear, coefficients, powers, modulus, 1.0, y, power_table, force, jacobian)
+    accelerations(linear, coefficients, powers, modulus, 1.0, y, False, power_table, force, jacobian)
     c, s = np.cos(w * time), np.sin(w * time)
     out[0] = force[0] + mean[0] + cos[0] * c + sin[0] * s
     out[1] = y[2]

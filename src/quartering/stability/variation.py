@@ -26,7 +26,7 @@ def _harmonics(first, last, linear, coefficients, powers, modulus, frequency,
     for i in range(first, last):
         for n in range(values.shape[1]):
             orbit_state(values, rates, factors, frequency[i], u[i], n, state)
-            accelerations(linear[i], coefficients[i], powers, modulus, 1.0, state, power_table, force, jacobian)
+            accelerations(linear[i], coefficients[i], powers, modulus, 1.0, state, True, power_table, force, jacobian)
             for m in range(project.shape[0]):
                 for k in range(3):
                     for s in range(4):
@@ -112,7 +112,7 @@ def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):
         state[2] += rate * (c * u[1, column + 1] - s * u[1, column])
         state[3] += rate * (c * u[2, column + 1] - s * u[2, column])
         column += 2
-    accelerations(linear, coefficients, powers, modulus, 1.0, state, power_table, force, matrix)
+    accelerations(linear, coefficients, powers, modulus, 1.0, state, True, power_table, force, matrix)
 
 
 @njit(cache=True, nogil=True)
