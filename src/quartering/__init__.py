@@ -28,13 +28,14 @@ if TYPE_CHECKING:
     from quartering.hydro.strip import hydrodynamics
     from quartering.loads.forces import wave_forces
     from quartering.loads.waves import Wave, encounter_frequency
-    from quartering.motion.branch import all_motions, branch
+    from quartering.motion.branch import all_motions
     from quartering.motion.equations import Model
     from quartering.motion.of_ship import equations
     from quartering.motion.simulate import simulate
     from quartering.motion.steady import Motion, steady_motion
     from quartering.references import cite
     from quartering.stability.verdict import Verdict, stability
+    from quartering.study.branch import branch
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
@@ -55,7 +56,7 @@ _HOMES = {
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
     "all_motions": "motion.branch",
-    "branch": "motion.branch",
+    "branch": "study.branch",
     "Model": "motion.equations",
     "equations": "motion.of_ship",
     "simulate": "motion.simulate",

@@ -75,6 +75,8 @@ def test_with_takes_units_multipliers_and_the_choice_of_derivatives() -> None:
     )
     assert changed.loading.gyradius_roll == pytest.approx(0.38 * 16.256)
     assert dict(changed.multipliers) == {"K_ppp": 0.5, "Y_v": 2.0}
+    again = changed.with_(coefficients={"K_ppp": 0.5, "Y_v": 1.0})
+    assert dict(again.multipliers) == {"K_ppp": 0.25, "Y_v": 2.0}
     assert (changed.linear, parent.linear) == ("strip", "default")
     assert changed.provenance["gyradius_roll"].startswith("given")
 

@@ -94,7 +94,7 @@ class Ship:
         draught : float or str                         another waterline of the same lines; G stays unless given [m]
         roll_damping : float or str                    fraction of critical, 0 or more
         linear : str                                   "default" or "strip"
-        coefficients : mapping of str to float         multipliers by name, on top of those already there
+        coefficients : mapping of str to float         factors by name, times those already there
 
         Returns
         -------
@@ -129,7 +129,7 @@ class Ship:
             hull=hull,
             loading=loading,
             linear=checked_linear(self.name, linear or self.linear),
-            multipliers={**self.multipliers, **checked_factors(self.name, coefficients or {})},
+            multipliers=_multiplied(self.multipliers, checked_factors(self.name, coefficients or {})),
             provenance={**self.provenance, **notes},
         )
 
@@ -138,6 +138,11 @@ class Ship:
         return quantity(
             value, "length", length=hull.length, beam=hull.beam, draught=hull.draught, what=f"{self.name}: {key}"
         )
+
+
+def _multiplied(own: Mapping[str, float], factors: Mapping[str, float]) -> dict[str, float]:
+    """Multipliers after further ones: a factor of 1 changes nothing."""
+    return dict(own) | {name: factor * own.get(name, 1.0) for name, factor in factors.items()}
 
 
 def reloaded(

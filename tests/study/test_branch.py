@@ -1,12 +1,12 @@
-"""Branches, folds and coexisting motions against 40-digit references and closed forms."""
+"""Response curves: folds and changes of stability against 40-digit references and closed forms."""
 
 import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.motion.branch import all_motions, branch
 from quartering.motion.equations import Model
 from quartering.stability.verdict import stability
+from quartering.study.branch import branch
 from tests.reference import DYNAMICS, model_of
 
 
@@ -33,28 +33,43 @@ def test_both_folds_of_the_damped_duffing_curve():
     np.testing.assert_allclose(roll, np.sort(exact[:, 1]), atol=1e-6)
 
 
-def test_all_three_motions_of_the_fold_case_are_found_and_judged():
-    case = DYNAMICS["cases"]["D_fold_strong"]
-    model = model_of(case)
-    motions = all_motions(model)
-    exact = [np.hypot(*np.array(s["harmonics_9"])[1, 0]) for s in case["solutions"]]
-    np.testing.assert_allclose([m.amplitude[1] for m in motions], exact, rtol=1e-11)
-    assert [stability(model, m).stable for m in motions] == [s["orbit"]["stable"] for s in case["solutions"]]
-
-
-@pytest.mark.parametrize("row", DYNAMICS["duffing"]["rows"], ids=lambda r: f"w={r['w']}")
-def test_every_undamped_duffing_motion_is_found(row):
-    """Exact periodic solutions in 40 digits, in and out of phase."""
-    terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -DYNAMICS["duffing"]["beta"]}
-    model = Model(np.eye(3), terms, row["w"], (0, DYNAMICS["duffing"]["X0"], 0), (0, 0, 0))
-    found = [m.cos[0, 1] for m in all_motions(model, 19)]
-    for exact in row["exact"]:
-        assert np.abs(np.array(found) - exact["a1"]).min() < 1e-8
-
-
 def test_unknown_parameter_is_refused():
     model = model_of(DYNAMICS["cases"]["A_roll_only"])
     with pytest.raises(InputError, match="frequency"):
         branch(model, "gm")
     with pytest.raises(InputError, match="rising"):
         branch(model, "frequency", limits=(1.0, 0.5))
+
+
+def test_a_ships_branch_over_wave_height_agrees_with_single_conditions():
+    """Agreement: the splined family against the ship's own equations at the same height."""
+    import quartering as qt
+
+    ship = qt.ship("series60-cb60")
+    wave = qt.Wave(ship.hull.length, 2.0)
+    curve = branch(ship, "wave_height", limits=(0.5, 3.0), wave=wave, speed=8.0, heading=60.0)
+    at = curve.isel(point=curve.sizes["point"] // 2)
+    model = qt.equations(ship, qt.Wave(wave.length, float(at["wave_height"])), 8.0, 60.0)
+    motion = qt.steady_motion(model, 3, start="rest")
+    assert float(at["roll"]) == pytest.approx(np.degrees(motion.amplitude[1]), rel=1e-6)
+    assert float(at["exponent"]) == pytest.approx(stability(model, motion).exponents[0].real, abs=1e-7)
+
+
+def test_neimark_sacker_point_is_where_the_index_changes_sign():
+    """Agreement: Floquet's growing roll begins, to first order, where K2 passes zero ([H71] eq. (13))."""
+    model = model_of(DYNAMICS["cases"]["C_ship_unstable_I3"])
+    curve = branch(model, "excitation", limits=(0.05, 1.0), harmonics=5)
+    events = curve["event"].values
+    assert "neimark-sacker" in events
+    share = float(curve["excitation"][events == "neimark-sacker"].values[0])
+    s = model.system
+    from dataclasses import replace
+
+    from quartering.motion.steady import steady_motions
+    from quartering.stability.assessment import assess
+
+    at = replace(s, cos=share * s.cos, sin=share * s.sin)
+    u, orders, _, _ = steady_motions(at, 5)
+    first = assess(at, u, orders).first_order
+    whole, _, _, _ = steady_motions(s, 5)
+    assert abs(first.k2[0]) < 0.02 * abs(assess(s, whole, orders).first_order.k2[0])

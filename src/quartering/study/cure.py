@@ -1,0 +1,175 @@
+"""What change makes an unstable motion stable: the smallest change of each value a designer or a master can set."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+from quartering.conventions import SYMBOLS, InputError, RangeWarning
+from quartering.hull.ship import Ship
+from quartering.loads.waves import Wave
+from quartering.study.conditions import evaluate
+
+CURES = ("roll_damping", "gm", "gyradius_roll", "speed", "wave_height", "K_ppp", "K_prr")
+"""Values tried when none are named: loading, condition, and the coefficients the paper finds decisive (as multipliers)."""
+
+_REACH, _STEPS = 5.0, 33
+
+
+@dataclass(frozen=True)
+class Cure:
+    """The smallest change of one value that makes the motion stable.
+
+    Parameters
+    ----------
+    parameter : str    loading value, condition, or coefficient
+    now : float        its value; 1 for a coefficient, which is multiplied
+    needed : float     the value at which the leading exponent is minus the margin
+    unit : str
+    """
+
+    parameter: str
+    now: float
+    needed: float
+    unit: str
+
+    @property
+    def change(self) -> float:
+        """Relative change needed."""
+        return self.needed / self.now - 1.0
+
+    @property
+    def sentence(self) -> str:
+        """The change in words."""
+        more = "more" if self.change > 0 else "less"
+        if "_" in self.parameter and self.parameter[0] in "YKN":
+            if self.needed < 0:
+                return f"{self.parameter} times {self.needed:.2f}"
+            return f"{abs(self.change):.0%} {more} {self.parameter}"
+        name = SYMBOLS[self.parameter].symbol if self.parameter in SYMBOLS else self.parameter
+        unit = "" if self.unit == "1" else f" {self.unit}"
+        return f"{abs(self.needed - self.now):.3g}{unit} {more} {name} ({self.now:.3g} -> {self.needed:.3g}{unit})"
+
+
+def cures(
+    ship: Ship,
+    wave: Wave,
+    speed: float,
+    heading: float,
+    *,
+    parameters: Sequence[str] = CURES,
+    margin: float = 0.0,
+    harmonics: int = 3,
+) -> list[Cure]:
+    """Smallest change of each parameter that makes the motion stable with a margin, the smallest relative change first.
+
+    Parameters
+    ----------
+    ship : Ship
+    wave : Wave
+    speed : float              [m/s]
+    heading : float            [deg]
+    parameters : sequence      "gm", "gyradius_roll", "gyradius_yaw", "roll_damping", "speed", "wave_height", or coefficients
+    margin : float             the leading exponent must be below minus this [1/s]
+    harmonics : int            of the steady motion
+
+    Returns
+    -------
+    list of Cure               empty when the motion is stable with that margin already, or no change up to fivefold helps
+
+    Raises
+    ------
+    InputError                 a margin below zero, an unknown parameter
+
+    Notes
+    -----
+    Each parameter alone, over a fifth to five times its value, in steps of 5 %, then refined to 1e-6; coefficients that are
+    zero cannot be multiplied.  Source: [H71] Figs. 20-22 (what restores stability).
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> restless = ship("series60-cb60").with_(coefficients={"K_prr": -60})
+    >>> found = cures(restless, Wave(121.92, 4.0), 8.6, 30.0, parameters=["K_prr", "roll_damping"])
+    >>> [one.parameter for one in found]
+    ['K_prr', 'roll_damping']
+    """
+    if not margin >= 0:
+        raise InputError(f"margin = {margin} 1/s; give zero or a rate by which disturbances must die out")
+
+    def exponent(one: Ship, at_speed: float, height: float) -> float:
+        with warnings.catch_warnings():  # the search looks at ships far from the one asked about
+            warnings.simplefilter("ignore", RangeWarning)
+            found = evaluate(
+                one,
+                np.array([at_speed]),
+                np.array([heading]),
+                np.array([wave.length]),
+                np.array([[height]]),
+                harmonics=harmonics,
+            )
+        return float(np.nan_to_num(float(found["exponent"][0, 0]), nan=np.inf))
+
+    if exponent(ship, speed, wave.height) < -margin:
+        return []
+    found = []
+    for name in parameters:
+        now, unit, at = _handle(ship, wave, speed, name, exponent)
+        needed = _nearest(lambda factor, at=at, now=now: at(now * factor) + margin)  # type: ignore[misc]
+        if needed is not None:
+            found.append(Cure(name, now, now * needed, unit))
+    return sorted(found, key=lambda cure: abs(np.log(abs(cure.needed / cure.now))))
+
+
+def _handle(
+    ship: Ship, wave: Wave, speed: float, name: str, exponent: Callable[[Ship, float, float], float]
+) -> tuple[float, str, Callable[[float], float]]:
+    """Present value, unit, and the leading exponent as a function of one parameter."""
+    if name == "speed":
+        return speed, "m/s", lambda value: exponent(ship, value, wave.height)
+    if name == "wave_height":
+        return wave.height, "m", lambda value: exponent(ship, speed, value)
+    if name in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping"):
+        now = float(getattr(ship.loading, name))
+        unit = "1" if name == "roll_damping" else "m"
+
+        def loaded(value: float) -> float:
+            return exponent(ship.with_(**{name: value}), speed, wave.height)  # type: ignore[arg-type]
+
+        return now, unit, loaded
+
+    def multiplied(value: float) -> float:
+        return exponent(ship.with_(coefficients={name: value}), speed, wave.height)
+
+    return 1.0, "1", multiplied
+
+
+def _nearest(excess: Callable[[float], float]) -> float | None:
+    """Factor nearest to 1 (in ratio) at which `excess` passes from above to below zero; None when none does."""
+    factors = np.geomspace(1.0, _REACH, _STEPS)
+    crossings = []
+    for side in (factors, 1.0 / factors):
+        before = float(side[0])
+        for factor in side[1:]:
+            try:
+                value = excess(float(factor))
+            except InputError:  # the ship or wave does not exist that far: no damping above 1, no wave that breaks
+                break
+            if value < 0:
+                crossings.append(_refined(excess, before, float(factor)))
+                break
+            before = float(factor)
+    return min(crossings, key=lambda f: abs(np.log(f))) if crossings else None
+
+
+def _refined(excess: Callable[[float], float], unstable: float, stable: float) -> float:
+    """Factor where the sign changes, on its stable side."""
+
+    def finite(factor: float) -> float:
+        return min(excess(factor), 1e6)
+
+    return float(brentq(finite, unstable, stable, xtol=1e-6))
