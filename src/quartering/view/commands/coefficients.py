@@ -1,0 +1,33 @@
+"""`quartering coefficients`: every number of the equations, with its source."""
+
+from __future__ import annotations
+
+from quartering.hull.ship import ship
+from quartering.hydro.coefficients import coefficients
+from quartering.view.commands.conditions import sizes
+from quartering.view.options import value
+from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import estimated_words, speed_words
+
+_ESTIMATES = ("regression", "cross-flow")
+
+
+def list_coefficients(name: str, speed: str, frequency: float | None, as_json: bool) -> None:
+    """Print the table of coefficients at one speed and encounter frequency."""
+    one = ship(name)
+    u = value(speed, "speed", sizes(one), "--speed")
+    w = coefficients(one, 0.0, u).roll_frequency if frequency is None else frequency
+    c = coefficients(one, w, u)
+    entries = c.table()
+    if as_json:
+        rows = [entry._asdict() for entry in entries]
+        show_json(
+            {"ship": one.name, "speed": u, "frequency": w, "roll_frequency": c.roll_frequency, "coefficients": rows}
+        )
+        return
+    shown = [(e.name, f"{e.value:.4g}", e.unit, e.kind, e.source) for e in entries if e.value != 0.0]
+    title = f"{one.name} at {speed_words(u, one.hull.length)}, encounter frequency {w:.3g} rad/s; about G, SI"
+    show(table(title, ("name", "value", "unit", "kind", "source"), shown, (1,)))
+    show("Zeros are left out. Y_r is the hydrodynamic one; the equations also carry -m U.")
+    show(estimated_words([e.name for e in entries if e.kind in _ESTIMATES], one.provenance))
+    show(next_steps(f"quartering forces {name}", f"quartering polar {name}"))

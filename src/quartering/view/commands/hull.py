@@ -1,0 +1,89 @@
+"""`quartering hull`: what floats, how it rights itself, and whether it keeps its course without waves."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+
+import numpy as np
+
+from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
+from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
+from quartering.hull.ship import Ship, ship
+from quartering.hull.units import quantity
+from quartering.hydro.calm_water import calm_water_exponents
+from quartering.view.output import PICTURES, claim, write
+from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import exponents_words, speed_words
+
+_LINES = {
+    "volume": ("displaced volume", "m3"), "mass": ("displaced mass", "kg"),
+    "lcb": ("centre of buoyancy from midship, + forward", "m"), "lcf": ("centre of flotation from midship, + forward", "m"),
+    "kb": ("KB", "m"), "bm": ("BM", "m"), "km": ("KM", "m"), "kg": ("KG", "m"), "gm": ("GM", "m"),
+    "cb": ("block coefficient CB", "1"), "cm": ("midship coefficient CM", "1"), "cp": ("prismatic coefficient CP", "1"),
+    "cw": ("waterplane coefficient CW", "1"), "wetted_surface": ("wetted surface", "m2"),
+}  # fmt: skip
+_FROUDE_NUMBERS = (0.0, 0.15, 0.25)
+
+
+def describe_hull(name: str, output: str | None, as_json: bool) -> None:
+    """Print hydrostatics, loading, righting arm and calm-water exponents; draw the hull where asked."""
+    one = ship(name)
+    path = claim(output, PICTURES) if output else None
+    floats, fit = hydrostatics(one), righting_polynomial(one)
+    angles = np.linspace(0.0, 60.0, 61)
+    arms = righting_arm(one, angles)
+    calm = {
+        u: calm_water_exponents(one, u)
+        for u in (quantity(f"{fn} Fn", "speed", length=one.hull.length) for fn in _FROUDE_NUMBERS)
+    }
+    if path is not None:
+        from quartering.view.plots import style
+        from quartering.view.plots.hull import hull_picture
+
+        write((path, lambda part: style.save(hull_picture(one, angles, arms, fit), part)))
+    if as_json:
+        show_json(_facts(one, floats, fit, calm))
+        return
+    _print(one, floats, fit, calm)
+    if path is not None:
+        show(f"Wrote {path}")
+    show(next_steps(f"quartering coefficients {name}", f"quartering polar {name}"))
+
+
+def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:
+    rows = [(words, f"{getattr(floats, key):.5g}", unit) for key, (words, unit) in _LINES.items()]
+    show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
+    load = one.loading
+    loading = [
+        (words, f"{getattr(load, key):.5g}", unit, one.provenance.get(key, "given"))
+        for key, words, unit in (
+            ("gm", "GM", "m"), ("kg", "KG", "m"), ("gyradius_roll", "k_xx", "m"), ("gyradius_yaw", "k_zz", "m"),
+            ("roll_damping", "added roll damping, of critical", "1"),
+        )
+    ]  # fmt: skip
+    show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading, (1,)))
+    terms = " ".join(f"{c:+.4g} phi^{n}" for n, c in ((1, fit.gm), (3, fit.gz3), (5, fit.gz5), (7, fit.gz7)) if c)
+    show(
+        f"Righting arm GZ = {terms} m (phi in rad), within {fit.residual:.1%} of the largest up to {fit.max_angle:g} deg."
+    )
+    if np.isfinite(fit.deck_angle):
+        show(
+            f"The top of the offsets goes under at {fit.deck_angle:.3g} deg; beyond, the hull is closed by a deck there."
+        )
+    rows = [
+        (speed_words(u, one.hull.length), exponents_words(z), "course-unstable" if z.real.max() > 0 else "stable")
+        for u, z in calm.items()
+    ]
+    show(table("Small motions in calm water, no rudder: exponents", ("speed", "1/s", "verdict"), rows))
+
+
+def _facts(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> dict[str, object]:
+    return {
+        "ship": one.name,
+        "hydrostatics": dataclasses.asdict(floats),
+        "loading": dataclasses.asdict(one.loading),
+        "righting": dataclasses.asdict(fit),
+        "calm_water_exponents": [{"speed": u, "exponents": z} for u, z in calm.items()],
+        "provenance": dict(one.provenance),
+    }

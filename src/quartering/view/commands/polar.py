@@ -1,0 +1,139 @@
+"""`quartering polar`: the map of roll and stability."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship, ship
+from quartering.hydro.calm_water import calm_water_exponents
+from quartering.loads.forces import Form
+from quartering.loads.waves import Wave
+from quartering.motion.status import Status
+from quartering.stability.kind import Kind
+from quartering.study.polar import polar
+from quartering.view.commands.conditions import sizes
+from quartering.view.options import steepness, value, values
+from quartering.view.output import claim, stem, write
+from quartering.view.progress import announce_compilation, bar
+from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import exponents_words, speed_words
+
+
+def draw_map(
+    name: str,
+    speeds: Sequence[str],
+    headings: str,
+    waves: tuple[str, str, str | None],
+    harmonics: int,
+    form: str,
+    output: str | None,
+    as_json: bool,
+) -> None:
+    """Compute the map, write dataset and picture, print what stands out."""
+    one = ship(name)
+    units = sizes(one)
+    data = claim(output or f"{stem(name)}-polar.nc", (".nc",))
+    picture = claim(data.with_suffix(".png"), (".png",))
+    speed = values(speeds, "speed", units, "--speed", 3)
+    mu = values([headings], "angle", units, "--headings", 37)
+    sea = _waves(one, waves)
+    chosen: Form = form  # type: ignore[assignment]  # polar refuses an unknown one
+    announce_compilation()
+    with bar("conditions", len(speed) * len(mu) * len(sea)) as report:
+        ds = polar(one, sea, speed, mu, harmonics=harmonics, form=chosen, progress=report)
+    _write(ds, data, picture)
+    summary = [_summary(ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
+    if as_json:
+        show_json(
+            {"ship": one.name, "dataset": str(data), "picture": str(picture), "speeds": [s._asdict() for s in summary]}
+        )
+        return
+    _print(one, ds, summary)
+    show(f"Wrote {data} and {picture}")
+    worst = max(summary, key=lambda s: s.worst_roll)
+    height = float(ds["wave_height"].sel(wave_length=worst.wave_length))
+    condition = f"--heading {worst.heading:g} --speed {worst.speed:.4g} --wave-length {worst.wave_length:.4g}"
+    show(next_steps(f"quartering verdict {name} {condition} --wave-height {height:.3g}", f"quartering forces {name}"))
+
+
+def _waves(one: Ship, typed: tuple[str, str, str | None]) -> list[Wave]:
+    lengths = values([typed[0]], "length", sizes(one), "--wave-lengths", 20)
+    if typed[2] is not None:
+        height = value(typed[2], "length", sizes(one), "--wave-height")
+        return [Wave(length, height) for length in lengths]
+    slope = steepness(typed[1])
+    return [Wave(length, slope * length) for length in lengths]
+
+
+def _write(ds: xr.Dataset, data: Path, picture: Path) -> None:
+    from quartering.view.plots import style
+    from quartering.view.plots.polar_map import polar_map
+
+    write((data, lambda part: ds.to_netcdf(part)), (picture, lambda part: style.save(polar_map(ds), part)))
+
+
+class Summary(NamedTuple):
+    """What stands out at one speed: where roll is largest and where the motion is least stable."""
+
+    speed: float
+    worst_roll: float
+    heading: float
+    wave_length: float
+    least_stable: float
+    least_stable_heading: float
+    least_stable_wave_length: float
+    verdicts: dict[str, int]
+    no_answer: dict[str, int]
+
+
+def _summary(ds: xr.Dataset) -> Summary:
+    kinds, counts = np.unique(ds["verdict"].values, return_counts=True)
+    statuses, failures = np.unique(ds["status"].values, return_counts=True)
+    return Summary(
+        float(ds["speed"]),
+        *_largest(ds["roll"]),
+        *_largest(ds["exponent"]),
+        {Kind(int(k)).label: int(n) for k, n in zip(kinds, counts, strict=True)},
+        {Status(int(s)).name.lower(): int(n) for s, n in zip(statuses, failures, strict=True) if not Status(int(s)).ok},
+    )
+
+
+def _largest(field: xr.DataArray) -> tuple[float, float, float]:
+    """Largest value of a map at one speed, and the heading and wave length it stands at."""
+    if not np.isfinite(field).any():
+        raise InputError("no condition of this map has an answer; choose other speeds, headings or wave lengths")
+    i, j = np.unravel_index(int(np.nanargmax(field.values)), field.shape)
+    cell = field[i, j]
+    return float(cell), float(cell["heading"]), float(cell["wave_length"])
+
+
+def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
+    length = one.hull.length
+    rows = [
+        (
+            speed_words(s.speed, length),
+            f"{s.worst_roll:.3g} deg at {s.heading:g} deg, lambda/L {s.wave_length / length:.3g}",
+            f"{s.least_stable:+.3g} 1/s at {s.least_stable_heading:g} deg, "
+            f"lambda/L {s.least_stable_wave_length / length:.3g}",
+            ", ".join(f"{n} {kind}" for kind, n in s.verdicts.items()),
+            exponents_words(calm_water_exponents(one, s.speed)),
+        )
+        for s in summary
+    ]
+    columns = ("speed", "largest roll amplitude", "least stable", "cells", "calm-water exponents [1/s]")
+    size = f"{ds.sizes['heading']} headings, {ds.sizes['wave_length']} wave lengths"
+    show(table(f"{ds.attrs['title']}: {size}", columns, rows))
+    failed: dict[str, int] = {}
+    for s in summary:
+        for status, n in s.no_answer.items():
+            failed[status] = failed.get(status, 0) + n
+    for status, n in failed.items():
+        show(f"{n} cells without an answer: {Status[status.upper()].advice}.")
+    if any(Kind.COURSE_IN_CALM_WATER.label in s.verdicts for s in summary):
+        show(f"Cells marked {Kind.COURSE_IN_CALM_WATER.label}: {Kind.COURSE_IN_CALM_WATER.meaning}.")

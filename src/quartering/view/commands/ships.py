@@ -1,0 +1,24 @@
+"""`quartering ships` and `quartering new`."""
+
+from __future__ import annotations
+
+from quartering.hull.readers import available_ships
+from quartering.hull.starting_file import write_ship
+from quartering.view.terminal import next_steps, show, show_json, table
+
+
+def list_ships(as_json: bool) -> None:
+    """Print the built-in ships."""
+    entries = available_ships()
+    if as_json:
+        show_json({entry.name: entry.description for entry in entries})
+        return
+    show(table("Built-in ships", ("name", "what it is"), entries))
+    show(next_steps("quartering hull series60-cb60", "quartering new series60-cb60 my.yaml"))
+
+
+def new_file(name: str, path: str) -> None:
+    """Write a ship file and say what to do with it."""
+    written = write_ship(name, path)
+    show(f"Wrote {written}: change what differs on your ship; a comment on each line says what it is.")
+    show(next_steps(f"quartering hull {written}", f"quartering polar {written}"))

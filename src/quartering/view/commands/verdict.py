@@ -1,0 +1,104 @@
+"""`quartering verdict`: one condition, judged every way."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from rich.table import Table
+
+from quartering.hull.ship import Ship
+from quartering.hydro.coefficients import coefficients
+from quartering.loads.forces import Form
+from quartering.loads.waves import Wave
+from quartering.motion.equations import Model
+from quartering.motion.of_ship import equations
+from quartering.motion.steady import Motion, steady_motion
+from quartering.stability.verdict import Verdict, stability
+from quartering.study.cure import Cure, cures
+from quartering.view.commands.conditions import condition
+from quartering.view.progress import announce_compilation
+from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import estimated_words, exponents_words
+
+_MOST_CURES = 3
+
+
+def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str, as_json: bool) -> None:
+    """Print the verdict on one condition."""
+    one, wave, speed, heading = condition(name, typed)
+    announce_compilation()
+    chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
+    model = equations(one, wave, speed, heading, form=chosen)
+    motion = steady_motion(model, harmonics, start="rest")
+    found = stability(model, motion)
+    helps = [] if found.stable or not motion.status.ok else cures(one, wave, speed, heading)[:_MOST_CURES]
+    if as_json:
+        show_json(_facts(one, model, motion, found, helps))
+        return
+    show(found.sentence)
+    if helps:
+        show("Each of these alone restores stability: " + "; ".join(cure.sentence for cure in helps) + ".")
+    if motion.status.ok:
+        show(_motion_table(one, wave, model, motion))
+        show(_stability_table(found))
+    entries = coefficients(one, model.frequency, speed).table()
+    show(estimated_words([e.name for e in entries if e.kind in ("regression", "cross-flow")], one.provenance))
+    words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
+    show(next_steps(f"quartering simulate {name} {words} -o roll.png", f"quartering polar {name} --speed {typed[1]}"))
+
+
+def _motion_table(one: Ship, wave: Wave, model: Model, motion: Motion) -> Table:
+    slope = wave.amplitude * wave.wavenumber
+    sway, roll, yaw = motion.amplitude
+    rows = [
+        ("sway amplitude", f"{sway:.3g} m", f"{sway / wave.amplitude:.3g} of the wave amplitude"),
+        ("roll amplitude", f"{math.degrees(roll):.3g} deg", f"{roll / slope:.3g} of the wave slope"),
+        ("yaw amplitude", f"{math.degrees(yaw):.3g} deg", f"{yaw / slope:.3g} of the wave slope"),
+        ("largest roll", f"{math.degrees(motion.peak[1]):.3g} deg", "over a cycle"),
+        ("encounter frequency", f"{model.frequency:.3g} rad/s", f"period {2 * math.pi / model.frequency:.3g} s"),
+        ("natural roll frequency", f"{coefficients(one, 0.0, 0.0).roll_frequency:.3g} rad/s", "small roll, alone"),
+        ("motion", motion.method, f"{motion.status.advice}; residual {motion.residual:.1e}"),
+    ]
+    return table("Steady motion", ("quantity", "value", "remark"), rows)
+
+
+def _stability_table(v: Verdict) -> Table:
+    rows = [
+        ("Floquet exponents [1/s]", exponents_words(v.exponents), "decide: all below 0 is stable"),
+        ("Floquet multipliers, moduli", ", ".join(f"{m:.3g}" for m in np.abs(v.multipliers)), "below 1 is stable"),
+        (
+            "K2 [1/s2]",
+            f"{v.k2:.3g}",
+            f"with rho alone {v.k2_rho:.3g}; paper's 0.3 and 0.1 {v.k2_paper:.3g}; below 0 is stable",
+        ),
+        ("S = -K2/(2 n2) [1/s]", f"{v.index:.3g}", f"n2 {v.n2:.3g} rad/s about the motion; above 0 is stable"),
+        *(
+            (f"q, n2 near {m} omega/2 [1/s]", f"{full:.3g}", f"paper's form {paper:.3g}; below 0 is stable")
+            for m, (paper, full) in v.q.items()
+        ),
+        (
+            "slow sway-yaw modes [1/s]",
+            ", ".join(f"{s:.3g}" for s in v.slow),
+            "averaged over the wave; below 0 is stable",
+        ),
+        ("averaged roll pair [1/s]", exponents_words(v.averaged), "equations (A-10)"),
+        ("roll with slow modes [1/s]", f"{v.combination:.3g}", "n2 near 2 omega"),
+        ("without waves [1/s]", exponents_words(v.calm_water), "linear motion with the same coefficients"),
+    ]
+    return table("Stability", ("quantity", "value", "remark"), rows)
+
+
+def _facts(one: Ship, model: Model, motion: Motion, v: Verdict, helps: list[Cure]) -> dict[str, object]:
+    sway, roll, yaw = motion.amplitude
+    return {
+        "ship": one.name,
+        "condition": dict(model.source),
+        "sentence": v.sentence, "stable": v.stable, "kind": v.kind, "status": motion.status.name.lower(),
+        "sway": sway, "roll_deg": math.degrees(roll), "yaw_deg": math.degrees(yaw),
+        "roll_peak_deg": math.degrees(motion.peak[1]), "encounter_frequency": model.frequency,
+        "k2": v.k2, "k2_rho": v.k2_rho, "k2_paper": v.k2_paper, "index": v.index, "n2": v.n2, "q": v.q, "slow": v.slow,
+        "averaged": v.averaged, "combination": v.combination, "multipliers": v.multipliers, "exponents": v.exponents,
+        "calm_water": v.calm_water, "first_order_stable": v.first_order_stable, "strongest": list(v.strongest),
+        "cures": [{"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in helps],
+    }  # fmt: skip

@@ -1,0 +1,138 @@
+"""What people type on the command line: values, lists and ranges with units, a steepness."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from quartering.conventions import InputError
+from quartering.hull.units import Kind, quantity, split_quantity
+
+MOST_VALUES = 100_000
+"""Largest number of values one option may stand for."""
+
+
+class Sizes(NamedTuple):
+    """What L, B and T stand for [m]."""
+
+    length: float
+    beam: float
+    draught: float
+
+
+def value(text: str, kind: Kind, sizes: Sizes, what: str) -> float:
+    """One value with its unit, in SI (angles in degrees).
+
+    Parameters
+    ----------
+    text : str      such as "7.5", "15kn", "0.25Fn", "1.0L", "30"
+    kind : str      "length", "speed", "angle", "time", ..
+    sizes : Sizes   of the ship [m]
+    what : str      the option, for messages
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InputError    not a number, not finite, a unit this kind does not have
+
+    Examples
+    --------
+    >>> value("1.5L", "length", Sizes(100.0, 20.0, 5.0), "--wave-length")
+    150.0
+    """
+    return quantity(text, kind, **sizes._asdict(), what=what)
+
+
+def values(texts: Sequence[str], kind: Kind, sizes: Sizes, what: str, count: int) -> list[float]:
+    """Values of an option that takes lists ("0.5L,1L") and ranges ("0.4:2.3L:20": from, to, number of values).
+
+    Parameters
+    ----------
+    texts : sequence of str    the option as often as it was given
+    kind : str                 as in `value`
+    sizes : Sizes              of the ship [m]
+    what : str                 the option, for messages
+    count : int                number of values of a range that does not say
+
+    Returns
+    -------
+    list of float    ascending, each once; within one text a number without unit takes the unit of the others
+
+    Raises
+    ------
+    InputError    what `value` refuses, a range that is not from:to or from:to:count, numbers without a unit among
+                  several units
+
+    Examples
+    --------
+    >>> values(["0.5,1L", "2L:3L:3"], "length", Sizes(100.0, 20.0, 5.0), "--wave-lengths", 20)
+    [50.0, 100.0, 200.0, 250.0, 300.0]
+    """
+    found: set[float] = set()
+    for text in texts:
+        items = [item.split(":") for item in text.split(",")]
+        unit = _shared_unit([part for item in items for part in item[:2]], text, what)
+        for parts in items:
+            ends = [value(_with_unit(part, unit, what), kind, sizes, what) for part in parts[:2]]
+            found.update(ends if len(parts) == 1 else _spread(ends, parts, count, text, what))
+    return sorted(found)
+
+
+def _shared_unit(numbers: Sequence[str], text: str, what: str) -> str:
+    """The unit numbers without one take."""
+    units = [split_quantity(number, what)[1] for number in numbers]
+    different = {unit for unit in units if unit}
+    if "" in units and len(different) > 1:
+        raise InputError(f'{what} "{text}": some numbers have no unit and the others differ; write a unit on each')
+    return next(iter(different), "")
+
+
+def _with_unit(number: str, unit: str, what: str) -> str:
+    return number if split_quantity(number, what)[1] else f"{number}{unit}"
+
+
+def _spread(ends: Sequence[float], parts: Sequence[str], count: int, text: str, what: str) -> list[float]:
+    """Evenly spaced values of one range."""
+    if len(parts) == 3:
+        number = parts[2].strip()
+        if not number.isdecimal() or not 2 <= int(number) <= MOST_VALUES:
+            raise InputError(
+                f'{what} "{text}": the third part of a range is how many values it has, a whole number of 2 or more '
+                f"(from:to:count); {parts[2]!r} given"
+            )
+        count = int(number)
+    if len(parts) > 3:
+        raise InputError(f'{what} "{text}": a range is from:to or from:to:count, such as 0:180:37')
+    first, last = ends
+    return [first + (last - first) * i / (count - 1) for i in range(count)]
+
+
+def steepness(text: str) -> float:
+    """Wave height over wave length, as a fraction or a number.
+
+    Parameters
+    ----------
+    text : str    "1/50", "0.02" or "2%"
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InputError    not a number, or not above 0
+
+    Examples
+    --------
+    >>> steepness("1/50"), steepness("2%")
+    (0.02, 0.02)
+    """
+    parts = re.split(r"/", text)
+    numbers = [quantity(part, "ratio", what="--steepness") for part in parts]
+    if len(numbers) > 2 or any(number <= 0 for number in numbers):
+        raise InputError(f'--steepness "{text}": wave height over wave length, above 0 and at most 1/7; try 1/50')
+    return numbers[0] / numbers[1] if len(numbers) == 2 else numbers[0]

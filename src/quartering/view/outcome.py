@@ -1,0 +1,45 @@
+"""How a command ends: bad input is one message and exit 2, Ctrl-C exit 130, a warning one plain line."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import typer
+
+from quartering.conventions import InputError, RangeWarning
+
+BAD_INPUT, INTERRUPTED = 2, 130
+
+
+@contextmanager
+def answering() -> Iterator[None]:
+    """Run the body of a command: its refusals become one message on stderr, its range warnings plain lines.
+
+    Raises
+    ------
+    typer.Exit    2 after an InputError, 130 after Ctrl-C
+    """
+    said: set[str] = set()
+
+    def say(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
+        if not issubclass(category, RangeWarning):
+            usual(message, category, *place, **more)
+        elif str(message) not in said:
+            said.add(str(message))
+            typer.echo(f"note: {message}", err=True)
+
+    with warnings.catch_warnings():
+        usual = warnings.showwarning
+        warnings.simplefilter("always", RangeWarning)
+        warnings.showwarning = say
+        try:
+            yield
+        except InputError as error:
+            typer.echo(f"quartering: {error}", err=True)
+            raise typer.Exit(BAD_INPUT) from None
+        except KeyboardInterrupt:
+            typer.echo("quartering: interrupted; nothing was written", err=True)
+            raise typer.Exit(INTERRUPTED) from None

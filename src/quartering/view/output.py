@@ -1,0 +1,91 @@
+"""Files a command writes: checked before the work, complete or not there at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from quartering.conventions import InputError
+
+PICTURES = (".png", ".svg", ".pdf")
+"""Kinds of picture that can be written."""
+
+
+def claim(path: str | Path, endings: Sequence[str]) -> Path:
+    """Path of a file to be written, after trying that its folder takes it.
+
+    Parameters
+    ----------
+    path : str or Path
+    endings : sequence of str    allowed, with their dot
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InputError    another ending, no such folder, a folder in its place, no right to write there
+    """
+    target = Path(path)
+    if target.suffix.lower() not in endings:
+        raise InputError(
+            f'output "{target}": its name must end in {" or ".join(endings)}; try "{target.stem}{endings[0]}"'
+        )
+    if target.is_dir():
+        raise InputError(f'output "{target}" is a folder; give the name of a file in it')
+    if not target.parent.is_dir():
+        raise InputError(f'output "{target}": there is no folder "{target.parent}"; make it first, or write elsewhere')
+    trial = _part(target)
+    try:
+        trial.touch()
+        trial.unlink()
+    except OSError as error:
+        raise InputError(
+            f'output "{target}" cannot be written ({error.strerror}); give a file in a folder you may write to'
+        ) from None
+    return target
+
+
+def write(*files: tuple[Path, Callable[[Path], object]]) -> None:
+    """Write files under another name beside their own, and name them only when all are complete.
+
+    Parameters
+    ----------
+    *files : (path, writer)    ``writer(path)`` writes the whole file
+
+    Raises
+    ------
+    InputError    a disk that is full, or another refusal of the system; nothing is left behind
+    """
+    parts = [_part(path) for path, _ in files]
+    try:
+        for part, (_, writer) in zip(parts, files, strict=True):
+            writer(part)
+        for part, (path, _) in zip(parts, files, strict=True):
+            os.replace(part, path)
+    except OSError as error:
+        names = ", ".join(f'"{path}"' for path, _ in files)
+        raise InputError(
+            f"{names} cannot be written ({error.strerror or error}); free some space or write elsewhere"
+        ) from None
+    finally:
+        for part in parts:
+            part.unlink(missing_ok=True)
+
+
+def stem(ship: str) -> str:
+    """Short name of a ship given by name or by path, to name files with.
+
+    Examples
+    --------
+    >>> stem("series60-cb60"), stem("ships/my.yaml")
+    ('series60-cb60', 'my')
+    """
+    path = Path(ship)
+    return path.stem if path.suffix.lower() in (".yaml", ".yml") else path.name
+
+
+def _part(path: Path) -> Path:
+    return path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")

@@ -1,0 +1,36 @@
+"""The hull at a glance: body plan and righting arm side by side."""
+
+from __future__ import annotations
+
+from matplotlib.figure import Figure
+
+from quartering.hull.righting import RightingFit
+from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
+from quartering.view.plots import style
+from quartering.view.plots.body_plan import draw_body_plan
+from quartering.view.plots.righting import draw_righting_arm
+
+
+def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit) -> Figure:
+    """Body plan and righting arm of a ship.
+
+    Parameters
+    ----------
+    ship : Ship
+    angles, arms : (n,) float    heel [deg] and GZ [m]
+    fit : RightingFit
+
+    Returns
+    -------
+    Figure
+    """
+    made = style.figure(12.0, 5.4, bottom=0.45)
+    left, right = made.subplots(1, 2, width_ratios=(1.15, 1.0))
+    draw_body_plan(left, ship)
+    draw_righting_arm(right, angles, arms, fit)
+    hull = ship.hull
+    made.suptitle(f"{ship.name}: L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m", x=0.01, ha="left")
+    gm = ship.provenance.get("gm", "given").split(";")[0]
+    style.footnote(made, f"Lines: {ship.provenance.get('lines', hull.source).split('. ')[0]}\nGM: {gm}")
+    return made

@@ -1,0 +1,238 @@
+"""The polar map: roll amplitude over heading and wave length, unstable cells hatched, resonance lines drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import matplotlib.patheffects as effects
+import numpy as np
+import xarray as xr
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.projections.polar import PolarAxes
+from numpy.typing import NDArray
+
+from quartering.loads.waves import Wave, encounter_frequency
+from quartering.stability.kind import Kind
+from quartering.view.plots import style
+from quartering.view.wording import estimated_words, provenance_of, speed_words
+
+Floats = NDArray[np.float64]
+FINEST_STEP = 2.5
+"""Cells wider than this are drawn in slices, so that their edges are arcs [deg]."""
+
+HOW_TO_READ = (
+    "Bow up: waves come from the side of the cell, from port on the left; radius is wave length over ship length. "
+    "The right half mirrors the left."
+)
+GREY = "#b8b8b8"
+COURSE_INK = "#ffb38a"
+HATCHES = {"unstable": "/////", "course": "....."}
+"""Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
+
+_OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
+
+
+def polar_map(ds: xr.Dataset) -> Figure:
+    """Draw the dataset of `quartering.polar`, one panel a speed.
+
+    Parameters
+    ----------
+    ds : Dataset    with dims speed, heading, wave_length
+
+    Returns
+    -------
+    Figure    head seas on top, waves from port on the left; radius = wave length / ship length; colour = roll
+    """
+    count = ds.sizes["speed"]
+    columns = min(count, 3)
+    rows = -(-count // columns)
+    width, height = 4.7 * columns + 1.2, 4.9 * rows + 1.9
+    made = style.figure(width, height, bottom=1.0)
+    panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
+    amplitude = ds["roll"].values
+    top = float(np.nanmax(amplitude)) if np.isfinite(amplitude).any() else 0.0
+    colours = Normalize(0.0, top if top > 0 else 1.0)
+    for panel in panels[count:]:
+        panel.set_visible(False)
+    for i, panel in enumerate(panels[:count]):
+        mesh = _panel(panel, ds.isel(speed=i), colours)
+    scale = made.colorbar(mesh, ax=list(panels[:count]), shrink=0.75, pad=0.03, aspect=28)
+    scale.set_label("roll amplitude, fundamental [deg]")
+    made.suptitle(_title(ds), x=0.01, ha="left", fontsize=11)
+    made.legend(
+        handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, 0.62 / height), ncols=3 if columns == 1 else 6,
+        facecolor="#4a4063", edgecolor="none", labelcolor="white", framealpha=1.0, handlelength=2.8,
+    )  # fmt: skip
+    style.footnote(made, "\n".join([HOW_TO_READ, *notes(ds)]))
+    return made
+
+
+def notes(ds: xr.Dataset) -> list[str]:
+    """Small print of a picture: what is estimated, and how it was computed."""
+    estimated = [name for name in str(ds.attrs["estimated_coefficients"]).split(", ") if name]
+    words = estimated_words(estimated, provenance_of(str(ds.attrs["provenance"])))
+    return [f"{words} {str(ds.attrs['steady_motion']).capitalize()}; {ds.attrs['source']}."]
+
+
+def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:
+    """One speed."""
+    length = float(ds.attrs["ship_length"])
+    heading, radius = np.asarray(ds["heading"]), np.asarray(ds["wave_length"]) / length
+    mirrored = bool((heading >= 0).all() and (heading <= 180).all())
+    theta, r = np.radians(edges(heading, 5.0)), edges(radius, 0.1 * radius[0])
+    r[0] = max(r[0], 0.0)
+    if mirrored:
+        theta = np.clip(theta, 0.0, np.pi)
+    ax.set_theta_zero_location("S")
+    ax.set_theta_direction(-1)
+    ax.set_facecolor("white")
+    roll, kind = np.asarray(ds["roll"]), np.asarray(ds["verdict"])
+    for side in (1.0, -1.0) if mirrored else (1.0,):
+        mesh = _cells(ax, side * theta, r, roll, kind, colours)
+        _resonances(ax, ds, side, heading, radius, r)
+    _dress(ax, ds, r, mirrored)
+    return mesh
+
+
+def _cells(ax: PolarAxes, theta: Floats, r: Floats, roll: Floats, kind: NDArray[np.int8], colours: Normalize) -> Any:
+    """Colour of every cell, grey where there is no answer, hatched where unstable."""
+    slices = max(1, int(np.ceil(np.degrees(np.abs(np.diff(theta)).max()) / FINEST_STEP - 1e-9)))
+    fine = np.interp(np.arange((theta.size - 1) * slices + 1) / slices, np.arange(theta.size), theta)
+    wide = np.ma.masked_invalid(np.repeat(roll, slices, axis=0).T)
+    mesh = ax.pcolormesh(fine, r, wide, cmap=style.SEQUENTIAL, norm=colours, rasterized=True)
+    calm = kind == Kind.COURSE_IN_CALM_WATER
+    marks = (
+        ("no answer", kind == Kind.NO_ANSWER, {"facecolor": GREY, "edgecolor": GREY}),
+        ("unstable", (kind > Kind.STABLE) & ~calm, {"facecolor": "none", "edgecolor": "white"}),
+        ("course", calm, {"facecolor": "none", "edgecolor": COURSE_INK}),
+    )
+    for name, cells, look in marks:
+        if cells.any():
+            marked = PolyCollection(_outlines(fine, r, cells, slices), linewidth=0.0, hatch=HATCHES.get(name), **look)
+            marked.set_gid(name)
+            ax.add_collection(marked, autolim=False)
+    return mesh
+
+
+def _outlines(fine: Floats, r: Floats, cells: NDArray[np.bool_], slices: int) -> list[Floats]:
+    """Outlines (theta, r) of the marked cells (h, w)."""
+    made = []
+    for i, j in np.argwhere(cells):
+        arc = fine[i * slices : (i + 1) * slices + 1]
+        inner, outer = np.stack([arc, np.full_like(arc, r[j])], 1), np.stack([arc, np.full_like(arc, r[j + 1])], 1)
+        made.append(np.concatenate([inner, outer[::-1]]))
+    return made
+
+
+def _resonances(ax: PolarAxes, ds: xr.Dataset, side: float, heading: Floats, radius: Floats, r: Floats) -> None:
+    """Lines where the ship meets the waves at its roll frequency, at twice that, and not at all."""
+    n2, speed = float(ds.attrs["natural_roll_frequency"]), float(ds["speed"])
+    if heading.size < 2 or radius.size < 2:
+        return
+    headings, lengths = np.linspace(heading.min(), heading.max(), 181), np.linspace(r[0] or r[1] / 10, r[-1], 120)
+    sigma = np.array([Wave(one * float(ds.attrs["ship_length"]), 0.0).frequency for one in lengths])
+    omega = encounter_frequency(sigma[:, None], speed, headings[None, :])
+    theta = side * np.radians(headings)
+    lines = ((np.abs(omega), n2, "-", "white"), (np.abs(omega), 2 * n2, "--", "white"), (omega, 0.0, ":", "#ff9d5c"))
+    for field, level, dash, colour in lines:
+        if field.min() < level < field.max():
+            drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
+            drawn.set(path_effects=_OUTLINE)
+
+
+def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
+    """Axes, labels and the title of a panel."""
+    ax.set_rlim(0.0, r[-1])
+    ticks = [tick for tick in np.arange(0.5, r[-1] + 1e-9, 0.5) if tick >= r[0]]
+    words = [f"{tick:g}" for tick in ticks[:-1]] + [f"λ/L = {tick:g}" for tick in ticks[-1:]]
+    ax.set_rgrids(ticks, words, angle=202.5, color="white", fontsize=8)
+    ax.grid(visible=True, color="white", alpha=0.25, linewidth=0.5)
+    for label in ax.get_yticklabels():
+        label.set(path_effects=_OUTLINE, ha="center", va="center")
+    names = {0: "0° following", 90: "90°\nbeam", 180: "180° head"}
+    if mirrored:
+        names[270] = "90°\nbeam"
+    angles = range(0, 360, 30)
+    labels = [names.get(angle, f"{angle if angle <= 180 or not mirrored else 360 - angle}°") for angle in angles]
+    ax.set_thetagrids(angles, labels, fontsize=8)
+    ax.tick_params(axis="x", pad=3)
+    if r[0] > 0.1 * r[-1]:
+        _ship(ax, 0.8 * r[0])
+    stable = int((ds["verdict"] == Kind.STABLE).sum())
+    unanswered = int((ds["verdict"] == Kind.NO_ANSWER).sum())
+    unstable = ds["verdict"].size - stable - unanswered
+    counts = f"{stable} cells stable, {unstable} unstable" + (f", {unanswered} no answer" if unanswered else "")
+    ax.set_title(f"{speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}\n{counts}", pad=10)
+
+
+def _ship(ax: PolarAxes, half: float) -> None:
+    """Outline of a ship in the middle, bow up."""
+    x = half * np.array([0.0, 0.16, 0.2, 0.2, 0.14, -0.14, -0.2, -0.2, -0.16, 0.0])
+    y = half * np.array([1.0, 0.6, 0.3, -0.75, -0.95, -0.95, -0.75, 0.3, 0.6, 1.0])
+    ax.fill(np.arctan2(-x, -y), np.hypot(x, y), facecolor=style.QUIET, edgecolor=style.INK, linewidth=0.6, zorder=4)
+
+
+def _title(ds: xr.Dataset) -> str:
+    return f"{ds.attrs['ship']}: roll in regular waves, {wave_words(ds)}\n{ds.attrs['loading']}"
+
+
+def wave_words(ds: xr.Dataset) -> str:
+    """Height or steepness of the waves of a map."""
+    height, length = np.asarray(ds["wave_height"]), np.asarray(ds["wave_length"])
+    steepness = height / length
+    if np.ptp(steepness) <= 1e-9 * steepness.max():
+        slope = np.degrees(np.pi * steepness[0])
+        return f"H/λ = {steepness_words(float(steepness[0]))} (wave slope kA = {slope:.2g}°)"
+    return f"H = {height[0]:g} m" if np.ptp(height) == 0 else f"H = {height.min():.3g} to {height.max():.3g} m"
+
+
+def steepness_words(steepness: float) -> str:
+    """A steepness as 1/n."""
+    return f"1/{1 / steepness:.4g}" if steepness > 0 else "0"
+
+
+def _legend(ds: xr.Dataset) -> Sequence[Any]:
+    """What lines and hatches mean, those that occur."""
+    dark = {"path_effects": _OUTLINE, "linewidth": 1.5}
+    n2 = float(ds.attrs["natural_roll_frequency"])
+    verdict = np.asarray(ds["verdict"])
+    calm = verdict == Kind.COURSE_IN_CALM_WATER
+    unstable = (verdict > Kind.STABLE) & ~calm
+    kinds = ", ".join(Kind(k).label for k in np.unique(verdict[unstable]))
+    made: list[Any] = [
+        Line2D([], [], color="white", linestyle="-", label=f"ω = n₂ = {n2:.3f} rad/s (roll resonance)", **dark),
+        Line2D([], [], color="white", linestyle="--", label="ω = 2 n₂", **dark),
+    ]
+    if float(ds["encounter_frequency"].min()) < 0:
+        made.append(
+            Line2D([], [], color="#ff9d5c", linestyle=":", label="ω = 0 (ship keeps pace with the wave)", **dark)
+        )
+    if unstable.any():
+        made.append(
+            Patch(facecolor="#31688e", edgecolor="white", hatch=HATCHES["unstable"], label=f"unstable: {kinds}")
+        )
+    if calm.any():
+        label = "course-unstable even in calm water"
+        made.append(Patch(facecolor="#31688e", edgecolor=COURSE_INK, hatch=HATCHES["course"], label=label))
+    if (verdict == Kind.NO_ANSWER).any():
+        made.append(Patch(facecolor=GREY, label="no answer (status says why)"))
+    return made
+
+
+def edges(centres: Floats, width: float) -> Floats:
+    """Edges of cells round their centres; one cell alone gets a width.
+
+    Examples
+    --------
+    >>> edges(np.array([0.0, 10.0, 30.0]), 5.0).tolist(), edges(np.array([90.0]), 5.0).tolist()
+    ([-5.0, 5.0, 20.0, 40.0], [87.5, 92.5])
+    """
+    if centres.size == 1:
+        return np.array([centres[0] - width / 2, centres[0] + width / 2])
+    middle = 0.5 * (centres[1:] + centres[:-1])
+    return np.concatenate([[2 * centres[0] - middle[0]], middle, [2 * centres[-1] - middle[-1]]])

@@ -1,0 +1,39 @@
+"""The righting arm: heeled sections, the polynomial fitted to them, and the tangent GM."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from quartering.hull.righting import RightingFit
+from quartering.hull.section import Floats
+from quartering.view.plots import style
+
+
+def draw_righting_arm(ax: Axes, angles: Floats, arms: Floats, fit: RightingFit) -> None:
+    """Draw GZ over heel with its fit and its slope at 0.
+
+    Parameters
+    ----------
+    ax : Axes
+    angles : (n,) float    heel, from 0 up [deg]
+    arms : (n,) float      GZ [m]
+    fit : RightingFit
+    """
+    ax.axhline(0.0, color=style.QUIET, linewidth=0.8)
+    ax.plot(angles, arms, color=style.INK, linewidth=1.8, label="GZ of the heeled sections")
+    fitted = np.linspace(0.0, fit.max_angle, 60)
+    order = 7 if fit.gz7 else 5 if fit.gz5 else 3
+    words = f"fit to φ{'³⁵⁷'[(order - 3) // 2]}, up to {fit.max_angle:g}° (misses by {100 * fit.residual:.1f} %)"
+    ax.plot(fitted, fit.arm(fitted), color=style.CONTRAST[1], linewidth=1.4, linestyle="--", label=words)
+    one = np.degrees(1.0)
+    ax.plot([0.0, one], [0.0, fit.gm], color=style.CONTRAST[0], linewidth=1.0, label=f"GM = {fit.gm:.3g} m at 1 rad")
+    ax.plot(one, fit.gm, marker="o", markersize=4, color=style.CONTRAST[0])
+    if np.isfinite(fit.deck_angle) and fit.deck_angle < angles[-1]:
+        ax.axvline(fit.deck_angle, color=style.QUIET, linewidth=0.9, linestyle=":", label="deck edge goes under")
+    top = max(float(np.max(arms)), fit.gm)
+    ax.set(xlim=(0, angles[-1]), ylim=(min(0.0, float(np.min(arms))) - 0.03 * top, 1.08 * top))
+    ax.set_xlabel("heel angle φ [deg]")
+    ax.set_ylabel("righting arm GZ [m]")
+    ax.set_title("Righting arm in calm water")
+    ax.legend(frameon=True, framealpha=0.9, edgecolor="none", loc="best")

@@ -1,0 +1,80 @@
+"""How pictures look: sizes, colours that colour-blind people tell apart, footnotes."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+from typing import Final
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+RESOLUTION: Final = 130
+"""Dots per inch of a PNG."""
+
+SEQUENTIAL: Final = "viridis"
+CONTRAST: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
+"""Colours for things that are not in an order (Okabe and Ito)."""
+
+INK, QUIET, WARNING_INK = "#1a1a1a", "#6b6b6b", "#c2185b"
+DASHES: Final = ("-", "--", ":", "-.")
+
+_RULES: Final = {
+    "font.size": 9.0,
+    "axes.titlesize": 10.0,
+    "axes.labelsize": 9.0,
+    "legend.fontsize": 8.0,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#d9d9d9",
+    "grid.linewidth": 0.6,
+    "hatch.linewidth": 0.8,
+}
+
+
+def figure(width: float, height: float, bottom: float = 0.0) -> Figure:
+    """Empty figure in this library's style.
+
+    Parameters
+    ----------
+    width, height : float    [inches]
+    bottom : float           strip at the foot kept free for small print [inches]
+
+    Returns
+    -------
+    Figure
+    """
+    mpl.rcParams.update(_RULES)
+    made = Figure(figsize=(width, height), layout="constrained")
+    share = bottom / height
+    made.get_layout_engine().set(rect=(0.0, share, 1.0, 1.0 - share))  # type: ignore[union-attr, call-arg]
+    return made
+
+
+def sequence(count: int) -> list[tuple[float, ...]]:
+    """Colours for ``count`` things in an order, dark to light but never too light for a line."""
+    colours: NDArray[np.float64] = mpl.colormaps[SEQUENTIAL](np.linspace(0.0, 0.85, count))
+    return [tuple(colour) for colour in colours]
+
+
+def headings(ax: Axes) -> None:
+    """Heading axis of a plot over 0 .. 180 deg, with the sectors named."""
+    ax.set_xlim(0, 180)
+    ax.set_xticks(range(0, 181, 30), ["0\nfollowing", "30", "60", "90\nbeam", "120", "150", "180\nhead"])
+    ax.set_xlabel("heading [deg]")
+
+
+def footnote(made: Figure, text: str) -> None:
+    """Small print at the foot of a figure, wrapped to its width."""
+    characters = int(19.5 * made.get_figwidth())
+    lines = "\n".join(textwrap.fill(line, characters) for line in text.splitlines())
+    made.text(0.01, 0.06 / made.get_figheight(), lines, ha="left", va="bottom", fontsize=7.5, color=QUIET)
+
+
+def save(made: Figure, path: Path) -> None:
+    """Write a figure as the kind of picture its path names."""
+    made.savefig(path, dpi=RESOLUTION, format=path.suffix.lstrip(".").lower())

@@ -1,0 +1,105 @@
+"""Numbers in words: speeds, complex exponents, and what in a result is estimated or assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from quartering.conventions import CUBIC_MONOMIALS
+from quartering.hull.units import quantity
+
+_LOADING = {
+    "gm": "GM",
+    "kg": "KG",
+    "gyradius_roll": "k_xx",
+    "gyradius_yaw": "k_zz",
+    "roll_damping": "added roll damping",
+}
+
+
+def froude(speed: float, length: float) -> float:
+    """Froude number of a speed [m/s] at a length [m]."""
+    return speed / quantity("1 Fn", "speed", length=length)
+
+
+def speed_words(speed: float, length: float) -> str:
+    """A speed in m/s, knots and as Froude number.
+
+    Examples
+    --------
+    >>> speed_words(8.65, 121.92)
+    '8.65 m/s (16.8 kn, Fn 0.250)'
+    """
+    knots = speed / quantity("1 kn", "speed")
+    return f"{speed:.3g} m/s ({knots:.1f} kn, Fn {froude(speed, length):.3f})"
+
+
+def exponents_words(exponents: Iterable[complex], digits: int = 3) -> str:
+    """Complex exponents in a line, conjugate pairs once.
+
+    Examples
+    --------
+    >>> exponents_words([-0.02 + 0.47j, -0.02 - 0.47j, -0.1])
+    '-0.02 ± 0.47i, -0.1'
+    """
+    words = []
+    for z in (complex(z) for z in exponents):
+        if z.imag > 0:
+            words.append(f"{z.real:.{digits}g} ± {z.imag:.{digits}g}i")
+        elif z.imag == 0:
+            words.append(f"{z.real + 0.0:.{digits}g}")
+    return ", ".join(words) or "none"
+
+
+def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> str:
+    """What in a result is estimated or assumed, in one line.
+
+    Parameters
+    ----------
+    estimated : iterable of str       names of estimated coefficients
+    provenance : mapping of str to str    where the ship's values come from: "assumed: .."
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> estimated_words(["Y_v", "N_r", "K_ppp"], {"gm": "assumed: 0.05 B"})
+    'Estimated: velocity derivatives Y_v, N_r (regression); cubic damping K_ppp (cross-flow drag). Assumed: GM.'
+    """
+    names = list(estimated)
+    cubic = [name for name in names if name.split("_")[-1] in CUBIC_MONOMIALS]
+    linear = [name for name in names if name not in cubic]
+    parts = [
+        f"{what} {_names(group)} ({method})"
+        for what, method, group in (
+            ("velocity derivatives", "regression", linear),
+            ("cubic damping", "cross-flow drag", cubic),
+        )
+        if group
+    ]
+    assumed = [words for key, words in _LOADING.items() if provenance.get(key, "").startswith("assumed")]
+    lines = [f"Estimated: {'; '.join(parts)}." if parts else "No coefficient is estimated."]
+    if assumed:
+        lines.append(f"Assumed: {', '.join(assumed)}.")
+    return " ".join(lines)
+
+
+def _names(names: list[str]) -> str:
+    return ", ".join(names) if len(names) <= 4 else f"{names[0]} .. {names[-1]} ({len(names)})"
+
+
+def provenance_of(text: str) -> dict[str, str]:
+    """Where the loading values come from, out of the ``provenance`` attribute of a dataset.
+
+    Examples
+    --------
+    >>> provenance_of("lines: published: X; Y; gm: assumed: 0.05 B; usual; kg: derived: from KM")
+    {'gm': 'assumed', 'kg': 'derived'}
+    """
+    found = {}
+    for key in _LOADING:
+        _, marker, after = f"; {text}".rpartition(f"; {key}: ")
+        if marker:
+            found[key] = after.split(":")[0]
+    return found
