@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from matplotlib.figure import Figure
 
 from quartering.hull.righting import RightingFit
@@ -32,5 +34,6 @@ def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit) -> 
     hull = ship.hull
     made.suptitle(f"{ship.name}: L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m", x=0.01, ha="left")
     gm = ship.provenance.get("gm", "given").split(";")[0]
-    style.footnote(made, f"Lines: {ship.provenance.get('lines', hull.source).split('. ')[0]}\nGM: {gm}")
+    lines = re.split(r"(?<=[a-z0-9)])\. ", ship.provenance.get("lines", hull.source))[0]
+    style.footnote(made, f"Lines: {lines}\nGM: {gm}")
     return made

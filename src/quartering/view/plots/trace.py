@@ -31,7 +31,7 @@ def trace_picture(trace: xr.Dataset, steady_roll: float | None, title: str, note
         for side in (1, -1):
             words = f"steady motion, ±{steady_roll:.3g}°" if side > 0 else None
             panels[0].axhline(side * steady_roll, color=style.INK, linestyle="--", linewidth=0.9, label=words)
-        panels[0].legend(loc="upper right", frameon=True, framealpha=0.9, edgecolor="none")
+        panels[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False, borderaxespad=0.2)
     panels[-1].set_xlabel("time [s]")
     panels[-1].set_xlim(0.0, float(trace["time"][-1]))
     made.align_ylabels(panels)

@@ -1,0 +1,218 @@
+"""The command line as a user meets it: what it prints, writes, refuses, and how it exits."""
+
+import json
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+import xarray as xr
+from typer.testing import CliRunner
+
+import quartering as qt
+from quartering.view.cli import app
+
+CONDITION = ["--heading", "30", "--speed", "15kn", "--wave-length", "1L", "--wave-height", "3"]
+SMALL_MAP = ["--speed", "0.25Fn", "--headings", "0:180:7", "--wave-lengths", "0.6L,1L"]
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    runner = CliRunner()
+
+    def call(*words):
+        return runner.invoke(app, [str(word) for word in words])
+
+    return call
+
+
+def test_ships_lists_every_built_in_ship(run):
+    result = run("ships", "--json")
+    assert result.exit_code == 0
+    assert {"series60-cb60", "s175", "wigley", "box", "dtmb5415", "dtc"} <= set(json.loads(result.stdout))
+
+
+def test_new_writes_a_file_that_every_command_takes(run, tmp_path):
+    assert run("new", "series60-cb60", "my.yaml").exit_code == 0
+    assert (tmp_path / "my.yaml").read_text().count(" m") > 3
+    mine = json.loads(run("hull", "my.yaml", "--json").stdout)
+    assert mine["hydrostatics"]["cb"] == pytest.approx(qt.hydrostatics(qt.ship("series60-cb60")).cb)
+
+
+def test_hull_prints_hydrostatics_and_draws_the_body_plan(run, tmp_path):
+    result = run("hull", "series60-cb60", "-o", "hull.png")
+    assert result.exit_code == 0
+    assert "assumed" in result.stdout
+    assert "calm water" in result.stdout
+    assert "deck" in result.stdout
+    assert (tmp_path / "hull.png").stat().st_size > 10_000
+
+
+def test_coefficients_names_the_source_of_every_number(run):
+    entries = json.loads(run("coefficients", "series60-cb60", "--speed", "0.25Fn", "--json").stdout)["coefficients"]
+    by_name = {entry["name"]: entry for entry in entries}
+    assert "estimated" in by_name["K_ppp"]["source"]
+    assert by_name["Y_v"]["kind"] == "regression"
+    assert by_name["K_ppp"]["unit"] == "kg m2 s"
+    assert all(entry["source"] for entry in entries)
+
+
+def test_forces_are_those_of_the_library(run, tmp_path):
+    result = run(
+        "forces", "series60-cb60", "--speed", "5", "--wave-lengths", "1L", "--form", "stf", "-o", "f.png", "--json"
+    )
+    assert result.exit_code == 0
+    printed = json.loads(result.stdout)["forms"]["stf"]["roll"][0]
+    ship = qt.ship("series60-cb60")
+    total = qt.wave_forces(ship, qt.Wave(ship.hull.length, 2.0), 5.0, 60.0)["total"].sel(mode="roll")
+    assert printed[12] == pytest.approx(float(np.hypot(*total.values)), rel=1e-9)  # 60 deg of 0, 5, ..; amplitude 1 m
+    assert (tmp_path / "f.png").exists()
+
+
+def test_verdict_is_that_of_the_library(run):
+    facts = json.loads(run("verdict", "series60-cb60", *CONDITION, "--json").stdout)
+    ship = qt.ship("series60-cb60")
+    model = qt.equations(ship, qt.Wave(ship.hull.length, 3.0), 15 * 1852 / 3600, 30.0)
+    motion = qt.steady_motion(model, start="rest")
+    verdict = qt.stability(model, motion)
+    assert facts["sentence"] == verdict.sentence
+    assert facts["roll_deg"] == pytest.approx(np.degrees(motion.amplitude[1]))
+    assert facts["k2"] == pytest.approx(verdict.k2)
+    assert [z["re"] for z in facts["exponents"]] == pytest.approx(list(verdict.exponents.real))
+    words = run("verdict", "series60-cb60", *CONDITION).stdout
+    assert "Heading 30 deg" in words
+    assert "Floquet" in words
+    assert "Estimated" in words
+
+
+def test_unstable_verdict_offers_cures(run, tmp_path):
+    file = tmp_path / "restless.yaml"
+    file.write_text("base: series60-cb60\nname: restless\nmultipliers: {K_prr: -60}\n")
+    words = " ".join(
+        run(
+            "verdict", file, "--heading", "30", "--speed", "8.6", "--wave-length", "1L", "--wave-height", "4"
+        ).stdout.split()
+    )
+    assert "unstable (roll)" in words
+    assert "K_prr" in words
+    assert "restores stability" in words
+
+
+def test_polar_writes_the_dataset_and_the_picture(run, tmp_path):
+    result = run("polar", "series60-cb60", *SMALL_MAP, "-o", "map.nc", "--json")
+    assert result.exit_code == 0
+    summary = json.loads(result.stdout)["speeds"][0]
+    with xr.open_dataset(tmp_path / "map.nc") as ds:
+        assert dict(ds.sizes) | {"speed": 1, "heading": 7, "wave_length": 2} == dict(ds.sizes)
+        assert summary["worst_roll"] == pytest.approx(float(ds["roll"].max()))
+        assert summary["least_stable"] == pytest.approx(float(ds["exponent"].max()))
+        assert sum(summary["verdicts"].values()) == ds["verdict"].size
+    assert (tmp_path / "map.png").stat().st_size > 20_000
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["map.nc", "map.png"]
+
+
+def test_polar_of_a_course_unstable_ship_says_the_wave_is_not_to_blame(run):
+    words = " ".join(run("polar", "box", *SMALL_MAP).stdout.split())
+    assert "course-in-calm-water" in words
+    assert "the wave is not to blame" in words
+
+
+def test_simulate_settles_on_the_steady_motion(run, tmp_path):
+    facts = json.loads(
+        run("simulate", "series60-cb60", *CONDITION, "--duration", "400", "-o", "roll.png", "--json").stdout
+    )
+    assert facts["largest_late_roll_deg"] == pytest.approx(facts["steady_roll_peak_deg"], rel=0.01)
+    assert facts["capsize_time"] is None
+    assert (tmp_path / "roll.png").exists()
+
+
+BAD = [
+    (["hull", "series60-cb6"], "series60-cb60"),
+    (["verdict", "wigley", "--heading", "30", "--speed", "5", "--wave-length", "-5", "--wave-height", "1"], "length"),
+    (["verdict", "wigley", "--heading", "30", "--speed", "5", "--wave-length", "50", "--wave-height", "10"], "1/7"),
+    (["verdict", "wigley", "--heading", "nan", "--speed", "5", "--wave-length", "50", "--wave-height", "1"], "heading"),
+    (
+        ["verdict", "wigley", "--heading", "30", "--speed", "5 furlong", "--wave-length", "50", "--wave-height", "1"],
+        "kn",
+    ),
+    (
+        [
+            "verdict",
+            "wigley",
+            "--heading",
+            "30",
+            "--speed",
+            "5",
+            "--wave-length",
+            "50",
+            "--wave-height",
+            "1",
+            "--harmonics",
+            "2",
+        ],
+        "odd",
+    ),
+    (
+        [
+            "verdict",
+            "wigley",
+            "--heading",
+            "30",
+            "--speed",
+            "5",
+            "--wave-length",
+            "50",
+            "--wave-height",
+            "1",
+            "--form",
+            "cfd",
+        ],
+        "stf",
+    ),
+    (["polar", "wigley", "--wave-lengths", "1L:2L:1"], "2 or more"),
+    (["polar", "wigley", "-o", "nowhere/map.nc"], "folder"),
+    (["polar", "wigley", "-o", "map.csv"], ".nc"),
+    (["hull", "wigley", "-o", "hull.jpg"], ".png"),
+    (["simulate", "wigley", *CONDITION, "--duration", "-3"], "duration"),
+]
+
+
+@pytest.mark.parametrize(("words", "hint"), BAD, ids=lambda w: " ".join(w) if isinstance(w, list) else "")
+def test_bad_input_is_one_message_and_exit_2(run, tmp_path, words, hint):
+    result = run(*words)
+    assert result.exit_code == 2
+    assert hint in result.stderr
+    assert result.stderr.count("quartering:") == 1
+    assert "Traceback" not in result.output
+    assert result.stdout == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_keeping_pace_with_the_wave_is_a_message(run):
+    speed = np.sqrt(9.81 * 60 / (2 * np.pi))
+    result = run(
+        "verdict", "wigley", "--heading", "0", "--speed", f"{speed:.9f}", "--wave-length", "60", "--wave-height", "1"
+    )
+    assert result.exit_code == 2
+    assert "keeps pace" in result.stderr
+
+
+def test_help_answers_at_once_and_imports_nothing_heavy():
+    code = "import sys; sys.argv = ['quartering', '--help']\nfrom quartering.view.cli import app\n"
+    code += "try: app()\nexcept SystemExit: pass\n"
+    code += "heavy = {'numpy', 'numba', 'xarray', 'matplotlib', 'scipy'} & set(sys.modules)\n"
+    code += "print('HEAVY', sorted(heavy))"
+    times = []
+    for _ in range(3):
+        begin = time.perf_counter()
+        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+        times.append(time.perf_counter() - begin)
+    assert "HEAVY []" in result.stdout
+    assert "polar" in result.stdout
+    assert min(times) < 1.0  # the goal is 0.5 s; the rest is room for a busy machine
+
+
+def test_version_is_printed(run):
+    assert run("--version").stdout.startswith("quartering ")
