@@ -20,6 +20,8 @@ REFERENCES: Final[dict[str, str]] = {
     "Abkowitz64": "Abkowitz, M. A. (1964). Lectures on ship hydrodynamics: steering and manoeuvrability. "
     "Hydro- and Aerodynamics Laboratory Report Hy-5.",
     "Struble62": "Struble, R. A. (1962). Nonlinear differential equations. McGraw-Hill.",
+    "Blanes09": "Blanes, S., Casas, F., Oteo, J. A., Ros, J. (2009). The Magnus expansion and some of its applications. "
+    "Physics Reports 470.",
     "Krack19": "Krack, M., Gross, J. (2019). Harmonic balance for nonlinear vibration problems. Springer.",
     "Thompson89": "Thompson, J. M. T. (1989). Chaotic phenomena triggering the escape from a potential well. "
     "Proceedings of the Royal Society A 421.",
@@ -69,6 +71,18 @@ REFERENCES: Final[dict[str, str]] = {
     "Journee03": "Journée, J. M. J., Adegeest, L. J. M. (2003). Theoretical manual of strip theory program SEAWAY for "
     "Windows. Delft University of Technology, Report 1370.",
     "Froude1874": "Froude, W. (1874). On resistance in rolling of ships. Naval Science 3.",
+    "NeweyWest87": "Newey, W. K., West, K. D. (1987). A simple, positive semi-definite, heteroskedasticity and "
+    "autocorrelation consistent covariance matrix. Econometrica 55.",
+    "Lamb32": "Lamb, H. (1932). Hydrodynamics, 6th edition. Cambridge University Press.",
+    "Timman62": "Timman, R., Newman, J. N. (1962). The coupled damping coefficients of a symmetric ship. Journal of Ship "
+    "Research 5.",
+    "Cummins62": "Cummins, W. E. (1962). The impulse response function and ship motions. Schiffstechnik 9.",
+    "Ogilvie64": "Ogilvie, T. F. (1964). Recent progress toward the understanding and prediction of ship motions. 5th "
+    "Symposium on Naval Hydrodynamics, Bergen.",
+    "Frank67": "Frank, W. (1967). Oscillation of cylinders in or below the free surface of deep fluids. "
+    "Naval Ship Research and Development Center, Report 2375.",
+    "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
+    "Numerische Mathematik 58.",
 }
 """Key -> full reference. A `Source:` line in a docstring names one of these keys."""
 

@@ -1,0 +1,81 @@
+"""A million conditions of a Series 60 ship, stored: time, memory, cost per condition from 1e4 up, efficiency on two cores.
+
+    python benchmarks/million.py                  # 1e4, 1e5 and 1e6 conditions, and 1e5 on one core
+    python benchmarks/million.py --sizes 1e4 1e7
+
+Each size runs in a process of its own, so that peak memory is its own; kernels are compiled before the clock starts.
+"""
+
+import argparse
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+import warnings
+
+SIZES = {  # headings, speeds, wave lengths, wave heights, GM values
+    "1e4": (13, 4, 5, 10, 4),
+    "1e5": (19, 8, 8, 10, 8),
+    "1e6": (37, 15, 20, 10, 9),
+    "1e7": (73, 30, 51, 10, 9),
+}
+
+
+def run(name: str, cores: int) -> dict[str, float]:
+    if hasattr(os, "sched_setaffinity"):
+        os.sched_setaffinity(0, set(sorted(os.sched_getaffinity(0))[:cores]))
+    warnings.simplefilter("ignore")
+    import numpy as np
+
+    import quartering as qt
+
+    ship = qt.ship("series60-cb60")
+    length = ship.hull.length
+    headings, speeds, lengths, heights, loadings = SIZES[name]
+    axes = {
+        "heading": np.linspace(0.0, 180.0, headings),
+        "speed": np.linspace(0.0, 0.3, speeds) * np.sqrt(9.81 * length),
+        "wave_length": np.linspace(0.4, 2.3, lengths) * length,
+        "wave_height": np.linspace(0.3, 3.0, heights),
+        "gm": np.linspace(0.4, 1.2, loadings),
+    }
+    qt.sweep(ship, **{key: values[:2] for key, values in axes.items()})
+    with tempfile.TemporaryDirectory() as folder:
+        begin, cpu = time.perf_counter(), time.process_time()
+        qt.sweep(ship, **axes, store=f"{folder}/million")
+        wall, cpu = time.perf_counter() - begin, time.process_time() - cpu
+        disk = sum(os.path.getsize(f"{folder}/million/blocks/{f}") for f in os.listdir(f"{folder}/million/blocks"))
+    count = int(np.prod(SIZES[name]))
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    return {"count": count, "cores": cores, "wall": wall, "cpu": cpu, "memory": memory, "disk": disk / 1e6}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--sizes", nargs="+", choices=SIZES, default=["1e4", "1e5", "1e6"])
+    parser.add_argument("--one", nargs=2, metavar=("SIZE", "CORES"), help="run one size in this process and print JSON")
+    options = parser.parse_args()
+    if options.one:
+        print(json.dumps(run(options.one[0], int(options.one[1]))))
+        return
+    print("conditions  cores   wall s   us per condition   cpu us   peak MB   disk MB", flush=True)
+    found = {}
+    for name, cores in [*((size, 2) for size in options.sizes), ("1e5", 1)]:
+        command = [sys.executable, __file__, "--one", name, str(cores)]
+        r = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+        found[name, cores] = r
+        print(
+            f"{r['count']:10d}  {cores:5d}  {r['wall']:7.2f}   {1e6 * r['wall'] / r['count']:16.1f}   "
+            f"{1e6 * r['cpu'] / r['count']:6.1f}   {r['memory']:7.0f}   {r['disk']:7.0f}",
+            flush=True,
+        )
+    if ("1e5", 2) in found:
+        gain = found["1e5", 1]["wall"] / found["1e5", 2]["wall"]
+        print(f"two cores are {gain:.2f} times as fast as one: parallel efficiency {50 * gain:.0f} %")
+
+
+if __name__ == "__main__":
+    main()
