@@ -22,10 +22,10 @@ SHIPS = [entry.name for entry in available_ships()]
 STATIONS = ("offsets", "stations")
 
 
-def test_the_library_holds_the_ten_ships_each_with_one_line_about_it() -> None:
+def test_the_library_holds_the_eleven_ships_each_with_one_line_about_it() -> None:
     assert {entry.name for entry in available_ships()} == {
         "series60-cb60", "series60-cb65", "series60-cb70", "series60-cb75", "series60-cb80", "s175", "wigley", "box",
-        "dtmb5415", "dtc",
+        "dtmb5415", "dtc", "mariner",
     }  # fmt: skip
     assert all(10 < len(entry.description) < 90 for entry in available_ships())
 

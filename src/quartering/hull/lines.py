@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from quartering.conventions import InputError
 from quartering.hull.bilge import elliptic_bilge
+from quartering.hull.from_file import hull_from_lines, read_lines
 from quartering.hull.offsets import Contour, Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
 from quartering.hull.schema import OffsetKeys, ShipKeys, StationKeys
 from quartering.hull.stations import check_contour, hull_from_offsets
@@ -41,7 +44,7 @@ def hull_of(where: str, keys: ShipKeys, base: Hull | None) -> Hull:
     10.0
     """
     if base is not None:
-        own = [key for key in ("shape", "offsets") if getattr(keys, key) is not None]
+        own = [key for key in ("shape", "offsets", "lines") if getattr(keys, key) is not None]
         if own:
             raise InputError(
                 f"{where}: `{own[0]}` and `base` are both given; the lines come from one of them, drop the other"
@@ -58,7 +61,9 @@ def hull_of(where: str, keys: ShipKeys, base: Hull | None) -> Hull:
         design = _dimension(where, keys, "design_draught", length=length, beam=beam, draught=draught)
     name = keys.name or where
     shape = keys.shape or "offsets"
-    if shape == "offsets":
+    if keys.lines is not None:
+        hull = _from_file(where, keys, name, length, beam, design)
+    elif shape == "offsets":
         hull = _from_offsets(where, keys, name, length, beam, design)
     else:
         depth = 2 * design
@@ -109,11 +114,27 @@ def _dimension(where: str, keys: ShipKeys, key: str, **sizes: float) -> float:
     return value
 
 
+def _from_file(where: str, keys: ShipKeys, name: str, length: float, beam: float, draught: float) -> Hull:
+    """Hull of lines in a file of another program, which lies where the ship file says, seen from its folder."""
+    lines = keys.lines
+    if lines is None or keys.offsets is not None or keys.shape not in (None, "offsets"):
+        raise InputError(
+            f"{where}: `lines` and `{'offsets' if keys.offsets else 'shape'}` are both given; drop one of them"
+        )
+    path = Path(where).parent / lines.file
+    read = read_lines(path, lines.format, draught)
+    return hull_from_lines(
+        f"{where}: {path.name}", read, length=length, beam=beam, draught=draught, midship=lines.midship,
+        outline=lines.outline, title=name,
+    )  # fmt: skip
+
+
 def _from_offsets(where: str, keys: ShipKeys, name: str, length: float, beam: float, draught: float) -> Hull:
     """Hull of a file's own offsets, in metres."""
     if keys.offsets is None:
         raise InputError(
-            f"{where}: no lines; give `offsets:`, or `shape: wigley` or `box`, or start from `base: series60-cb60`"
+            f"{where}: no lines; give `offsets:`, or `lines:` and a file, or `shape: wigley` or `box`, or start from "
+            "`base: series60-cb60`"
         )
     offsets = keys.offsets
     size = (length, beam / 2, draught) if offsets.unit == "LBT" else (1.0, 1.0, 1.0)

@@ -145,7 +145,18 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         drag_coefficient=_drag(where, keys, base),
         velocity_scale=_velocity_scale(where, keys, base, hull),
         provenance=notes,
+        measured=_measured(where, keys, base),
     )
+
+
+def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:
+    """Measured set of a ship: a name, or a file seen from the folder of the ship file."""
+    if keys.measured is None:
+        return base.measured if base else None
+    if keys.measured == "none":
+        return None
+    beside = Path(where).parent / keys.measured
+    return str(beside) if beside.is_file() else keys.measured
 
 
 def _base(where: str, keys: ShipKeys) -> tuple[Ship | None, ShipKeys | None]:

@@ -76,6 +76,19 @@ class OffsetKeys(_Strict):
     stations: list[StationKeys] = Field(min_length=4)
 
 
+class LinesKeys(_Strict):
+    """`lines:` a file of another program, its format where the ending does not tell, and x of midship in it [m]."""
+
+    file: str
+    format: Literal["csv", "pdstrip", "gdf", "stl"] | None = None
+    midship: float = 0.0
+    outline: Literal["smooth", "straight"] = "straight"
+
+
+def _lines(given: Any) -> Any:
+    return {"file": given} if isinstance(given, str) else given
+
+
 class ShipKeys(_Strict):
     """A ship file."""
 
@@ -89,10 +102,12 @@ class ShipKeys(_Strict):
     design_draught: Value | None = None
     depth: Value | None = None
     offsets: OffsetKeys | None = None
+    lines: Annotated[LinesKeys, BeforeValidator(_lines)] | None = None
     loading: LoadingKeys = LoadingKeys()
     coefficients: dict[str, Given] = {}
     multipliers: dict[str, float] = {}
     linear: Literal["default", "strip"] | None = None
+    measured: str | None = None
     drag_coefficient: Given | None = None
     velocity_scale: Given | None = None
     provenance: dict[str, str] = {}
@@ -179,7 +194,12 @@ def _step(here: Any, part: Any) -> Any:
 
 def _keys_at(location: list[Any]) -> list[str]:
     """Keys allowed beside the last part of a location."""
-    groups: dict[str, type[_Strict]] = {"loading": LoadingKeys, "offsets": OffsetKeys, "stations": StationKeys}
+    groups: dict[str, type[_Strict]] = {
+        "loading": LoadingKeys,
+        "offsets": OffsetKeys,
+        "stations": StationKeys,
+        "lines": LinesKeys,
+    }
     parents = [part for part in location[:-1] if isinstance(part, str)]
     model: type[_Strict] = ShipKeys
     for part in parents:

@@ -57,6 +57,7 @@ class Ship:
     drag_coefficient : float                 of the cross-flow [1]
     velocity_scale : float or None           velocity at which the cross-flow drag is made cubic [m/s]; None: as documented
     provenance : mapping of str to str       for each value: published, derived, assumed or given, and its source
+    measured : str or None                   measured manoeuvring set that replaces regression and cross-flow: name or file
     """
 
     name: str
@@ -68,6 +69,7 @@ class Ship:
     drag_coefficient: float = DRAG_COEFFICIENT
     velocity_scale: float | None = None
     provenance: Mapping[str, str] = field(default_factory=dict)
+    measured: str | None = None
 
     def __post_init__(self) -> None:
         for mapping in ("overrides", "multipliers", "provenance"):
@@ -84,6 +86,7 @@ class Ship:
         roll_damping: float | str | None = None,
         linear: Literal["default", "strip"] | None = None,
         coefficients: Mapping[str, float] | None = None,
+        measured: str | None = None,
     ) -> Ship:
         """The same ship with some values changed.
 
@@ -95,6 +98,7 @@ class Ship:
         roll_damping : float or str                    fraction of critical, 0 or more
         linear : str                                   "default" or "strip"
         coefficients : mapping of str to float         factors by name, times those already there
+        measured : str                                 measured manoeuvring set, by name or file; "none" goes without
 
         Returns
         -------
@@ -131,6 +135,7 @@ class Ship:
             linear=checked_linear(self.name, linear or self.linear),
             multipliers=_multiplied(self.multipliers, checked_factors(self.name, coefficients or {})),
             provenance={**self.provenance, **notes},
+            measured=self.measured if measured is None else None if measured == "none" else measured,
         )
 
     def _length(self, key: str, value: float | str) -> float:

@@ -9,6 +9,8 @@ from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import Coefficients, coefficients
 
+_BY_ANGLE = ("Y_phi", "K_phi", "N_phi")
+
 
 def state_matrix(c: Coefficients, condition: int = 0) -> Floats:
     """Matrix A of d/dt (v, phi, p, r) = A (v, phi, p, r) for small motions without waves.
@@ -32,7 +34,8 @@ def state_matrix(c: Coefficients, condition: int = 0) -> Floats:
     >>> state_matrix(coefficients(ship("wigley"), 0.5, 0.0))[1].tolist()
     [0.0, 0.0, 1.0, 0.0]
     """
-    right = np.column_stack([c.linear[condition, :, 0], c.restoring[:, 0], c.linear[condition, :, 1:]])
+    restoring = c.restoring[:, 0] + [c.varying[name][condition] if name in c.varying else 0.0 for name in _BY_ANGLE]
+    right = np.column_stack([c.linear[condition, :, 0], restoring, c.linear[condition, :, 1:]])
     accelerations = np.linalg.solve(c.inertia[condition], right)
     return np.vstack([accelerations[0], [0.0, 0.0, 1.0, 0.0], accelerations[1:]])
 

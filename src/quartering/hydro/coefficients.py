@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Literal, NamedTuple
@@ -20,6 +20,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
+from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
 from quartering.hydro.moments import hull_moments
 from quartering.hydro.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, canonical, unit
 from quartering.hydro.rolldamping import fraction_of_critical, natural_roll_frequency
@@ -60,6 +61,7 @@ class Coefficients:
     roll_frequency : float           n2 of small free roll as loaded, before overrides and multipliers [rad/s]
     sources : mapping                name -> (kind, source)
     references : tuple of str        keys of the papers behind the numbers
+    varying : mapping of str to (n,) measured terms that vary with the speed; they add to restoring, cubic and extra
     """
 
     ship: str
@@ -74,6 +76,7 @@ class Coefficients:
     roll_frequency: float
     sources: Mapping[str, tuple[Kind, str]]
     references: tuple[str, ...]
+    varying: Mapping[str, Floats] = field(default_factory=dict)
 
     def table(self, condition: int = 0) -> tuple[Entry, ...]:
         """Every coefficient of one condition with unit, source and kind, in a fixed order.
@@ -102,6 +105,7 @@ class Coefficients:
         ):
             values |= {name: float(matrix[i, j]) for i, row in enumerate(names) for j, name in enumerate(row)}
         values |= self.extra
+        values |= {name: values.get(name, 0.0) + float(value[condition]) for name, value in self.varying.items()}
         return tuple(
             Entry(name, value, unit(name), self.sources[name][1], self.sources[name][0])
             for name, value in values.items()
@@ -169,6 +173,10 @@ class _Given:
         ]
         return np.stack(rows, axis=-2)
 
+    def varying(self, terms: Mapping[str, Floats]) -> dict[str, Floats]:
+        """Terms that vary with the speed after multipliers; one that is overridden is dropped."""
+        return {n: value * self.factors.get(n, 1.0) for n, value in terms.items() if n not in self.values}
+
     def further(self, known: set[str]) -> dict[str, float]:
         """Overrides that name no coefficient of the standard set."""
         return {name: value * self.factors.get(name, 1.0) for name, value in self.values.items() if name not in known}
@@ -198,6 +206,9 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     linear "strip": strip theory with its speed terms, U/omega^2 held below 0.15 sqrt(g/B), aft terms for a transom.
     Both: K_p has the added roll damping -2 zeta n2 (I_x + a44(n2)); Y_r has -m U. The ship's own coefficients
     (overrides, SI about G, Y_r without -m U) replace, multipliers scale.
+    A measured set, with linear "default", takes the place of the regression and of the cross-flow; of its added mass the
+    value at omega -> 0 counts, where it was measured, and the change with frequency stays that of the strips; of its
+    roll damping and the ship's fraction of critical the larger counts, since both describe the same loss.
     Source: [STF70] strips, [Clarke83] lift, [Hoerner65] cross-flow, [H71] equation (2).  Valid: deep water, no rudder.
 
     Examples
@@ -211,12 +222,17 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     if not (np.isfinite(omega).all() and np.isfinite(u).all() and (u >= 0).all()):
         raise InputError("frequency and speed must be finite, and speed >= 0 m/s; heading tells the direction")
     omega = np.abs(omega)
+    measured = None if ship.measured is None else measured_parts(ship, u)
+    lift = measured if ship.linear == "default" else None
     sources = _sources(ship)
+    if measured is not None:
+        sources |= {name: ("measured", said) for name, said in measured_sources(ship, measured, sources).items()}
     given = _Given(ship, sources)
     n2, roll_inertia = _free_roll(ship, _body(ship))
     body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
-    linear, added = _velocity_and_added_mass(ship, omega, u)
-    linear[:, 1, 1] += fraction_of_critical(ship.loading.roll_damping, n2, roll_inertia)
+    linear, added = _velocity_and_added_mass(ship, omega, u, lift)
+    viscous = fraction_of_critical(ship.loading.roll_damping, n2, roll_inertia)
+    linear[:, 1, 1] += viscous if lift is None else np.minimum(0.0, viscous - lift.roll_damping)
     linear = given.matrix(LINEAR_NAMES, linear)
     linear[:, 0, 2] -= body["m"] * u
     known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES)
@@ -227,12 +243,13 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         inertia=rigid_inertia(body) - given.matrix(INERTIA_NAMES, added),
         linear=linear,
         restoring=given.matrix(RESTORING_NAMES, _restoring(ship)),
-        cubic=given.matrix(CUBIC_NAMES, _cross_flow(ship)),
+        cubic=given.matrix(CUBIC_NAMES, _cross_flow(ship, measured)),
         extra=MappingProxyType(given.further(known)),
         body=MappingProxyType(body),
         roll_frequency=n2,
         sources=MappingProxyType(sources),
-        references=("H71", "STF70", "Tasai61", "Hoerner65") + (("Clarke83",) if ship.linear == "default" else ()),
+        references=_references(ship, measured),
+        varying=MappingProxyType(given.varying(measured.further if measured else {})),
     )
 
 
@@ -261,14 +278,28 @@ def _free_roll(ship: Ship, body: Mapping[str, float]) -> tuple[float, float]:
     return n2, float(total(n2)[1, 1])
 
 
-def _velocity_and_added_mass(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:
+def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:
+    """Keys of the papers the coefficients rest on."""
+    lift = ("Clarke83",) if ship.linear == "default" else ()
+    drag = ("Hoerner65",) if measured is None or not measured.drag else ()
+    return ("H71", "STF70", "Tasai61", *drag, *((measured.reference,) if measured else lift))
+
+
+def _velocity_and_added_mass(
+    ship: Ship, omega: Floats, speed: Floats, measured: MeasuredParts | None
+) -> tuple[Floats, Floats]:
     """Velocity and acceleration derivatives of the hull before overrides, (n, 3, 3) each."""
     z0 = ship.loading.kg - ship.hull.draught
     at = hull_moments(ship.hull, ship.loading.density).at(omega).about(hydrostatics(ship).lcb, z0)
     if ship.linear == "strip":
         floor = frequency_floor(ship.hull.beam)
         return derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
-    return hull_lift(ship, speed) - moment_matrix(at.b), -moment_matrix(at.a)
+    if measured is None:
+        return hull_lift(ship, speed) - moment_matrix(at.b), -moment_matrix(at.a)
+    slow = hull_moments(ship.hull, ship.loading.density).at(0.0).about(hydrostatics(ship).lcb, z0)
+    return measured.linear - moment_matrix(at.b), added_mass_shift(measured, -moment_matrix(slow.a)) - moment_matrix(
+        at.a
+    )
 
 
 def _restoring(ship: Ship) -> Floats:
@@ -279,8 +310,10 @@ def _restoring(ship: Ship) -> Floats:
     return rows + 0.0
 
 
-def _cross_flow(ship: Ship) -> Floats:
-    """The ten cubics from cross-flow drag acting at half the draught of each section."""
+def _cross_flow(ship: Ship, measured: MeasuredParts | None) -> Floats:
+    """The ten cubics from cross-flow drag acting at half the draught of each section; none beside measured ones."""
+    if measured is not None and measured.drag:
+        return np.zeros((3, 10))
     immersed, hull, loading = strips(ship.hull), ship.hull, ship.loading
     lever = loading.kg - hull.draught + immersed.draught / 2
     scale = ship.velocity_scale if ship.velocity_scale is not None else reference_velocity(hull.length)

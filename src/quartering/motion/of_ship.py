@@ -17,7 +17,7 @@ from quartering.loads.forces import Form, wave_force_phasors
 from quartering.loads.stations import stations
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
-from quartering.motion.terms import term_table
+from quartering.motion.terms import TermTable, term_table
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,12 +67,13 @@ class ShipSystem:
         )
 
 
-def nonlinear_terms(c: Coefficients) -> dict[str, float]:
-    """Terms on the right that are alike at every speed and frequency: restoring, cubic and further ones.
+def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
+    """Terms on the right that do not depend on the frequency: restoring, cubic and further ones, at one condition's speed.
 
     Parameters
     ----------
     c : Coefficients
+    condition : int    which of its conditions; only measured terms differ between them
 
     Returns
     -------
@@ -94,10 +95,62 @@ def nonlinear_terms(c: Coefficients) -> dict[str, float]:
         for i, row in enumerate(names)
         for j, name in enumerate(row)
     }
-    return {name: value for name, value in (named | dict(c.extra)).items() if value != 0.0}
+    named |= c.extra
+    named |= {name: named.get(name, 0.0) + float(value[condition]) for name, value in c.varying.items()}
+    return {name: value for name, value in named.items() if value != 0.0 or name in c.varying}
 
 
-def ship_system(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form = "stf") -> ShipSystem:
+def _term_table(c: Coefficients) -> TermTable:
+    """The nonlinear terms of all conditions: one table, or coefficients by condition where they vary with the speed."""
+    if not c.varying:
+        return term_table(nonlinear_terms(c))
+    _, first, back = np.unique(c.speed, return_index=True, return_inverse=True)
+    tables = [term_table(nonlinear_terms(c, int(k))) for k in first]
+    linear, coefficients = (np.stack([getattr(t, part) for t in tables])[back] for part in ("linear", "coefficients"))
+    return TermTable(linear, tables[0].powers, tables[0].modulus, coefficients)
+
+
+def excitation(
+    ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form = "stf"
+) -> tuple[NDArray[np.complex128], Floats]:
+    """Wave force per metre of amplitude and encounter frequency of a ship at many conditions.
+
+    Parameters
+    ----------
+    ship, wavenumber, speed, heading, form    as in `ship_system`
+
+    Returns
+    -------
+    force : (m, 3) complex    sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
+    omega : (m,) float        negative where the ship overtakes the wave [rad/s]
+
+    Notes
+    -----
+    Source: [H71] Appendix B, [STF70].
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> excitation(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0]))[0].shape
+    (1, 3)
+    """
+    density = ship.loading.density
+    pressure, scattered, omega = wave_force_phasors(
+        strips(ship.hull), stations(ship), section_table(ship.hull, density), wavenumber, speed, heading,
+        form=form, density=density,
+    )  # fmt: skip
+    return pressure + scattered, omega
+
+
+def ship_system(
+    ship: Ship,
+    wavenumber: Floats,
+    speed: Floats,
+    heading: Floats,
+    form: Form = "stf",
+    *,
+    known: tuple[NDArray[np.complex128], Floats] | None = None,
+) -> ShipSystem:
     """Equations of a ship at many conditions, per metre of wave amplitude.
 
     Parameters
@@ -107,6 +160,7 @@ def ship_system(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, 
     speed : (m,) float         U >= 0 [m/s]
     heading : (m,) float       mu: 0 following, 180 head [deg]
     form : str                 of the diffraction force, see `wave_forces`
+    known : optional           what `excitation` gives, when it has been found already
 
     Returns
     -------
@@ -128,16 +182,11 @@ def ship_system(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, 
     >>> at.system.count, bool(at.slow[0])
     (1, False)
     """
-    density = ship.loading.density
-    pressure, scattered, omega = wave_force_phasors(
-        strips(ship.hull), stations(ship), section_table(ship.hull, density), wavenumber, speed, heading,
-        form=form, density=density,
-    )  # fmt: skip
+    force, omega = excitation(ship, wavenumber, speed, heading, form) if known is None else known
     c = coefficients(ship, omega, speed)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
-    force = pressure + scattered
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
-    table = term_table(nonlinear_terms(c))
+    table = _term_table(c)
     linear += table.linear
     frequency = np.where(slow, np.nan, np.abs(omega))
     system = canonical(c.inertia, table, frequency, force.real, -force.imag, linear=linear)

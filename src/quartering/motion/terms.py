@@ -99,10 +99,10 @@ class TermTable:
 
     Parameters
     ----------
-    linear : (3, 4) float         rows Y, K, N; columns v, phi, p, r
+    linear : (..., 3, 4) float    rows Y, K, N; columns v, phi, p, r; leading dimension: conditions, where they differ
     powers : (t, 4) int           powers of (v, phi, p, r) in each nonlinear product
     modulus : (t,) int            1-4 for the variable between modulus bars, 0 for none
-    coefficients : (3, t) float   rows Y, K, N
+    coefficients : (..., 3, t)    rows Y, K, N
     """
 
     linear: NDArray[np.float64]

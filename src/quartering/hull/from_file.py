@@ -1,0 +1,137 @@
+"""From a file of another program to a hull at its draught."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from quartering.conventions import InputError
+from quartering.hull.contour import Outline
+from quartering.hull.offsets import Hull, with_depth
+from quartering.hull.section import Floats
+from quartering.hull.section_files import Lines, read_offset_table, read_pdstrip_sections
+from quartering.hull.stations import hull_from_offsets
+
+FREEBOARD = 1.5
+"""Depth over draught when a file ends at the waterline and none is given (assumed)."""
+
+FORMATS = {
+    "csv": "offset table, or x, y, z",
+    "pdstrip": "PDSTRIP section file",
+    "gdf": "WAMIT panel file",
+    "stl": "STL surface",
+}
+"""Format -> what it is; the ending of the file tells it, any other ending is read as PDSTRIP."""
+
+
+def read_lines(path: str | Path, form: str | None = None, draught: float | None = None) -> Lines:
+    """Read lines from a file of any known format.
+
+    Parameters
+    ----------
+    path : str or Path    .csv, .gdf, .stl, or a PDSTRIP section file (any other ending)
+    form : str            "csv", "pdstrip", "gdf" or "stl", where the ending does not tell
+    draught : float       for a surface with heights from the baseline that is open above the waterline [m]
+
+    Returns
+    -------
+    Lines
+
+    Raises
+    ------
+    InputError    no such file or format, or something in it that cannot be right
+
+    Notes
+    -----
+    Source: the formats are named in their readers.
+
+    Examples
+    --------
+    >>> sorted(FORMATS)
+    ['csv', 'gdf', 'pdstrip', 'stl']
+    """
+    if not Path(path).is_file():
+        raise InputError(f"{path} is not there; give the path of a file, seen from the ship file")
+    ending = Path(path).suffix.lower().removeprefix(".")
+    kind = form or (ending if ending in FORMATS else "csv" if ending in ("txt", "tsv") else "pdstrip")
+    if kind == "csv":
+        return read_offset_table(path)
+    if kind == "pdstrip":
+        return read_pdstrip_sections(path)
+    from quartering.hull.mesh_files import read_gdf, read_stl  # only for those who bring a mesh
+
+    if kind == "gdf":
+        return read_gdf(path)
+    if kind == "stl":
+        return read_stl(path, draught)
+    raise InputError(f'{path}: format "{kind}" is unknown; allowed are {", ".join(FORMATS)}')
+
+
+def hull_from_lines(
+    where: str,
+    lines: Lines,
+    *,
+    length: float,
+    beam: float,
+    draught: float,
+    midship: float = 0.0,
+    outline: Outline = "straight",
+    title: str | None = None,
+) -> Hull:
+    """Hull of lines read from a file.
+
+    Parameters
+    ----------
+    where : str                      file named in messages
+    lines : Lines
+    length, beam, draught : float    between perpendiculars, moulded, draught of the lines [m]
+    midship : float                  x of midship in the file [m]
+    outline : str                    points joined "straight" or "smooth"
+    title : str                      name of the hull
+
+    Returns
+    -------
+    Hull    heights counted from the calm plane are moved to the baseline; sides that end at the waterline are carried
+            straight up to 1.5 T (assumed)
+
+    Raises
+    ------
+    InputError    lines that do not fit the ship's dimensions or do not lie about midship
+
+    Notes
+    -----
+    Source: geometry; the freeboard is assumed, and said in the hull's source.
+
+    Examples
+    --------
+    >>> side = np.array([5.0, 5.0]), np.array([-4.0, 0.0])
+    >>> lines = Lines(np.linspace(0, 60, 7), (side,) * 7, ("",) * 7, "seven stations", afloat=True)
+    >>> hull_from_lines("x.gdf", lines, length=60, beam=10, draught=4, midship=30).depth
+    6.0
+    """
+    x = lines.x - midship
+    middle = (x[0] + x[-1]) / 2
+    if abs(middle) > 0.2 * length:
+        raise InputError(
+            f"{where}: the stations lie from x = {lines.x[0]:g} to {lines.x[-1]:g} m, their middle {middle:g} m from midship; "
+            f"x is counted from midship, + forward; give `midship: {(lines.x[0] + lines.x[-1]) / 2:g}` if the file counts "
+            "from another point"
+        )
+    lift = draught if lines.afloat else 0.0
+    contours = tuple((y, _at_water(height + lift, draught)) for y, height in lines.contours)
+    hull = hull_from_offsets(
+        where, length=length, beam=beam, draught=draught, x=x, contours=contours, source=f"given: {lines.source}",
+        outline=outline, labels=list(lines.labels), title=title,
+    )  # fmt: skip
+    if hull.depth > draught * 1.001:
+        return hull
+    raised = with_depth(hull, FREEBOARD * draught)
+    return replace(raised, source=f"{hull.source}; sides above the waterline assumed straight up to {FREEBOARD:g} T")
+
+
+def _at_water(height: Floats, draught: float) -> Floats:
+    """Heights with a top that misses the draught by rounding put there."""
+    missed = draught - height[-1]
+    return np.append(height[:-1], draught) if 0 < missed < 1e-4 * draught else height
