@@ -21,6 +21,7 @@ test: $(VENV)/.dev
 bench: $(VENV)/.dev
 	$(BIN)/python benchmarks/polar.py
 	$(BIN)/python benchmarks/start_up.py
+	$(BIN)/python benchmarks/verdict_agreement.py
 
 $(VENV)/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \

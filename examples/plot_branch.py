@@ -32,12 +32,12 @@ def main(picture: str = "") -> None:
         # The parameter runs backwards between a fold and the next: those motions are saddles.
         axes.plot(frequency[first : last + 1], roll[first : last + 1], "C0--" if i % 2 else "C0-", zorder=1)
     axes.plot(frequency[folds], roll[folds], "C3s", label="fold", zorder=3)
-    for w in [*np.arange(0.65, 1.2, 0.05).round(3).tolist(), 0.79, 0.81, 0.83]:
+    for w in [*np.arange(0.65, 1.2, 0.05).round(3).tolist(), 0.875, 0.885, 0.895]:
         at = replace(model, frequency=w)
         for motion in qt.all_motions(at, HARMONICS):
             verdict = qt.stability(at, motion)
             angle = np.degrees(motion.amplitude[1])
-            print(f"frequency {w:.2f}, roll {angle:6.2f} deg: {verdict.kind} ({verdict.exponents[0].real:+.4f})")
+            print(f"frequency {w:.3f}, roll {angle:6.2f} deg: {verdict.kind} ({verdict.exponents[0].real:+.4f})")
             axes.plot(w, angle, "ko", mfc="k" if verdict.stable else "w", ms=6, zorder=2)
     axes.plot([], [], "ko", mfc="k", label="stable by Floquet")
     axes.plot([], [], "ko", mfc="w", label="unstable by Floquet")

@@ -15,7 +15,7 @@ import numpy as np
 
 import quartering as qt
 
-PERIODS = 24
+PERIODS = 12
 
 
 def disturbance(model: qt.Model, motion: qt.Motion, n2: float) -> tuple[np.ndarray, ...]:

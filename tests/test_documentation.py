@@ -1,0 +1,79 @@
+"""Documentation that cannot drift: links, the symbols table, the README's Python, and numbers in two tables."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import quartering as qt
+from quartering.conventions import SYMBOLS
+
+ROOT = Path(__file__).parents[1]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+def test_every_relative_link_leads_somewhere(page):
+    links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text())
+    missing = [link for link in links if not (page.parent / link).exists()]
+    assert missing == []
+
+
+def test_every_page_is_linked_from_the_readme_or_another_page():
+    linked = {
+        (page.parent / link).resolve()
+        for page in PAGES
+        for link in re.findall(r"\]\(([^)#:]+\.md)\)", page.read_text())
+    }
+    assert [page.name for page in PAGES[1:] if page.resolve() not in linked] == []
+
+
+def test_symbols_table_is_that_of_the_code():
+    text = (ROOT / "docs" / "conventions.md").read_text()
+    for name, symbol in SYMBOLS.items():
+        letter = symbol.symbol.replace("|", "&#124;")
+        assert f"| `{name}` | {letter} | {symbol.unit} | {symbol.meaning} |" in text
+
+
+def test_python_of_the_readme_runs(capsys):
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    assert blocks
+    for block in blocks:
+        exec(block, {})
+    assert "stable" in capsys.readouterr().out
+
+
+def test_commands_of_the_readme_exist():
+    from quartering.view.cli import app
+
+    names = {command.name or command.callback.__name__ for command in app.registered_commands}
+    used = set(re.findall(r"^quartering (\w+)", (ROOT / "README.md").read_text(), re.MULTILINE))
+    assert used
+    assert used <= names
+
+
+def test_roll_peaks_page_quotes_the_numbers_the_library_gives():
+    """The lambda = L row of docs/two_roll_peaks.md, recomputed for a small wave."""
+    row = re.search(r"lambda = L, roll/kA \| (.*) \|", (ROOT / "docs" / "two_roll_peaks.md").read_text())
+    quoted = [float(x) for x in row[1].split("|")]
+    ship = qt.ship("series60-cb60")
+    length = ship.hull.length
+    wave = qt.Wave(length, length / 200)
+    ds = qt.polar(ship, wave, [0.25 * np.sqrt(9.81 * length)], np.arange(30.0, 131.0, 10.0))
+    slope = np.degrees(wave.wavenumber * wave.amplitude)
+    np.testing.assert_allclose(ds["roll"].squeeze() / slope, quoted, rtol=0.02)
+
+
+def test_three_verdicts_page_quotes_the_numbers_the_library_gives():
+    text = (ROOT / "docs" / "do_the_verdicts_agree.md").read_text()
+    ship = qt.ship("series60-cb60")
+    length = ship.hull.length
+    for factor, row in ((1.0, "K_prr as estimated"), (-60.0, "K_prr x -60")):
+        quoted = re.search(rf"\| {re.escape(row)} \| ([-+.\d]+) \| ([-+.\d]+)", text)
+        wave, speed = qt.Wave(length, length / 30), 0.25 * np.sqrt(9.81 * length)
+        model = qt.equations(ship.with_(coefficients={"K_prr": factor}), wave, speed, 30.0)
+        verdict = qt.stability(model, qt.steady_motion(model, 9, start="rest"))
+        pair = verdict.exponents[np.abs(verdict.exponents.imag) > 1e-6][0].real
+        assert float(quoted[1]) == pytest.approx(-verdict.index, abs=6e-5)
+        assert float(quoted[2]) == pytest.approx(pair, abs=6e-5)

@@ -1,0 +1,20 @@
+"""Every example runs and draws its picture."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLES = sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
+
+
+@pytest.mark.parametrize("script", EXAMPLES, ids=lambda p: p.stem)
+def test_example_draws_its_picture(script, tmp_path):
+    picture = tmp_path / "picture.png"
+    environment = os.environ | {"MPLBACKEND": "Agg"}
+    subprocess.run(
+        [sys.executable, str(script), str(picture)], check=True, capture_output=True, env=environment, cwd=tmp_path
+    )
+    assert picture.stat().st_size > 10_000
