@@ -68,7 +68,35 @@ _HOMES = {
     "sensitivity": "study.sensitivity",
     "sweep": "study.sweep",
 }
-__all__ = sorted([*_HOMES, "stability"])
+__all__ = [
+    "InputError",
+    "Loading",
+    "Model",
+    "Motion",
+    "RangeWarning",
+    "Section",
+    "Ship",
+    "Verdict",
+    "Wave",
+    "all_motions",
+    "branch",
+    "cite",
+    "coefficients",
+    "encounter_frequency",
+    "equations",
+    "hydrodynamics",
+    "hydrostatics",
+    "polar",
+    "righting_arm",
+    "section_coefficients",
+    "sensitivity",
+    "ship",
+    "simulate",
+    "stability",
+    "steady_motion",
+    "sweep",
+    "wave_forces",
+]
 
 
 def __getattr__(name: str) -> Any:

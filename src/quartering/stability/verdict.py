@@ -172,7 +172,5 @@ def _sentence(
     index = float(result.first_order.k2[0])
     index_says = "no K2 here" if np.isnan(index) else f"K2 alone {'agrees' if index > 0 else 'does not see it'}"
     blame = f"; {strongest[0]} adds most ({strongest[1]:+.3g} 1/s)" if strongest[1] > 0 else ""
-    return (
-        f"{where}unstable ({kind.label}): {kind.meaning} ({growth:+.3g} 1/s by Floquet; first-order theory {opinion}, {index_says})"
-        f"{blame}."
-    )
+    judges = f"{growth:+.3g} 1/s by Floquet; first-order theory {opinion}, {index_says}"
+    return f"{where}unstable ({kind.label}): {kind.meaning} ({judges}){blame}."

@@ -66,7 +66,7 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
         raise InputError(f"harmonics={harmonics}: sensitivities are of harmonic balance; give 3, 5, 7, ...")
     model = equations(ship, wave, speed, heading)
     orders = orders_for(model.system, harmonics)
-    base, status, _ = harmonic_balance(model.system, orders, from_rest=True)
+    base, _, _ = harmonic_balance(model.system, orders, from_rest=True)
     if not np.isfinite(base).all():
         raise InputError("no periodic motion in this condition, so nothing to differentiate; try a lower wave")
     names, units, values, systems = _neighbours(ship, wave, speed, heading, model)
