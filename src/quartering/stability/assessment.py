@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from quartering.motion.equations import Floats, System
 from quartering.stability.first_order import FirstOrder, first_order
 from quartering.stability.floquet import Floquet, fastest_rate, floquet
-from quartering.stability.kind import linear_exponents, kinds
+from quartering.stability.kind import kinds, linear_exponents
 from quartering.stability.variation import variational_harmonics
 
 
