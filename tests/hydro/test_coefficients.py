@@ -9,7 +9,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import CUBIC_MONOMIALS, GRAVITY, InputError
-from quartering.hull.coefficient_names import KNOWN
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.offsets import scaled
@@ -20,9 +19,9 @@ from quartering.hydro.coefficients import Coefficients, coefficients, rigid_iner
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import clarke_derivatives, hull_lift, to_si
 from quartering.hydro.moments import hull_moments, section_table
-from quartering.hydro.names import canonical, dimension, unit
 from quartering.hydro.rolldamping import fraction_of_critical, natural_roll_frequency
 from quartering.hydro.strip import frequency_floor, hydrodynamics
+from quartering.names import KNOWN, canonical, dimension, unit
 
 SHIPS = sorted(entry.name.removesuffix(".yaml") for entry in (files("quartering.hull") / "library").iterdir())
 S60 = ship("series60-cb60")

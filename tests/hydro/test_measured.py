@@ -15,11 +15,11 @@ from quartering.hydro.inoue import inoue_derivatives
 from quartering.hydro.manoeuvring import clarke_derivatives, to_prime, to_si
 from quartering.hydro.measured import LIBRARY, available_sets, measured_set, scaled_terms, taylor_factor, to_terms
 from quartering.hydro.measured_ship import measured_parts
-from quartering.hydro.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, term, unit
 from quartering.hydro.term_transfer import moved_terms
 from quartering.hydro.transfer import transfer, transfer_cubic
 from quartering.loads.waves import Wave
 from quartering.motion.of_ship import equations, ship_system
+from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, term, unit
 
 MARINER = measured_set("chislett-stroem-tejsen-1965")
 CONTAINER = measured_set("son-nomoto-1982")

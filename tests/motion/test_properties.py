@@ -118,7 +118,7 @@ def test_encounter_frequency_must_be_positive(frequency):
         Model(np.eye(3), {"K_phi": -1.0}, frequency, (0, 0, 0), (0, 0, 0))
 
 
-@pytest.mark.parametrize(("name", "hint"), [("K_pphi2", "K_"), ("Z_ppp", "_ppp"), ("K_pppp", "K_ppp"), ("N_", "N_")])
+@pytest.mark.parametrize(("name", "hint"), [("K_qpp", "K_"), ("Z_ppp", "_ppp"), ("K_pppp", "K_ppp"), ("N_", "N_")])
 def test_unknown_terms_name_the_nearest(name, hint):
     with pytest.raises(InputError, match=hint):
         parse(name)

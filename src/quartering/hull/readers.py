@@ -10,12 +10,12 @@ from typing import NamedTuple
 import yaml
 
 from quartering.conventions import WATER_DENSITY, InputError
-from quartering.hull.coefficient_names import checked_factors
 from quartering.hull.lines import hull_of
 from quartering.hull.offsets import Hull
 from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, ROLL_DAMPING, Loading, Ship, reloaded
 from quartering.hull.units import quantity, split_quantity
+from quartering.names import checked_values
 
 LIBRARY = Path(__file__).parent / "library"
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -136,10 +136,10 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         name=keys.name or (base.name if base else hull.name),
         hull=hull,
         loading=_loading(where, hull, entries),
-        overrides={**(base.overrides if base else {}), **checked_factors(f"{where}: coefficients", given)},
+        overrides={**(base.overrides if base else {}), **checked_values(f"{where}: coefficients", given)},
         multipliers={
             **(base.multipliers if base else {}),
-            **checked_factors(f"{where}: multipliers", keys.multipliers),
+            **checked_values(f"{where}: multipliers", keys.multipliers),
         },
         linear=keys.linear or (base.linear if base else "default"),
         drag_coefficient=_drag(where, keys, base),

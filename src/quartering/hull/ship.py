@@ -10,10 +10,10 @@ from types import MappingProxyType
 from typing import Literal
 
 from quartering.conventions import WATER_DENSITY, InputError
-from quartering.hull.coefficient_names import checked_factors
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull, at_draught
 from quartering.hull.units import quantity
+from quartering.names import checked_values
 
 ROLL_DAMPING = 0.05
 """Added roll damping, fraction of critical, when none is given (assumed)."""
@@ -133,7 +133,7 @@ class Ship:
             hull=hull,
             loading=loading,
             linear=checked_linear(self.name, linear or self.linear),
-            multipliers=_multiplied(self.multipliers, checked_factors(self.name, coefficients or {})),
+            multipliers=_multiplied(self.multipliers, checked_values(self.name, coefficients or {})),
             provenance={**self.provenance, **notes},
             measured=self.measured if measured is None else None if measured == "none" else measured,
         )

@@ -22,9 +22,9 @@ from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
 from quartering.hydro.moments import hull_moments
-from quartering.hydro.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, canonical, unit
 from quartering.hydro.rolldamping import fraction_of_critical, natural_roll_frequency
 from quartering.hydro.strip import derivatives_from_moments, frequency_floor
+from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, canonical, unit
 
 Kind = Literal["measured", "regression", "strip", "cross-flow", "derived", "given"]
 BODY_NAMES = ("m", "I_x", "I_z", "I_xz")

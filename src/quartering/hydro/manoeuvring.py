@@ -11,8 +11,8 @@ from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.names import term
 from quartering.hydro.transfer import transfer, transfer_cubic, transfer_matrix
+from quartering.names import term
 
 __all__ = [
     "PrimeSystem",

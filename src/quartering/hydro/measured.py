@@ -16,8 +16,8 @@ import yaml
 from quartering.conventions import InputError
 from quartering.hydro.manoeuvring import to_si
 from quartering.hydro.measured_file import MeasuredSet, MeasuredTerm, assembled_set, taylor_factor
-from quartering.hydro.names import dimension, term, unit
 from quartering.hydro.term_transfer import moved_terms
+from quartering.names import dimension, term, unit
 
 __all__ = [
     "MeasuredSet",

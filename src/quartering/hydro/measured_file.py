@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 from quartering.conventions import InputError
-from quartering.hydro.names import canonical, term
+from quartering.names import canonical, term
 
 _POWERS = {"terms": 0, "per_speed": 1, "per_speed_squared": 2}
 _KEYS = {

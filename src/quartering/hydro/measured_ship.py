@@ -12,8 +12,8 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.measured import LEAST_FROUDE_NUMBER, MeasuredSet, measured_set, scaled_terms
-from quartering.hydro.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, term
 from quartering.hydro.transfer import transfer
+from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, term
 
 _IN_PLANE = ("Y_vdot", "Y_rdot", "N_vdot", "N_rdot")
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import product
 
-from quartering.hydro.names import canonical, term
+from quartering.names import canonical, term
 
 
 def moved_terms(terms: Mapping[str, float], x: float, z: float) -> dict[str, float]:

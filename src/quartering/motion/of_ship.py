@@ -12,12 +12,12 @@ from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import Coefficients, coefficients
 from quartering.hydro.moments import section_table
-from quartering.hydro.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES
 from quartering.loads.forces import Form, wave_force_phasors
 from quartering.loads.stations import stations
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table
+from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES
 
 
 @dataclass(frozen=True, eq=False)

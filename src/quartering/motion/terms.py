@@ -5,19 +5,14 @@ A name is the row (Y, K or N), an underscore, and the factors: ``K_ppp``, ``N_vp
 
 from __future__ import annotations
 
-import difflib
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import combinations_with_replacement
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import STATE, InputError
-
-ROWS = ("Y", "K", "N")
-_TOKEN = re.compile(r"phi([57])?|\|(v|p|r|phi)\||v|p|r")
+from quartering.names import ROWS, barred, term
 
 
 @dataclass(frozen=True)
@@ -63,34 +58,20 @@ def parse(name: str) -> tuple[int, Factors]:
     >>> parse("K_prr")
     (1, Factors(powers=(0, 0, 1, 2), modulus=0))
     """
-    row, _, rest = name.partition("_")
-    powers, modulus, position = [0, 0, 0, 0], 0, 0
-    bars = 0
-    while position < len(rest) and (token := _TOKEN.match(rest, position)):
-        if token[1]:
-            powers[1] += int(token[1])
-        elif token[2]:
-            modulus, bars = STATE.index(token[2]) + 1, bars + 1
-        else:
-            powers[STATE.index(token[0])] += 1
-        position = token.end()
-    factors = Factors((powers[0], powers[1], powers[2], powers[3]), modulus)
+    row, factors = term(name)
+    bars = barred(name)
+    powers = [factors.count(one) for one in STATE]
+    for one in bars:
+        powers[STATE.index(one)] -= 1
     plain = sum(powers)
-    allowed = (bars == 0 and 1 <= plain <= 3) or (bars == 1 and plain == 1) or (plain in (5, 7) and powers[1] == plain)
-    if row not in ROWS or position < len(rest) or not allowed:
-        near = difflib.get_close_matches(name, _common_names(), n=1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
+    polynomial = 1 <= plain <= 3 or (plain in (5, 7) and powers[1] == plain)
+    if len(bars) > 1 or not (plain == 1 if bars else polynomial):
         raise InputError(
-            f"term {name!r} is not known: give Y_, K_ or N_ and one to three of v, phi, p, r (K_phi5, K_phi7 for the"
-            f" righting moment, one |.| factor as in K_p|p|){hint}"
+            f"term {name!r} is not carried by the equations: give one to three of v, phi, p, r, or K_phi5, K_phi7 for"
+            " the righting moment, or one |.| factor beside one plain factor as in K_p|p|"
         )
-    return ROWS.index(row), factors
-
-
-def _common_names() -> list[str]:
-    factors = ["".join(c) for n in (1, 2, 3) for c in combinations_with_replacement(("v", "phi", "p", "r"), n)]
-    factors += ["pvv", "prr", "rvv", "rpp", "phi5", "phi7", "p|p|", "v|v|", "v|r|", "r|r|"]
-    return [f"{row}_{f}" for row in ROWS for f in factors]
+    v, phi, p, r = powers
+    return ROWS.index(row), Factors((v, phi, p, r), STATE.index(bars[0]) + 1 if bars else 0)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,11 @@ A name is a row (Y sway, K roll, N yaw), an underscore and its factors: ``Y_v``,
 
 from __future__ import annotations
 
+import math
 import re
+from collections.abc import Mapping
+from difflib import get_close_matches
+from numbers import Real
 from typing import Final, NamedTuple
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
@@ -17,6 +21,13 @@ INERTIA_NAMES: Final = tuple(tuple(f"{row}_{factor}dot" for factor in "vpr") for
 CUBIC_NAMES: Final = tuple(tuple(f"{row}_{monomial}" for monomial in CUBIC_MONOMIALS) for row in ROWS)
 RESTORING_POWERS: Final = (1, 3, 5, 7)
 RESTORING_NAMES: Final = tuple(tuple(f"{row}_{phi}" for phi in ("phi", "phiphiphi", "phi5", "phi7")) for row in ROWS)
+
+_TAILS: Final = (
+    *"vpr", "vdot", "pdot", "rdot", "phi", "phiphiphi", "phi5", "phi7", *CUBIC_MONOMIALS,
+    "v|v|", "v|r|", "r|v|", "r|r|", "p|p|", "vvphi", "vphiphi", "rrphi", "rphiphi",
+)  # fmt: skip
+KNOWN: Final = (*(f"{row}_{tail}" for row in ROWS for tail in _TAILS), "m", "I_x", "I_z", "I_xz")
+"""Names a misspelt one is compared with."""
 
 _FACTOR: Final = re.compile(r"[vpr]dot|phi[2-9]?|[vpr]")
 _FACTORS: Final = re.compile(r"(?:[vpr]dot|(?:phi[2-9]?|[vpr])+)")
@@ -65,10 +76,12 @@ def term(name: str) -> Term:
         row, factor = _BODY[name]
         return Term(row, (factor,))
     row, _, tail = name.partition("_")
-    bare = re.sub(r"\|([vpr])\|", r"\1", tail)
+    bare = re.sub(r"\|([vpr]|phi)\|", r"\1", tail)
     if row not in ROWS or not _FACTORS.fullmatch(bare):
+        near = get_close_matches(name, KNOWN, n=1, cutoff=0.3)
+        hint = f'; the nearest known name is "{near[0]}"' if near else ""
         raise InputError(
-            f'coefficient name "{name}" is unknown; a name is Y, K or N, "_" and factors v, p, r, phi (or vdot, pdot, '
+            f'coefficient "{name}" is unknown{hint}; a name is Y, K or N, "_" and factors v, p, r, phi (or vdot, pdot, '
             'rdot): for instance "Y_v", "N_rdot", "K_ppp", "K_vvphi", "K_p|p|"'
         )
     factors: list[str] = []
@@ -167,3 +180,62 @@ def unit(name: str) -> str:
     above = " ".join(f"{base}{power if power > 1 else ''}" for base, power in powers.items() if power > 0)
     below = " ".join(f"{base}{-power if power < -1 else ''}" for base, power in powers.items() if power < 0)
     return f"{above}/{below}" if below else above
+
+
+def barred(name: str) -> tuple[str, ...]:
+    """Factors that stand between modulus bars.
+
+    Parameters
+    ----------
+    name : str    any spelling `term` understands
+
+    Returns
+    -------
+    tuple of str    such as ("p",) for "K_p|p|"
+
+    Notes
+    -----
+    Source: [Abkowitz64] notation, with the bars of later manoeuvring models.
+
+    Examples
+    --------
+    >>> barred("K_p|p|"), barred("K_ppp")
+    (('p',), ())
+    """
+    return tuple(re.findall(r"\|([vpr]|phi)\|", name))
+
+
+def checked_values(where: str, values: Mapping[str, float]) -> dict[str, float]:
+    """Values by coefficient name, refused when a name is unknown or a value is not a finite number.
+
+    Parameters
+    ----------
+    where : str                          ship or file named in the message
+    values : mapping of str to float     by name
+
+    Returns
+    -------
+    dict of str to float
+
+    Raises
+    ------
+    InputError    unknown name (the message gives the nearest known one), or a value that is not a finite number
+
+    Notes
+    -----
+    Source: [Abkowitz64] notation.
+
+    Examples
+    --------
+    >>> checked_values("my ship", {"K_ppp": 2})
+    {'K_ppp': 2.0}
+    """
+    for name, given in values.items():
+        value: object = given
+        try:
+            term(name)
+        except InputError as error:
+            raise InputError(f"{where}: {error}") from None
+        if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
+            raise InputError(f"{where}: {name} = {value!r}; a coefficient needs a finite number, such as 1.0")
+    return {name: float(value) for name, value in values.items()}
