@@ -1,6 +1,7 @@
 """The command line as a user meets it: what it prints, writes, refuses, and how it exits."""
 
 import json
+import os
 import subprocess
 import sys
 import time
@@ -11,7 +12,11 @@ import xarray as xr
 from typer.testing import CliRunner
 
 import quartering as qt
+from quartering.hydro.calm_water import calm_water_exponents
+from quartering.stability.kind import Kind
 from quartering.view.cli import app
+from quartering.view.output import write
+from quartering.view.progress import compiled
 
 CONDITION = ["--heading", "30", "--speed", "15kn", "--wave-length", "1L", "--wave-height", "3"]
 SMALL_MAP = ["--speed", "0.25Fn", "--headings", "0:180:7", "--wave-lengths", "0.6L,1L"]
@@ -176,6 +181,19 @@ BAD = [
     (["polar", "wigley", "-o", "map.csv"], ".nc"),
     (["hull", "wigley", "-o", "hull.jpg"], ".png"),
     (["simulate", "wigley", *CONDITION, "--duration", "-3"], "duration"),
+    (["simulate", "wigley", *CONDITION, "--roll", "nan"], "--roll"),
+    (["coefficients", "wigley", "--frequency", "inf"], "--frequency"),
+    (["polar", "wigley", "--headings", "0:nan:5"], "finite"),
+    (["polar", "wigley", "--steepness", "1/5"], "1/7"),
+    (["polar", "wigley", "--steepness", "0"], "above 0"),
+    (["polar", "wigley", "--speed", "0,-5"], "zero or positive"),
+    (["polar", "wigley", "--speed", "5,10kn,0.2Fn"], "unit on each"),
+    (["polar", "wigley", "--wave-lengths", "0,50"], "wave length 0 m"),
+    (["polar", "wigley", "--headings", "0:180:2000", "--wave-lengths", "1L:2L:1000"], "1000000"),
+    (["new", "series60-cb6", "my.yaml"], "series60-cb60"),
+    (["new", "wigley", "nowhere/my.yaml"], "folder"),
+    (["forces", "wigley", "--form", "cfd"], "stf"),
+    (["hull", "wigley", "-o", "/proc/hull.png"], "cannot be written"),
 ]
 
 
@@ -216,3 +234,78 @@ def test_help_answers_at_once_and_imports_nothing_heavy():
 
 def test_version_is_printed(run):
     assert run("--version").stdout.startswith("quartering ")
+
+
+def test_ctrl_c_says_so_exits_130_and_leaves_nothing(run, tmp_path, monkeypatch):
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("quartering.view.commands.polar.polar", interrupted)
+    result = run("polar", "wigley", *SMALL_MAP)
+    assert result.exit_code == 130
+    assert "interrupted" in result.stderr
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_disk_that_fills_up_leaves_the_old_file_and_no_half_of_the_new(tmp_path):
+    old, other = tmp_path / "map.nc", tmp_path / "map.png"
+    old.write_text("old")
+
+    def half(path):
+        path.write_text("ha")
+        raise OSError(28, "No space left on device")
+
+    with pytest.raises(qt.InputError, match="No space left"):
+        write((old, lambda path: path.write_text("new")), (other, half))
+    assert old.read_text() == "old"
+    assert [path.name for path in tmp_path.iterdir()] == ["map.nc"]
+
+
+def test_new_never_overwrites(run, tmp_path):
+    (tmp_path / "my.yaml").write_text("mine")
+    result = run("new", "wigley", "my.yaml")
+    assert result.exit_code == 2
+    assert "exists" in result.stderr
+    assert (tmp_path / "my.yaml").read_text() == "mine"
+
+
+def test_a_range_warning_is_one_plain_line_and_json_stays_alone_on_stdout(run):
+    result = run("hull", "series60-cb60", "--json")
+    assert result.exit_code == 0
+    assert json.loads(result.stdout)["righting"]["gm"] == pytest.approx(qt.ship("series60-cb60").loading.gm)
+    lines = result.stderr.splitlines()
+    assert len(lines) == 1
+    assert lines[0].startswith("note: Series 60")
+
+
+def test_a_map_names_its_waves_its_estimates_and_the_ship_without_waves(run):
+    words = " ".join(run("polar", "series60-cb60", *SMALL_MAP).stdout.split())
+    assert "1/50" in words
+    assert "Estimated: velocity derivatives" in words
+    summary = json.loads(run("polar", "series60-cb60", *SMALL_MAP, "--json").stdout)
+    ship = qt.ship("series60-cb60")
+    assert {"Y_v", "K_ppp"} <= set(summary["estimated"])
+    expected = calm_water_exponents(ship, summary["speeds"][0]["speed"])
+    assert [z["re"] for z in summary["speeds"][0]["calm_water"]] == pytest.approx(list(expected.real))
+
+
+def test_cells_without_an_answer_are_grouped_with_advice(run, tmp_path):
+    (tmp_path / "tender.yaml").write_text("base: series60-cb60\nname: tender\nloading: {gm: 0.02 B}\n")
+    steep = ["--speed", "0.25Fn", "--headings", "10:50:9", "--wave-lengths", "1.9L:2.3L:5", "--steepness", "1/15"]
+    result = run("polar", "tender.yaml", *steep, "-o", "map.nc")
+    with xr.open_dataset(tmp_path / "map.nc") as ds:
+        unanswered = int((ds["verdict"] == int(Kind.NO_ANSWER)).sum())
+    assert unanswered > 0
+    assert f"{unanswered} cells without an answer" in " ".join(result.stdout.split())
+
+
+def test_compilation_is_announced_only_when_the_cache_is_cold(tmp_path):
+    """A fresh cache folder has nothing in it, whatever this machine has compiled before."""
+    code = "from quartering.view.progress import compiled; print(compiled())"
+    cold = subprocess.run(
+        [sys.executable, "-c", code], env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)},
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert cold.stdout.strip() == "False"
+    qt.polar(qt.ship("wigley"), qt.Wave(100.0, 1.0), [5.0], [60.0])
+    assert compiled()

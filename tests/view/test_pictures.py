@@ -2,10 +2,15 @@
 
 import numpy as np
 import pytest
+import xarray as xr
+from matplotlib.contour import QuadContourSet
 from matplotlib.text import Text
 
 import quartering as qt
+from quartering.hull.righting import righting_polynomial
 from quartering.stability.kind import Kind
+from quartering.view.plots.forces import forces_picture
+from quartering.view.plots.hull import hull_picture
 from quartering.view.plots.polar_map import edges, polar_map
 from quartering.view.plots.response import response_picture
 
@@ -30,8 +35,8 @@ def texts(figure):
 def test_map_has_a_panel_a_speed_and_says_units_loading_and_estimates(small_map):
     figure = polar_map(small_map)
     assert sum(axes.name == "polar" for axes in figure.axes) == 2
-    words = texts(figure)
-    for needed in ("[deg]", "following", "beam", "head", "GM 0.8128 m", "Estimated", "1/50", "0.467 rad/s"):
+    words, n2 = texts(figure), small_map.attrs["natural_roll_frequency"]
+    for needed in ("[deg]", "following", "beam", "head", "GM 0.8128 m", "Estimated", "1/50", f"{n2:.3f} rad/s"):
         assert needed in words, needed
 
 
@@ -45,6 +50,70 @@ def test_stable_map_has_no_hatches_and_unstable_cells_are_hatched(small_map):
     for name in ("unstable", "course", "no answer"):
         assert len(marks(figure, name)) == 2, name  # both sides of the one panel
     assert all(collection.get_hatch() for collection in marks(figure, "unstable"))
+    assert {c.get_hatch() for c in marks(figure, "unstable")}.isdisjoint(c.get_hatch() for c in marks(figure, "course"))
+    assert [len(c.get_paths()) for c in marks(figure, "unstable")] == [1, 1]
+    words = texts(figure)
+    assert "unstable: roll" in words
+    assert "course-unstable even in calm water" in words
+    assert "no answer" in words
+
+
+def test_resonance_lines_lie_where_the_ship_meets_waves_at_its_roll_frequency(small_map):
+    """Against the dataset's own encounter frequency, interpolated between its cells."""
+    n2 = small_map.attrs["natural_roll_frequency"]
+    axes = next(axes for axes in polar_map(small_map).axes if axes.name == "polar")
+    levels = {}
+    for collection in axes.collections:
+        if isinstance(collection, QuadContourSet):
+            theta, ratio = np.concatenate([path.vertices for path in collection.get_paths()]).T
+            inside = (ratio > 0.7) & (ratio < 1.5)
+            heading = xr.DataArray(np.degrees(np.abs(theta[inside])), dims="point")
+            length = xr.DataArray(LENGTH * ratio[inside], dims="point")
+            omega = small_map["encounter_frequency"].isel(speed=0)
+            levels[float(collection.levels[0])] = np.abs(omega.interp(heading=heading, wave_length=length).values)
+    assert set(levels) == {n2, 2 * n2}
+    for level, met in levels.items():
+        np.testing.assert_allclose(met, level, rtol=0.05)  # error of linear interpolation in this coarse map
+
+
+def test_a_map_all_round_is_not_mirrored():
+    waves = [qt.Wave(f * LENGTH, f * LENGTH / 50) for f in (0.7, 1.0, 1.5)]
+    figure = polar_map(qt.polar(SHIP, waves, [5.0], np.arange(0.0, 360.0, 30.0)))
+    assert "mirrors" not in texts(figure)
+    assert "330°" in texts(figure)
+
+
+def test_hull_picture_has_both_halves_and_the_tangent_gm():
+    angles = np.linspace(0.0, 20.0, 5)
+    fit = righting_polynomial(SHIP)
+    body, arm = hull_picture(SHIP, angles, qt.righting_arm(SHIP, angles), fit).axes
+    assert "[m]" in body.get_xlabel()
+    assert "[m]" in body.get_ylabel()
+    sides = {np.sign(line.get_xdata()[np.argmax(np.abs(line.get_xdata()))]) for line in body.lines[:-4]}
+    assert sides == {-1.0, 1.0}
+    assert "[deg]" in arm.get_xlabel()
+    tangent = next(line for line in arm.lines if "GM" in str(line.get_label()))
+    assert tangent.get_ydata()[-1] / np.radians(tangent.get_xdata()[-1]) == pytest.approx(SHIP.loading.gm)
+
+
+def test_forces_picture_has_a_panel_a_mode_and_a_line_a_length_and_form():
+    headings = np.arange(0.0, 181.0, 30.0)
+    values = np.arange(2.0 * 7 * 3).reshape(2, 7, 3) * 1e6
+    coords = {"heading": headings, "mode": ["sway", "roll", "yaw"], "ratio": ("wave_length", [0.5, 1.0])}
+    field = xr.DataArray(values, dims=("wave_length", "heading", "mode"), coords=coords)
+    figure = forces_picture({"stf": field, "paper": 2 * field}, "title", "note")
+    assert [len(axes.lines) for axes in figure.axes] == [4, 4, 4]
+    assert [axes.get_ylabel().split("[")[1] for axes in figure.axes] == ["MN/m]", "MN m/m]", "MN m/m]"]
+    np.testing.assert_allclose(figure.axes[1].lines[0].get_ydata(), values[0, :, 1] / 1e6)
+
+
+def test_response_marks_what_is_unstable(small_map):
+    assert "unstable" not in texts(response_picture(small_map))
+    changed = small_map.isel(wave_length=[0]).copy(deep=True)
+    changed["verdict"][0, 4, 0] = int(Kind.FOLD)
+    figure = response_picture(changed)
+    marked = [line for line in figure.axes[0].lines if line.get_marker() == "x"]
+    assert [line.get_xdata().tolist() for line in marked] == [[80.0]]
 
 
 def test_cell_edges_lie_between_centres():

@@ -89,7 +89,12 @@ def balance(system, tables, u, strength, with_matrix, residual, matrix, scratch)
 
 @njit(cache=True, nogil=True)
 def relative_step(step, u):
-    """Largest step in any unknown relative to its mode's amplitude, so that metres and radians count alike."""
+    """Largest step in any unknown relative to its mode's amplitude, so that metres and radians count alike.
+
+    Notes
+    -----
+    Source: a norm of this library's choice.
+    """
     nb = u.shape[1]
     floor = 1e-300
     for k in range(3):
@@ -140,6 +145,10 @@ def newton(system, tables, u, strength, work):
 
     A damped step is taken when the next step, with the old matrix, is shorter (the natural monotonicity test): the
     result does not depend on how the equations are scaled.
+
+    Notes
+    -----
+    Source: [Krack19] (Newton's method on balance equations).
     """
     residual, matrix, factored, pivots, trial, step, after, scratch = work
     for _ in range(40):

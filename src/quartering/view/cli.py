@@ -20,7 +20,7 @@ app = typer.Typer(
 Ship = Annotated[str, typer.Argument(help="Built-in ship (see `quartering ships`) or path of a ship file.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of tables.")]
 Picture = Annotated[str | None, typer.Option("-o", "--output", help="Picture to write: .png, .svg or .pdf.")]
-Heading = Annotated[float, typer.Option(help="Heading [deg]: 0 following, 90 beam, 180 head sea.")]
+Heading = Annotated[str, typer.Option(help="Heading [deg]: 0 following, 90 beam, 180 head sea.")]
 Speed = Annotated[str, typer.Option(help="Speed: 7.5 [m/s], 15kn or 0.25Fn.")]
 WaveLength = Annotated[str, typer.Option(help="Wave length: 150 [m] or 1.0L.")]
 WaveHeight = Annotated[str, typer.Option(help="Wave height, crest to trough: 4 [m].")]
@@ -56,12 +56,13 @@ def ships(json: Json = False) -> None:
 def new(
     ship: Annotated[str, typer.Argument(help="Built-in ship to start from.")],
     file: Annotated[str, typer.Argument(help="Ship file to write, such as my.yaml.")],
+    json: Json = False,
 ) -> None:
     """Write a commented ship file that starts from a built-in ship."""
     with answering():
         from quartering.view.commands.ships import new_file
 
-        new_file(ship, file)
+        new_file(ship, file, json)
 
 
 @app.command()
@@ -77,9 +78,7 @@ def hull(ship: Ship, output: Picture = None, json: Json = False) -> None:
 def coefficients(
     ship: Ship,
     speed: Speed = "0.2Fn",
-    frequency: Annotated[
-        float | None, typer.Option(help="Encounter frequency [rad/s]; by default that of roll.")
-    ] = None,
+    frequency: Annotated[str | None, typer.Option(help="Encounter frequency [rad/s]; by default that of roll.")] = None,
     json: Json = False,
 ) -> None:
     """Every coefficient of the equations with value, unit and source."""
@@ -122,7 +121,7 @@ def verdict(
     with answering():
         from quartering.view.commands.verdict import judge
 
-        judge(ship, (str(heading), speed, wave_length, wave_height), harmonics, form, json)
+        judge(ship, (heading, speed, wave_length, wave_height), harmonics, form, json)
 
 
 @app.command()
@@ -157,7 +156,7 @@ def simulate(
     speed: Speed,
     wave_length: WaveLength,
     wave_height: WaveHeight,
-    roll: Annotated[float, typer.Option(help="Roll angle at the start [deg].")] = 5.0,
+    roll: Annotated[str, typer.Option(help="Roll angle at the start [deg].")] = "5",
     duration: Annotated[str, typer.Option(help="Duration: 300 [s] or 5min.")] = "300",
     output: Picture = None,
     json: Json = False,
@@ -166,7 +165,7 @@ def simulate(
     with answering():
         from quartering.view.commands.simulate import run_simulation
 
-        run_simulation(ship, (str(heading), speed, wave_length, wave_height), roll, duration, output, json)
+        run_simulation(ship, (heading, speed, wave_length, wave_height), roll, duration, output, json)
 
 
 def main() -> None:

@@ -84,7 +84,7 @@ def stem(ship: str) -> str:
     ('series60-cb60', 'my')
     """
     path = Path(ship)
-    return path.stem if path.suffix.lower() in (".yaml", ".yml") else path.name
+    return path.stem if path.is_file() or path.suffix.lower() in (".yaml", ".yml") else path.name
 
 
 def _part(path: Path) -> Path:

@@ -34,7 +34,7 @@ def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]], rig
     -------
     rich Table
     """
-    made = Table(title=Text(title), title_justify="left", header_style="bold", title_style="bold", pad_edge=False)
+    made = Table(title=Text(title), title_justify="left", header_style="bold", title_style="bold")
     for i, name in enumerate(columns):
         made.add_column(Text(name), justify="right" if i in right else "left", overflow="fold")
     for row in rows:

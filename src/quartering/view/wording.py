@@ -1,11 +1,18 @@
-"""Numbers in words: speeds, complex exponents, and what in a result is estimated or assumed."""
+"""Numbers in words: speeds, waves, complex exponents, and what in a result is estimated or assumed."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
 
 from quartering.conventions import CUBIC_MONOMIALS
 from quartering.hull.units import quantity
+from quartering.loads.waves import Wave
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 _LOADING = {
     "gm": "GM",
@@ -31,6 +38,20 @@ def speed_words(speed: float, length: float) -> str:
     """
     knots = speed / quantity("1 kn", "speed")
     return f"{speed:.3g} m/s ({knots:.1f} kn, Fn {froude(speed, length):.3f})"
+
+
+def metric_prefix(largest: float) -> tuple[float, str]:
+    """Factor and prefix in which a largest value is written with few digits.
+
+    Examples
+    --------
+    >>> metric_prefix(19.3e6), metric_prefix(250.0)
+    ((1000000.0, 'M'), (1.0, ''))
+    """
+    for factor, prefix in ((1e6, "M"), (1e3, "k")):
+        if largest >= factor:
+            return factor, prefix
+    return 1.0, ""
 
 
 def exponents_words(exponents: Iterable[complex], digits: int = 3) -> str:
@@ -79,7 +100,9 @@ def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> 
         if group
     ]
     assumed = [words for key, words in _LOADING.items() if provenance.get(key, "").startswith("assumed")]
-    lines = [f"Estimated: {'; '.join(parts)}." if parts else "No coefficient is estimated."]
+    lines = [
+        f"Estimated: {'; '.join(parts)}." if parts else "No coefficient rests on regression or on cross-flow drag."
+    ]
     if assumed:
         lines.append(f"Assumed: {', '.join(assumed)}.")
     return " ".join(lines)
@@ -103,3 +126,30 @@ def provenance_of(text: str) -> dict[str, str]:
         if marker:
             found[key] = after.split(":")[0]
     return found
+
+
+def estimated_names(ds: xr.Dataset) -> list[str]:
+    """Names of the coefficients of a map that are estimated."""
+    return [name for name in str(ds.attrs["estimated_coefficients"]).split(", ") if name]
+
+
+def notes(ds: xr.Dataset) -> list[str]:
+    """Small print of a map: what is estimated, and how it was computed."""
+    words = estimated_words(estimated_names(ds), provenance_of(str(ds.attrs["provenance"])))
+    return [f"{words} Steady motion: {ds.attrs['steady_motion']}; {ds.attrs['source']}."]
+
+
+def wave_words(ds: xr.Dataset) -> str:
+    """Height or steepness of the waves of a map."""
+    height, length = np.asarray(ds["wave_height"]), np.asarray(ds["wave_length"])
+    steepness = height / length
+    if np.ptp(steepness) <= 1e-9 * steepness.max():
+        one = Wave(float(length[0]), float(height[0]))
+        slope = np.degrees(one.wavenumber * one.amplitude)
+        return f"H/λ = {steepness_words(float(steepness[0]))} (wave slope kA = {slope:.2g}°)"
+    return f"H = {height[0]:g} m" if np.ptp(height) == 0 else f"H = {height.min():.3g} to {height.max():.3g} m"
+
+
+def steepness_words(steepness: float) -> str:
+    """A steepness as 1/n."""
+    return f"1/{1 / steepness:.4g}" if steepness > 0 else "0"

@@ -12,11 +12,13 @@ from quartering.view.wording import estimated_words, speed_words
 _ESTIMATES = ("regression", "cross-flow")
 
 
-def list_coefficients(name: str, speed: str, frequency: float | None, as_json: bool) -> None:
+def list_coefficients(name: str, speed: str, frequency: str | None, as_json: bool) -> None:
     """Print the table of coefficients at one speed and encounter frequency."""
     one = ship(name)
     u = value(speed, "speed", sizes(one), "--speed")
-    w = coefficients(one, 0.0, u).roll_frequency if frequency is None else frequency
+    w = coefficients(one, 0.0, u).roll_frequency
+    if frequency is not None:
+        w = value(frequency, "ratio", sizes(one), "--frequency")
     c = coefficients(one, w, u)
     entries = c.table()
     if as_json:

@@ -14,12 +14,12 @@ from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import speed_words
+from quartering.view.wording import metric_prefix, speed_words
 
 _HEADINGS = np.arange(0.0, 181.0, 5.0)
 _PRINTED = (30.0, 60.0, 90.0, 120.0, 150.0)
 _SMALL_HEIGHT = 2.0
-MODES = (("sway", "|Y| / A [kN/m]", 1e3), ("roll", "|K| / A [MN m/m]", 1e6), ("yaw", "|N| / A [MN m/m]", 1e6))
+MODES = (("sway", "|Y| / A", "N/m"), ("roll", "|K| / A", "N m/m"), ("yaw", "|N| / A", "N m/m"))
 
 
 def compare_forms(
@@ -43,14 +43,15 @@ def compare_forms(
             {"ship": one.name, "speed": u, "heading": _HEADINGS, "forms": {f: _plain(a) for f, a in fields.items()}}
         )
         return
-    for mode, words, scale in MODES:
+    for mode, words, unit in MODES:
+        scale, prefix = metric_prefix(max(float(field.sel(mode=mode).max()) for field in fields.values()))
         rows = [
             (f"{float(r):.3g}", form, *(f"{float(a.sel(heading=h, mode=mode)) / scale:.4g}" for h in _PRINTED))
             for form, field in fields.items()
             for r, a in zip(field["ratio"].values, field, strict=True)
         ]
         columns = ("lambda/L", "form", *(f"{h:g} deg" for h in _PRINTED))
-        show(table(f"{one.name}: {mode}, {words}", columns, rows, (0, 2, 3, 4, 5, 6)))
+        show(table(f"{one.name}: {mode}, {words} [{prefix}{unit}] over heading", columns, rows, (0, 2, 3, 4, 5, 6)))
     if path is not None:
         show(f"Wrote {path}")
     show(next_steps(f"quartering verdict {name} --heading 60 --speed {speed} --wave-length 1L --wave-height 2"))

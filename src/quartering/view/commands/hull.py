@@ -24,6 +24,7 @@ _LINES = {
     "cw": ("waterplane coefficient CW", "1"), "wetted_surface": ("wetted surface", "m2"),
 }  # fmt: skip
 _FROUDE_NUMBERS = (0.0, 0.15, 0.25)
+_NEUTRAL = 1e-9
 
 
 def describe_hull(name: str, output: str | None, as_json: bool) -> None:
@@ -52,7 +53,7 @@ def describe_hull(name: str, output: str | None, as_json: bool) -> None:
 
 
 def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:
-    rows = [(words, f"{getattr(floats, key):.5g}", unit) for key, (words, unit) in _LINES.items()]
+    rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in _LINES.items()]
     show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
     load = one.loading
     loading = [
@@ -71,11 +72,14 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
         show(
             f"The top of the offsets goes under at {fit.deck_angle:.3g} deg; beyond, the hull is closed by a deck there."
         )
-    rows = [
-        (speed_words(u, one.hull.length), exponents_words(z), "course-unstable" if z.real.max() > 0 else "stable")
-        for u, z in calm.items()
-    ]
+    rows = [(speed_words(u, one.hull.length), exponents_words(z), _course(z)) for u, z in calm.items()]
     show(table("Small motions in calm water, no rudder: exponents", ("speed", "1/s", "verdict"), rows))
+
+
+def _course(exponents: np.ndarray) -> str:
+    """Stability in calm water in words; without speed nothing holds a ship on its course."""
+    largest = float(exponents.real.max())
+    return "neutral" if abs(largest) < _NEUTRAL else "course-unstable" if largest > 0 else "stable"
 
 
 def _facts(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> dict[str, object]:

@@ -22,7 +22,14 @@ from quartering.view.options import steepness, value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import announce_compilation, bar
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import exponents_words, speed_words
+from quartering.view.wording import estimated_names, exponents_words, notes, speed_words, wave_words
+
+MOST_CONDITIONS = 1_000_000
+"""Largest map: about 1 GB of results."""
+
+_NEUTRAL = 1e-9
+_RINGS = 3
+"""With fewer wave lengths than this the picture is lines over heading."""
 
 
 def draw_map(
@@ -44,17 +51,22 @@ def draw_map(
     mu = values([headings], "angle", units, "--headings", 37)
     sea = _waves(one, waves)
     chosen: Form = form  # type: ignore[assignment]  # polar refuses an unknown one
+    count = len(speed) * len(mu) * len(sea)
+    if count > MOST_CONDITIONS:
+        raise InputError(
+            f"{len(speed)} speeds, {len(mu)} headings and {len(sea)} wave lengths make {count} conditions; a map takes up "
+            f"to {MOST_CONDITIONS}; make several maps, or call quartering.sweep from Python"
+        )
     announce_compilation()
-    with bar("conditions", len(speed) * len(mu) * len(sea)) as report:
+    with bar("conditions", count) as report:
         ds = polar(one, sea, speed, mu, harmonics=harmonics, form=chosen, progress=report)
     _write(ds, data, picture)
-    summary = [_summary(ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
+    summary = [_summary(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
     if as_json:
-        show_json(
-            {"ship": one.name, "dataset": str(data), "picture": str(picture), "speeds": [s._asdict() for s in summary]}
-        )
+        show_json(_facts(ds, summary) | {"dataset": str(data), "picture": str(picture)})
         return
     _print(one, ds, summary)
+    show(*notes(ds))
     show(f"Wrote {data} and {picture}")
     worst = max(summary, key=lambda s: s.worst_roll)
     height = float(ds["wave_height"].sel(wave_length=worst.wave_length))
@@ -74,8 +86,10 @@ def _waves(one: Ship, typed: tuple[str, str, str | None]) -> list[Wave]:
 def _write(ds: xr.Dataset, data: Path, picture: Path) -> None:
     from quartering.view.plots import style
     from quartering.view.plots.polar_map import polar_map
+    from quartering.view.plots.response import response_picture
 
-    write((data, lambda part: ds.to_netcdf(part)), (picture, lambda part: style.save(polar_map(ds), part)))
+    draw = polar_map if ds.sizes["wave_length"] >= _RINGS else response_picture
+    write((data, lambda part: ds.to_netcdf(part)), (picture, lambda part: style.save(draw(ds), part)))
 
 
 class Summary(NamedTuple):
@@ -90,9 +104,10 @@ class Summary(NamedTuple):
     least_stable_wave_length: float
     verdicts: dict[str, int]
     no_answer: dict[str, int]
+    calm_water: np.ndarray
 
 
-def _summary(ds: xr.Dataset) -> Summary:
+def _summary(one: Ship, ds: xr.Dataset) -> Summary:
     kinds, counts = np.unique(ds["verdict"].values, return_counts=True)
     statuses, failures = np.unique(ds["status"].values, return_counts=True)
     return Summary(
@@ -101,7 +116,19 @@ def _summary(ds: xr.Dataset) -> Summary:
         *_largest(ds["exponent"]),
         {Kind(int(k)).label: int(n) for k, n in zip(kinds, counts, strict=True)},
         {Status(int(s)).name.lower(): int(n) for s, n in zip(statuses, failures, strict=True) if not Status(int(s)).ok},
+        calm_water_exponents(one, float(ds["speed"])),
     )
+
+
+def _facts(ds: xr.Dataset, summary: Sequence[Summary]) -> dict[str, object]:
+    about = ("ship", "loading", "natural_roll_frequency", "steady_motion", "diffraction")
+    return {key: ds.attrs[key] for key in about} | {
+        "estimated": estimated_names(ds),
+        "sizes": {str(name): size for name, size in ds.sizes.items() if name in ("speed", "heading", "wave_length")},
+        "wave_length": ds["wave_length"].values,
+        "wave_height": ds["wave_height"].values,
+        "speeds": [s._asdict() for s in summary],
+    }
 
 
 def _largest(field: xr.DataArray) -> tuple[float, float, float]:
@@ -122,18 +149,21 @@ def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
             f"{s.least_stable:+.3g} 1/s at {s.least_stable_heading:g} deg, "
             f"lambda/L {s.least_stable_wave_length / length:.3g}",
             ", ".join(f"{n} {kind}" for kind, n in s.verdicts.items()),
-            exponents_words(calm_water_exponents(one, s.speed)),
+            exponents_words(s.calm_water),
         )
         for s in summary
     ]
     columns = ("speed", "largest roll amplitude", "least stable", "cells", "calm-water exponents [1/s]")
     size = f"{ds.sizes['heading']} headings, {ds.sizes['wave_length']} wave lengths"
-    show(table(f"{ds.attrs['title']}: {size}", columns, rows))
+    show(table(f"{ds.attrs['ship']} in regular waves, {wave_words(ds)}: {size}", columns, rows))
     failed: dict[str, int] = {}
     for s in summary:
         for status, n in s.no_answer.items():
             failed[status] = failed.get(status, 0) + n
     for status, n in failed.items():
         show(f"{n} cells without an answer: {Status[status.upper()].advice}.")
+    unsteady = [speed_words(s.speed, length) for s in summary if s.calm_water.real.max() > _NEUTRAL]
+    if unsteady:
+        show(f"Course-unstable in calm water, without a rudder: at {'; '.join(unsteady)}.")
     if any(Kind.COURSE_IN_CALM_WATER.label in s.verdicts for s in summary):
         show(f"Cells marked {Kind.COURSE_IN_CALM_WATER.label}: {Kind.COURSE_IN_CALM_WATER.meaning}.")

@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from quartering.conventions import InputError
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
@@ -18,22 +17,21 @@ from quartering.view.terminal import next_steps, show, show_json
 
 
 def run_simulation(
-    name: str, typed: tuple[str, str, str, str], roll: float, duration: str, output: str | None, as_json: bool
+    name: str, typed: tuple[str, str, str, str], roll: str, duration: str, output: str | None, as_json: bool
 ) -> None:
     """Integrate from a roll angle, print what happened, draw it where asked."""
     one, wave, speed, heading = condition(name, typed)
     path = claim(output, PICTURES) if output else None
     seconds = value(duration, "time", sizes(one), "--duration")
-    if not math.isfinite(roll):
-        raise InputError(f"--roll {roll}: give an angle in degrees, such as 5")
+    heel = value(roll, "angle", sizes(one), "--roll")
     announce_compilation()
     model = equations(one, wave, speed, heading)
-    trace = simulate(model, seconds, (0.0, math.radians(roll), 0.0, 0.0))
+    trace = simulate(model, seconds, (0.0, math.radians(heel), 0.0, 0.0))
     motion = steady_motion(model, 3, start="rest")
     steady = math.degrees(motion.peak[1]) if motion.status.ok else None
     late = trace["roll"].where(trace["time"] > 0.75 * seconds)
     facts = {
-        "ship": one.name, "condition": dict(model.source), "roll_at_start_deg": roll,
+        "ship": one.name, "condition": dict(model.source), "roll_at_start_deg": heel,
         "largest_roll_deg": float(np.abs(trace["roll"]).max()), "largest_late_roll_deg": float(np.abs(late).max()),
         "steady_roll_peak_deg": steady, "capsize_time": trace.attrs.get("capsize_time"),
     }  # fmt: skip

@@ -8,6 +8,7 @@ import numpy as np
 from rich.table import Table
 
 from quartering.hull.ship import Ship
+from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
@@ -33,17 +34,20 @@ def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str
     motion = steady_motion(model, harmonics, start="rest")
     found = stability(model, motion)
     helps = [] if found.stable or not motion.status.ok else cures(one, wave, speed, heading)[:_MOST_CURES]
+    entries = coefficients(one, model.frequency, speed).table()
+    estimated = [e.name for e in entries if e.kind in ("regression", "cross-flow")]
+    calm = calm_water_exponents(one, speed)
     if as_json:
-        show_json(_facts(one, model, motion, found, helps))
+        sources = {"estimated": estimated, "sources": {e.name: e.source for e in entries}}
+        show_json(_facts(one, model, motion, found, helps) | {"calm_water_at_own_frequencies": calm} | sources)
         return
     show(found.sentence)
     if helps:
         show("Each of these alone restores stability: " + "; ".join(cure.sentence for cure in helps) + ".")
     if motion.status.ok:
         show(_motion_table(one, wave, model, motion))
-        show(_stability_table(found))
-    entries = coefficients(one, model.frequency, speed).table()
-    show(estimated_words([e.name for e in entries if e.kind in ("regression", "cross-flow")], one.provenance))
+        show(_stability_table(found, calm))
+    show(estimated_words(estimated, one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     show(next_steps(f"quartering simulate {name} {words} -o roll.png", f"quartering polar {name} --speed {typed[1]}"))
 
@@ -51,10 +55,14 @@ def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str
 def _motion_table(one: Ship, wave: Wave, model: Model, motion: Motion) -> Table:
     slope = wave.amplitude * wave.wavenumber
     sway, roll, yaw = motion.amplitude
+
+    def share(part: float, whole: float, words: str) -> str:
+        return f"{part / whole:.3g} of the wave {words}" if whole > 0 else "no wave"
+
     rows = [
-        ("sway amplitude", f"{sway:.3g} m", f"{sway / wave.amplitude:.3g} of the wave amplitude"),
-        ("roll amplitude", f"{math.degrees(roll):.3g} deg", f"{roll / slope:.3g} of the wave slope"),
-        ("yaw amplitude", f"{math.degrees(yaw):.3g} deg", f"{yaw / slope:.3g} of the wave slope"),
+        ("sway amplitude", f"{sway:.3g} m", share(sway, wave.amplitude, "amplitude")),
+        ("roll amplitude", f"{math.degrees(roll):.3g} deg", share(roll, slope, "slope")),
+        ("yaw amplitude", f"{math.degrees(yaw):.3g} deg", share(yaw, slope, "slope")),
         ("largest roll", f"{math.degrees(motion.peak[1]):.3g} deg", "over a cycle"),
         ("encounter frequency", f"{model.frequency:.3g} rad/s", f"period {2 * math.pi / model.frequency:.3g} s"),
         ("natural roll frequency", f"{coefficients(one, 0.0, 0.0).roll_frequency:.3g} rad/s", "small roll, alone"),
@@ -63,7 +71,7 @@ def _motion_table(one: Ship, wave: Wave, model: Model, motion: Motion) -> Table:
     return table("Steady motion", ("quantity", "value", "remark"), rows)
 
 
-def _stability_table(v: Verdict) -> Table:
+def _stability_table(v: Verdict, calm: np.ndarray) -> Table:
     rows = [
         ("Floquet exponents [1/s]", exponents_words(v.exponents), "decide: all below 0 is stable"),
         ("Floquet multipliers, moduli", ", ".join(f"{m:.3g}" for m in np.abs(v.multipliers)), "below 1 is stable"),
@@ -85,6 +93,7 @@ def _stability_table(v: Verdict) -> Table:
         ("averaged roll pair [1/s]", exponents_words(v.averaged), "equations (A-10)"),
         ("roll with slow modes [1/s]", f"{v.combination:.3g}", "n2 near 2 omega"),
         ("without waves [1/s]", exponents_words(v.calm_water), "linear motion with the same coefficients"),
+        ("in calm water [1/s]", exponents_words(calm), "each with the coefficients of its own frequency, no rudder"),
     ]
     return table("Stability", ("quantity", "value", "remark"), rows)
 
@@ -99,6 +108,9 @@ def _facts(one: Ship, model: Model, motion: Motion, v: Verdict, helps: list[Cure
         "roll_peak_deg": math.degrees(motion.peak[1]), "encounter_frequency": model.frequency,
         "k2": v.k2, "k2_rho": v.k2_rho, "k2_paper": v.k2_paper, "index": v.index, "n2": v.n2, "q": v.q, "slow": v.slow,
         "averaged": v.averaged, "combination": v.combination, "multipliers": v.multipliers, "exponents": v.exponents,
-        "calm_water": v.calm_water, "first_order_stable": v.first_order_stable, "strongest": list(v.strongest),
+        "calm_water": v.calm_water, "first_order_stable": v.first_order_stable,
+        "strongest": list(v.strongest), "roll_share": v.roll_share, "liouville": v.liouville,
+        "mean_jacobian": v.mean_jacobian, "advice": motion.status.advice, "residual": motion.residual,
+        "natural_roll_frequency": coefficients(one, 0.0, 0.0).roll_frequency,
         "cures": [{"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in helps],
     }  # fmt: skip

@@ -32,7 +32,7 @@ def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit) -> 
     draw_body_plan(left, ship)
     draw_righting_arm(right, angles, arms, fit)
     hull = ship.hull
-    made.suptitle(f"{ship.name}: L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m", x=0.01, ha="left")
+    style.title(made, f"{ship.name}: L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m")
     gm = ship.provenance.get("gm", "given").split(";")[0]
     lines = re.split(r"(?<=[a-z0-9)])\. ", ship.provenance.get("lines", hull.source))[0]
     style.footnote(made, f"Lines: {lines}\nGM: {gm}")

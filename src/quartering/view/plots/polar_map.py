@@ -14,22 +14,24 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.projections.polar import PolarAxes
+from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.stability.kind import Kind
 from quartering.view.plots import style
-from quartering.view.wording import estimated_words, provenance_of, speed_words
+from quartering.view.wording import notes, speed_words, wave_words
 
 Floats = NDArray[np.float64]
 FINEST_STEP = 2.5
 """Cells wider than this are drawn in slices, so that their edges are arcs [deg]."""
 
-HOW_TO_READ = (
-    "Bow up: waves come from the side of the cell, from port on the left; radius is wave length over ship length. "
-    "The right half mirrors the left."
-)
-GREY = "#b8b8b8"
+FOOT = 1.1
+"""Strip for the legend and the small print [inches]."""
+
+HOW_TO_READ = "Bow up: waves come from the side of the cell, port on the left; radius is wave length over ship length."
+MIRRORED = " The right half mirrors the left."
+GREY, PACE_INK = "#b8b8b8", "#ff9d5c"
 COURSE_INK = "#ffb38a"
 HATCHES = {"unstable": "/////", "course": "....."}
 """Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
@@ -49,10 +51,10 @@ def polar_map(ds: xr.Dataset) -> Figure:
     Figure    head seas on top, waves from port on the left; radius = wave length / ship length; colour = roll
     """
     count = ds.sizes["speed"]
-    columns = min(count, 3)
+    columns = count if count <= 3 else 2 if count == 4 else 3
     rows = -(-count // columns)
-    width, height = 4.7 * columns + 1.2, 4.9 * rows + 1.9
-    made = style.figure(width, height, bottom=1.0)
+    width, height = max(4.7 * columns + 1.2, 7.4), 4.9 * rows + 1.8
+    made = style.figure(width, height, bottom=FOOT)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
     amplitude = ds["roll"].values
     top = float(np.nanmax(amplitude)) if np.isfinite(amplitude).any() else 0.0
@@ -63,27 +65,20 @@ def polar_map(ds: xr.Dataset) -> Figure:
         mesh = _panel(panel, ds.isel(speed=i), colours)
     scale = made.colorbar(mesh, ax=list(panels[:count]), shrink=0.75, pad=0.03, aspect=28)
     scale.set_label("roll amplitude, fundamental [deg]")
-    made.suptitle(_title(ds), x=0.01, ha="left", fontsize=11)
+    style.title(made, _title(ds))
     made.legend(
-        handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, 0.62 / height), ncols=3 if columns == 1 else 6,
+        handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, 0.66 / height), ncols=2 * columns,
         facecolor="#4a4063", edgecolor="none", labelcolor="white", framealpha=1.0, handlelength=2.8,
     )  # fmt: skip
-    style.footnote(made, "\n".join([HOW_TO_READ, *notes(ds)]))
+    style.footnote(made, "\n".join([HOW_TO_READ + (MIRRORED if _mirrored(ds) else ""), *notes(ds)]))
     return made
-
-
-def notes(ds: xr.Dataset) -> list[str]:
-    """Small print of a picture: what is estimated, and how it was computed."""
-    estimated = [name for name in str(ds.attrs["estimated_coefficients"]).split(", ") if name]
-    words = estimated_words(estimated, provenance_of(str(ds.attrs["provenance"])))
-    return [f"{words} {str(ds.attrs['steady_motion']).capitalize()}; {ds.attrs['source']}."]
 
 
 def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:
     """One speed."""
     length = float(ds.attrs["ship_length"])
     heading, radius = np.asarray(ds["heading"]), np.asarray(ds["wave_length"]) / length
-    mirrored = bool((heading >= 0).all() and (heading <= 180).all())
+    mirrored = _mirrored(ds)
     theta, r = np.radians(edges(heading, 5.0)), edges(radius, 0.1 * radius[0])
     r[0] = max(r[0], 0.0)
     if mirrored:
@@ -94,9 +89,14 @@ def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:
     roll, kind = np.asarray(ds["roll"]), np.asarray(ds["verdict"])
     for side in (1.0, -1.0) if mirrored else (1.0,):
         mesh = _cells(ax, side * theta, r, roll, kind, colours)
-        _resonances(ax, ds, side, heading, radius, r)
+        _resonances(ax, ds, side * theta, r)
     _dress(ax, ds, r, mirrored)
     return mesh
+
+
+def _mirrored(ds: xr.Dataset) -> bool:
+    """Do the headings lie on one side of the ship, so that the other side follows by symmetry?"""
+    return bool((ds["heading"] >= 0).all() and (ds["heading"] <= 180).all())
 
 
 def _cells(ax: PolarAxes, theta: Floats, r: Floats, roll: Floats, kind: NDArray[np.int8], colours: Normalize) -> Any:
@@ -129,26 +129,30 @@ def _outlines(fine: Floats, r: Floats, cells: NDArray[np.bool_], slices: int) ->
     return made
 
 
-def _resonances(ax: PolarAxes, ds: xr.Dataset, side: float, heading: Floats, radius: Floats, r: Floats) -> None:
+def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None:
     """Lines where the ship meets the waves at its roll frequency, at twice that, and not at all."""
     n2, speed = float(ds.attrs["natural_roll_frequency"]), float(ds["speed"])
-    if heading.size < 2 or radius.size < 2:
-        return
-    headings, lengths = np.linspace(heading.min(), heading.max(), 181), np.linspace(r[0] or r[1] / 10, r[-1], 120)
+    theta, lengths = np.linspace(theta[0], theta[-1], 181), np.linspace(r[0] or r[1] / 10, r[-1], 120)
     sigma = np.array([Wave(one * float(ds.attrs["ship_length"]), 0.0).frequency for one in lengths])
-    omega = encounter_frequency(sigma[:, None], speed, headings[None, :])
-    theta = side * np.radians(headings)
-    lines = ((np.abs(omega), n2, "-", "white"), (np.abs(omega), 2 * n2, "--", "white"), (omega, 0.0, ":", "#ff9d5c"))
+    omega = encounter_frequency(sigma[:, None], speed, np.degrees(theta))
+    lines = [(np.abs(omega), n2, "-", "white"), (np.abs(omega), 2 * n2, "--", "white")]
+    if _overtakes(ds):
+        lines.append((omega, 0.0, ":", PACE_INK))
     for field, level, dash, colour in lines:
         if field.min() < level < field.max():
             drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
             drawn.set(path_effects=_OUTLINE)
 
 
+def _overtakes(ds: xr.Dataset) -> bool:
+    """Does the ship overtake the wave in some cell?"""
+    return bool(ds["encounter_frequency"].min() < 0)
+
+
 def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
     """Axes, labels and the title of a panel."""
     ax.set_rlim(0.0, r[-1])
-    ticks = [tick for tick in np.arange(0.5, r[-1] + 1e-9, 0.5) if tick >= r[0]]
+    ticks = [tick for tick in MaxNLocator(5, steps=[1, 2, 5, 10]).tick_values(0.0, r[-1]) if r[0] < tick < 0.97 * r[-1]]
     words = [f"{tick:g}" for tick in ticks[:-1]] + [f"λ/L = {tick:g}" for tick in ticks[-1:]]
     ax.set_rgrids(ticks, words, angle=202.5, color="white", fontsize=8)
     ax.grid(visible=True, color="white", alpha=0.25, linewidth=0.5)
@@ -162,7 +166,7 @@ def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
     ax.set_thetagrids(angles, labels, fontsize=8)
     ax.tick_params(axis="x", pad=3)
     if r[0] > 0.1 * r[-1]:
-        _ship(ax, 0.8 * r[0])
+        _ship(ax, min(0.8 * r[0], 0.22 * r[-1]))
     stable = int((ds["verdict"] == Kind.STABLE).sum())
     unanswered = int((ds["verdict"] == Kind.NO_ANSWER).sum())
     unstable = ds["verdict"].size - stable - unanswered
@@ -181,21 +185,6 @@ def _title(ds: xr.Dataset) -> str:
     return f"{ds.attrs['ship']}: roll in regular waves, {wave_words(ds)}\n{ds.attrs['loading']}"
 
 
-def wave_words(ds: xr.Dataset) -> str:
-    """Height or steepness of the waves of a map."""
-    height, length = np.asarray(ds["wave_height"]), np.asarray(ds["wave_length"])
-    steepness = height / length
-    if np.ptp(steepness) <= 1e-9 * steepness.max():
-        slope = np.degrees(np.pi * steepness[0])
-        return f"H/λ = {steepness_words(float(steepness[0]))} (wave slope kA = {slope:.2g}°)"
-    return f"H = {height[0]:g} m" if np.ptp(height) == 0 else f"H = {height.min():.3g} to {height.max():.3g} m"
-
-
-def steepness_words(steepness: float) -> str:
-    """A steepness as 1/n."""
-    return f"1/{1 / steepness:.4g}" if steepness > 0 else "0"
-
-
 def _legend(ds: xr.Dataset) -> Sequence[Any]:
     """What lines and hatches mean, those that occur."""
     dark = {"path_effects": _OUTLINE, "linewidth": 1.5}
@@ -208,9 +197,9 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
         Line2D([], [], color="white", linestyle="-", label=f"ω = n₂ = {n2:.3f} rad/s (roll resonance)", **dark),
         Line2D([], [], color="white", linestyle="--", label="ω = 2 n₂", **dark),
     ]
-    if float(ds["encounter_frequency"].min()) < 0:
+    if _overtakes(ds):
         made.append(
-            Line2D([], [], color="#ff9d5c", linestyle=":", label="ω = 0 (ship keeps pace with the wave)", **dark)
+            Line2D([], [], color=PACE_INK, linestyle=":", label="ω = 0 (ship keeps pace with the wave)", **dark)
         )
     if unstable.any():
         made.append(

@@ -10,8 +10,7 @@ from matplotlib.lines import Line2D
 from quartering.conventions import SYMBOLS
 from quartering.stability.kind import Kind
 from quartering.view.plots import style
-from quartering.view.plots.polar_map import notes, wave_words
-from quartering.view.wording import speed_words
+from quartering.view.wording import notes, speed_words, wave_words
 
 MARKS = {"unstable": "x", "course-unstable even in calm water": "."}
 
@@ -35,7 +34,7 @@ def response_picture(ds: xr.Dataset) -> Figure:
         for i, colour in enumerate(colours):
             for j, dash in zip(range(ratio.size), style.DASHES, strict=False):
                 _line(ax, ds.isel(speed=i, wave_length=j), name, colour, dash)
-        style.headings(ax)
+        style.headings(ax, float(ds["heading"].max()))
         ax.set_ylim(bottom=0.0)
         ax.set_ylabel(f"{name} amplitude [{SYMBOLS[name].unit}]")
         ax.set_title(name.capitalize())
@@ -53,9 +52,7 @@ def response_picture(ds: xr.Dataset) -> Figure:
         if _unstable(ds, label).any()
     ]
     made.legend(handles=handles, loc="outside right center", frameon=False)
-    made.suptitle(
-        f"{ds.attrs['ship']}: response in regular waves, {wave_words(ds)}\n{ds.attrs['loading']}", x=0.01, ha="left"
-    )
+    style.title(made, f"{ds.attrs['ship']}: response in regular waves, {wave_words(ds)}\n{ds.attrs['loading']}")
     style.footnote(made, "\n".join(notes(ds)))
     return made
 

@@ -61,16 +61,26 @@ def sequence(count: int) -> list[tuple[float, ...]]:
     return [tuple(colour) for colour in colours]
 
 
-def headings(ax: Axes) -> None:
-    """Heading axis of a plot over 0 .. 180 deg, with the sectors named."""
-    ax.set_xlim(0, 180)
-    ax.set_xticks(range(0, 181, 30), ["0\nfollowing", "30", "60", "90\nbeam", "120", "150", "180\nhead"])
+def headings(ax: Axes, largest: float = 180.0) -> None:
+    """Heading axis of a plot from 0 to at least 180 deg, with the sectors named."""
+    names = {0: "0\nfollowing", 90: "90\nbeam", 180: "180\nhead", 270: "270\nbeam", 360: "360\nfollowing"}
+    end = 180 if largest <= 180.0 else 360
+    ticks = range(0, end + 1, 30 if end == 180 else 90)
+    ax.set_xlim(0, end)
+    ax.set_xticks(ticks, [names.get(tick, str(tick)) for tick in ticks])
     ax.set_xlabel("heading [deg]")
+
+
+def title(made: Figure, text: str) -> None:
+    """Title of a figure, wrapped to its width."""
+    characters = int(12.2 * made.get_figwidth())
+    lines = "\n".join(textwrap.fill(line, characters) for line in text.splitlines())
+    made.suptitle(lines, x=0.01, ha="left", fontsize=11)
 
 
 def footnote(made: Figure, text: str) -> None:
     """Small print at the foot of a figure, wrapped to its width."""
-    characters = int(19.5 * made.get_figwidth())
+    characters = int(18.5 * made.get_figwidth())
     lines = "\n".join(textwrap.fill(line, characters) for line in text.splitlines())
     made.text(0.01, 0.06 / made.get_figheight(), lines, ha="left", va="bottom", fontsize=7.5, color=QUIET)
 

@@ -35,6 +35,6 @@ def trace_picture(trace: xr.Dataset, steady_roll: float | None, title: str, note
     panels[-1].set_xlabel("time [s]")
     panels[-1].set_xlim(0.0, float(trace["time"][-1]))
     made.align_ylabels(panels)
-    made.suptitle(title, x=0.01, ha="left")
+    style.title(made, title)
     style.footnote(made, note)
     return made
