@@ -29,7 +29,7 @@ def orbit_state(values, rates, factors, w, u, n, state):
 
 
 @njit(cache=True, nogil=True)
-def balance(system, tables, u, strength, with_matrix, residual, matrix, scratch):
+def balance(system, tables, u, strength, residual, matrix, scratch):
     """Residual of the balance equations at ``u`` and, if asked for, its exact derivative.
 
     Parameters
@@ -38,7 +38,7 @@ def balance(system, tables, u, strength, with_matrix, residual, matrix, scratch)
     tables : tuple    of a `Basis`: values, rates, factors, weights
     u : (3, b)        unknowns: mean, cos and sin coefficients of sway, roll, yaw
     strength : float  multiplies the nonlinear products
-    residual : (3 b,), matrix : (3 b, 3 b)    out, mode by mode
+    residual : (3 b,), matrix : (3 b, 3 b)    out, mode by mode; a matrix of (0, 0) is not wanted
     scratch : tuple   (4, 8), (4,), (3,), (3, 4), (3, 3, b) work arrays
 
     Notes
@@ -49,12 +49,13 @@ def balance(system, tables, u, strength, with_matrix, residual, matrix, scratch)
     linear, coefficients, powers, modulus, mean, cos, sin, w = system
     values, rates, factors, weights = tables
     power_table, state, force, jacobian, column = scratch
+    with_matrix = matrix.shape[0] > 0
     nb, samples = values.shape
     residual[:] = 0.0
     matrix[:] = 0.0
     for n in range(samples):
         orbit_state(values, rates, factors, w, u, n, state)
-        accelerations(linear, coefficients, powers, modulus, strength, state, with_matrix, power_table, force, jacobian)
+        accelerations(linear, coefficients, powers, modulus, strength, state, power_table, force, jacobian)
         for c in range(nb):
             project = weights[c] * values[c, n]
             for k in range(3):
@@ -80,7 +81,8 @@ def balance(system, tables, u, strength, with_matrix, residual, matrix, scratch)
         for b in range(nb):
             inertia = (factors[b] * w) ** 2
             residual[k * nb + b] -= inertia * u[k, b]
-            matrix[k * nb + b, k * nb + b] -= inertia
+            if with_matrix:
+                matrix[k * nb + b, k * nb + b] -= inertia
         if first == 1:
             residual[k * nb] -= mean[k]
         residual[k * nb + first] -= cos[k]
@@ -150,9 +152,9 @@ def newton(system, tables, u, strength, work):
     -----
     Source: [Krack19] (Newton's method on balance equations).
     """
-    residual, matrix, factored, pivots, trial, step, after, scratch = work
+    residual, no_matrix, factored, pivots, trial, step, after, scratch = work
     for _ in range(40):
-        balance(system, tables, u, strength, True, residual, factored, scratch)
+        balance(system, tables, u, strength, residual, factored, scratch)
         _negative(residual, step)
         sign = lu_factor(factored, pivots)
         if sign == 0:
@@ -165,7 +167,7 @@ def newton(system, tables, u, strength, work):
         damping = 1.0
         while True:
             _add(u, step, damping, trial)
-            balance(system, tables, trial, strength, False, residual, matrix, scratch)
+            balance(system, tables, trial, strength, residual, no_matrix, scratch)
             _negative(residual, after)
             lu_solve(factored, pivots, after)
             left = relative_step(after, trial)

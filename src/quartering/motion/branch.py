@@ -78,11 +78,12 @@ class Curve:
     def _balance(self, point: Floats) -> tuple[Floats, Floats]:
         s = self.family(float(point[-1]))
         table = basis(self.orders, s.degree, s.has_modulus)
-        one = (s.linear[0], s.coefficients[0], s.powers, s.modulus, s.mean[0], s.cos[0], s.sin[0], s.frequency[0])
+        linear, coefficients, powers, modulus, mean, cos, sin, frequency = s.kernel_arrays()
+        one = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
         nb = table.factors.size
         residual, matrix = np.empty(3 * nb), np.empty((3 * nb, 3 * nb))
         scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, nb)))
-        balance(one, table.arrays, self.coefficients(point), 1.0, True, residual, matrix, scratch)
+        balance(one, table.arrays, self.coefficients(point), 1.0, residual, matrix, scratch)
         return residual, matrix
 
 

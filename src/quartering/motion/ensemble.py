@@ -25,7 +25,7 @@ def _march(first, last, linear, coefficients, powers, modulus, mean, cos, sin, h
 
     Row i of `states` goes on until |roll| passes `limit`; `times` is when it did, NaN when it did not.
     """
-    table, force, jacobian = np.empty((4, 8)), np.empty(3), np.empty((3, 4))
+    table, force, jacobian = np.empty((4, 8)), np.empty(3), np.empty((0, 4))
     y, stage, k, total = np.empty(4), np.empty(4), np.empty(4), np.empty(4)
     per_period = forcing.shape[0] // 2
     for i in range(first, last):
@@ -36,7 +36,7 @@ def _march(first, last, linear, coefficients, powers, modulus, mean, cos, sin, h
             for s in range(4):
                 stage[s], total[s] = y[s], 0.0
             for j in range(4):
-                accelerations(linear, coefficients, powers, modulus, 1.0, stage, False, table, force, jacobian)
+                accelerations(linear, coefficients, powers, modulus, 1.0, stage, table, force, jacobian)
                 phase = (2 * (n % per_period) + (0 if j == 0 else 1 if j < 3 else 2)) % forcing.shape[0]
                 c, s1 = forcing[phase, 0], forcing[phase, 1]
                 k[0] = force[0] + mean[0] + cos[0] * c + sin[0] * s1
@@ -96,12 +96,12 @@ def capsize_times(
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
     if periods < 1 or steps < 4:
         raise InputError(f"periods = {periods} and steps = {steps}: give at least 1 period and 4 steps each")
-    s = model.system
+    linear, coefficients, powers, modulus, mean, cos, sin, _ = model.system.kernel_arrays()
     phase = np.pi * np.arange(2 * steps) / steps
     forcing = np.column_stack([np.cos(phase), np.sin(phase)])
     times = np.empty(len(states))
     in_threads(
-        _march, len(states), s.linear[0], s.coefficients[0], s.powers, s.modulus, s.mean[0], s.cos[0], s.sin[0],
+        _march, len(states), linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0],
         2 * np.pi / model.frequency / steps, forcing, periods * steps, limit, states, times,
     )  # fmt: skip
     return times, states

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -68,18 +69,13 @@ class System:
             ok &= np.isfinite(array).reshape(self.count, -1).all(axis=1)
         return ok
 
-    def kernel_arrays(self) -> tuple[NDArray[np.generic], ...]:
-        """Arrays in the order every compiled kernel takes them."""
-        return (
-            self.linear,
-            self.coefficients,
-            self.powers,
-            self.modulus,
-            self.mean,
-            self.cos,
-            self.sin,
-            self.frequency,
-        )
+    def kernel_arrays(self) -> tuple[NDArray[Any], ...]:
+        """Arrays in the order every compiled kernel takes them.
+
+        All are writeable and contiguous: a kernel is compiled again for arrays that are not.
+        """
+        own = (self.linear, self.coefficients, self.powers, self.modulus, self.mean, self.cos, self.sin, self.frequency)
+        return tuple(np.require(array, requirements=("C", "W")) for array in own)
 
 
 def canonical(

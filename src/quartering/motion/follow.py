@@ -29,11 +29,11 @@ def _correct(system, tables, u, share, scale, tangent, force, bordered, pivots, 
 
     On success ``bordered`` holds the factored bordered matrix of the last iterate.
     """
-    residual, matrix, scratch = work[0], work[1], work[7]
+    residual, matrix, scratch = work[0], work[2], work[7]
     nb = u.shape[1]
     size = 3 * nb
     for iteration in range(8):
-        balance(system, tables, u, 1.0, True, residual, matrix, scratch)
+        balance(system, tables, u, 1.0, residual, matrix, scratch)
         for row in range(size):
             step[row] = -(residual[row] + (1.0 - share) * force[row])
             for column in range(size):

@@ -37,10 +37,10 @@ def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, f
     size = 3 * nb
     scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)),
                np.empty((3, 3, nb)))  # fmt: skip
-    work = (np.empty(size), np.empty((size, size)), np.empty((size, size)),
+    work = (np.empty(size), np.empty((0, 0)), np.empty((size, size)),
             np.empty(size, np.int64), np.empty((3, nb)), np.empty(size), np.empty(size),
             scratch)  # fmt: skip
-    residual, matrix = work[0], work[1]
+    residual, no_matrix = work[0], work[1]
     tables = (values, rates, factors, weights)
     linear_motion, kept = np.zeros((3, nb)), np.zeros((3, nb))
     for i in range(first, last):
@@ -68,7 +68,7 @@ def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, f
         if outcome != 0:
             status[i] = _SINGULAR if outcome == 2 else _NO_MOTION
             continue
-        balance(system, tables, u[i], 1.0, False, residual, matrix, scratch)
+        balance(system, tables, u[i], 1.0, residual, no_matrix, scratch)
         scale = 1e-300
         for k in range(3):
             scale = max(scale, abs(cos[i, k]), abs(sin[i, k]), abs(mean[i, k]))

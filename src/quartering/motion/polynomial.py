@@ -7,7 +7,7 @@ from numba import njit
 
 
 @njit(cache=True, nogil=True)
-def accelerations(linear, coefficients, powers, modulus, strength, state, with_jacobian, table, force, jacobian):
+def accelerations(linear, coefficients, powers, modulus, strength, state, table, force, jacobian):
     """Right-hand side of the canonical equations without excitation and, if asked for, its derivative by the state.
 
     Parameters
@@ -18,20 +18,21 @@ def accelerations(linear, coefficients, powers, modulus, strength, state, with_j
     modulus : (t,) int              1-4: the variable between modulus bars; 0: none
     strength : float                multiplies the nonlinear products (1 is the equation itself; less in a homotopy)
     state : (4,) float              (v, phi, p, r)
-    with_jacobian : bool            else `jacobian` comes back with the linear part alone
     table : (4, 8) float            scratch: powers of each variable
     force : (3,) float              out
-    jacobian : (3, 4) float         out
+    jacobian : (3, 4) float         out; (0, 4) when it is not wanted (a flag would be compiled as two functions)
 
     Notes
     -----
     Source: [H71] eq. (3).
     """
+    with_jacobian = jacobian.shape[0] > 0
     for k in range(3):
         force[k] = 0.0
         for s in range(4):
-            jacobian[k, s] = linear[k, s]
             force[k] += linear[k, s] * state[s]
+            if with_jacobian:
+                jacobian[k, s] = linear[k, s]
     for s in range(4):
         table[s, 0] = 1.0
         for d in range(1, 8):

@@ -46,7 +46,7 @@ _DENSE = np.array(
 def _derivative(system, time, y, scratch, out):
     linear, coefficients, powers, modulus, mean, cos, sin, w = system
     power_table, force, jacobian = scratch
-    accelerations(linear, coefficients, powers, modulus, 1.0, y, False, power_table, force, jacobian)
+    accelerations(linear, coefficients, powers, modulus, 1.0, y, power_table, force, jacobian)
     c, s = np.cos(w * time), np.sin(w * time)
     out[0] = force[0] + mean[0] + cos[0] * c + sin[0] * s
     out[1] = y[2]
@@ -57,7 +57,7 @@ def _derivative(system, time, y, scratch, out):
 @njit(cache=True, nogil=True)
 def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):
     """Dormand-Prince 5(4) with fourth-order dense output at ``times``; returns the number of samples written."""
-    scratch = (np.empty((4, 8)), np.empty(3), np.empty((3, 4)))
+    scratch = (np.empty((4, 8)), np.empty(3), np.empty((0, 4)))
     k = np.empty((7, 4))
     y, stage, new = start.copy(), np.empty(4), np.empty(4)
     time, written = times[0], 0
@@ -154,8 +154,8 @@ def simulate(
         raise InputError(f"state0 needs four finite numbers (v m/s, phi rad, p rad/s, r rad/s); given {state0!r}")
     times = np.arange(0.0, duration * (1 + 1e-12), interval)
     out = np.full((times.size, 4), np.nan)
-    s = model.system
-    arrays = (s.linear[0], s.coefficients[0], s.powers, s.modulus, s.mean[0], s.cos[0], s.sin[0], s.frequency[0])
+    linear, coefficients, powers, modulus, mean, cos, sin, frequency = model.system.kernel_arrays()
+    arrays = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
     # Rates in the scale of one degree; sway velocity in that of a slow walk.
     scale = np.array([0.1, 0.01, 0.01, 0.01])
     written = _integrate(arrays, times, start, tolerance, scale, CAPSIZE_ANGLE, _NODES, _STAGES, _ERROR, _DENSE, out)

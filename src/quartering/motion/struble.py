@@ -22,17 +22,17 @@ def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin,
     nb = values.shape[0]
     size, free = 3 * nb, nb - known
     scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, nb)))
-    residual, unused, matrix = np.empty(size), np.empty((size, size)), np.empty((size, size))
+    residual, no_matrix, matrix = np.empty(size), np.empty((0, 0)), np.empty((size, size))
     block, right, pivots = np.empty((3 * free, 3 * free)), np.empty(3 * free), np.empty(3 * free, np.int64)
     tables = (values, rates, factors, weights)
     for i in range(first, last):
         system = (linear[i], coefficients[i], powers, modulus, mean[i], cos[i], sin[i], frequency[i])
         # Imbalance of the higher harmonics left by the fundamental, then the linear equations' own matrix.
-        balance(system, tables, u[i], 1.0, False, residual, unused, scratch)
+        balance(system, tables, u[i], 1.0, residual, no_matrix, scratch)
         for k in range(3):
             for b in range(free):
                 right[k * free + b] = -residual[k * nb + known + b]
-        balance(system, tables, u[i], 0.0, True, residual, matrix, scratch)
+        balance(system, tables, u[i], 0.0, residual, matrix, scratch)
         for k in range(3):
             for b in range(free):
                 for j in range(3):
