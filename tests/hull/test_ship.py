@@ -322,3 +322,15 @@ def test_a_number_survives_being_written_with_a_unit(number: float) -> None:
 def test_what_is_not_a_value_is_refused(text: Any) -> None:
     with pytest.raises(InputError):
         quantity(text, "length")
+
+
+def test_a_copied_ship_file_keeps_saying_what_is_assumed(tmp_path: Path) -> None:
+    """A value repeated from the built-in ship keeps its status; one that is changed becomes the file's own."""
+    from quartering.hull.starting_file import write_ship
+
+    file = write_ship("series60-cb60", tmp_path / "my.yaml")
+    assert ship(file).provenance["gyradius_roll"].startswith("assumed")
+    assert ship(file).provenance["gm"].startswith("assumed")
+    file.write_text(file.read_text().replace("gyradius_roll: 5.6896 m", "gyradius_roll: 6.1 m"))
+    assert ship(file).provenance["gyradius_roll"].startswith("given")
+    assert ship(file).provenance["gm"].startswith("assumed")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
@@ -14,7 +15,7 @@ from quartering.hull.lines import hull_of
 from quartering.hull.offsets import Hull
 from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, ROLL_DAMPING, Loading, Ship, reloaded
-from quartering.hull.units import quantity, split_quantity
+from quartering.hull.units import Kind, quantity, split_quantity
 from quartering.names import checked_values
 
 LIBRARY = Path(__file__).parent / "library"
@@ -183,7 +184,25 @@ def _loading_entries(
             key: _proportional(entry, sizes.get(key, height if key in ("gm", "kg") else 1.0))
             for key, entry in base_keys.loading if entry is not None
         })  # fmt: skip
-    return _over(entries, {key: entry for key, entry in own if entry is not None})
+    return _over(
+        entries,
+        {
+            key: entries[key] if key in entries and _unchanged(key, entry, entries[key], hull) else entry
+            for key, entry in own
+            if entry is not None
+        },
+    )
+
+
+def _unchanged(key: str, own: Entry, base: Entry, hull: Hull) -> bool:
+    """Does a file repeat the value of its base without a word on where it comes from? Then the base's word stands."""
+    kind: Kind = {"water_density": "density", "roll_damping": "ratio"}.get(key, "length")  # type: ignore[assignment]
+    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
+    try:
+        values = [quantity(entry.value, kind, what=key, **sizes) for entry in (own, base)]
+    except InputError:
+        return False  # refused with its own message where the loading is put together
+    return own.status == "given" and math.isclose(*values, rel_tol=1e-8)
 
 
 def _over(entries: dict[str, Entry], own: dict[str, Entry]) -> dict[str, Entry]:
