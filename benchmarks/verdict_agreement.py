@@ -7,7 +7,6 @@ Usage: python benchmarks/verdict_agreement.py [systems per level, 2000 by defaul
 """
 
 import sys
-import warnings
 
 import numpy as np
 
@@ -15,8 +14,10 @@ import quartering as qt
 from quartering.conventions import CUBIC_MONOMIALS
 from quartering.hull.readers import available_ships
 from quartering.motion.equations import System
-from quartering.motion.steady import steady_motions
+from quartering.motion.of_ship import ship_system
+from quartering.motion.steady import peaks, steady_motions
 from quartering.stability.assessment import assess
+from quartering.stability.kind import Kind
 
 LEVELS = ((0.05, 0.3), (0.2, 0.3), (0.5, 0.5), (1.0, 0.5), (1.0, 1.5))
 POWERS = np.array([[m.count("v"), 0, m.count("p"), m.count("r")] for m in CUBIC_MONOMIALS] + [[0, 3, 0, 0]])
@@ -77,24 +78,46 @@ def random_table(count):
         print(f"{damping:g} / {strength:g}  n {truth.size}, unstable {truth.mean():.1%}:  " + ";  ".join(cells))
 
 
-def ship_table(steepness):
-    """Every built-in ship on a map of headings, wave lengths and speeds."""
-    print(f"built-in ships, H/lambda = {steepness:.3g}: cells, unstable by Floquet, by first order, both, kinds")
+def ship_motions(name, steepness, harmonics):
+    """Motions of a built-in ship reached from rest, all over a map of headings, wave lengths and two speeds, judged."""
+    ship = qt.ship(name)
+    length = ship.hull.length
+    axes = (
+        np.array([0.1, 0.2]) * np.sqrt(9.81 * length),
+        np.arange(0.0, 181.0, 5.0),
+        np.linspace(0.4, 2.3, 20) * length,
+    )
+    speed, heading, wave = (a.ravel() for a in np.meshgrid(*axes, indexing="ij"))
+    system = ship_system(ship, 2 * np.pi / wave, speed, heading).at_amplitude(0.5 * steepness * wave[:, None])
+    u, orders, _, _ = steady_motions(system, harmonics, start="rest")
+    return assess(system, u, orders), np.isfinite(u).all(axis=(1, 2)), np.degrees(peaks(u, orders)[:, 1])
+
+
+def ship_table(steepness, harmonics):
+    """Every built-in ship: how often first-order theory and Floquet differ, and by which rung."""
+    print(
+        f"built-in ships, H/lambda = {steepness:.3g}, harmonics = {harmonics}: motions; unstable by Floquet, by first order,"
+    )
+    print(
+        "by both; missed (of them without n2), false alarms (of them by the combination rung); roll where they differ; kinds"
+    )
     for name in (entry.name for entry in available_ships()):
-        ship = qt.ship(name)
-        length = ship.hull.length
-        waves = [qt.Wave(f * length, steepness * f * length) for f in np.linspace(0.4, 2.3, 20)]
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", qt.RangeWarning)
-            ds = qt.polar(ship, waves, np.array([0.1, 0.2]) * np.sqrt(9.81 * length))
-        truth, first = ds["exponent"].values > 0, ds["first_order"].values > 0
-        meanings = dict(zip(ds["verdict"].flag_values, ds["verdict"].flag_meanings.split(), strict=True))
-        kinds, numbers = np.unique(ds["verdict"].values, return_counts=True)
-        words = ", ".join(f"{n} {meanings[k]}" for k, n in zip(kinds, numbers, strict=True))
-        print(f"{name:14s} {truth.size} {truth.sum():5d} {first.sum():5d} {(truth & first).sum():5d}   {words}")
+        result, found, roll = ship_motions(name, steepness, harmonics)
+        f = result.first_order
+        truth, first = result.floquet.growth > 0, found & (f.growth > 0)
+        missed, false = truth & ~first, first & ~truth
+        differ = roll[missed | false]
+        where = f"{differ.min():.0f}-{differ.max():.0f} deg" if differ.size else ""
+        kinds, numbers = np.unique(result.kind[truth], return_counts=True)
+        words = ", ".join(f"{n} {Kind(k).label}" for k, n in zip(kinds, numbers, strict=True))
+        print(
+            f"{name:14s} {found.sum():5d} {truth.sum():4d} {first.sum():4d} {(truth & first).sum():4d}"
+            f"   missed {missed.sum()} ({np.isnan(f.n2[missed]).sum()}), false {false.sum()}"
+            f" ({(f.combination[false] > 0).sum()})   {where}   {words}"
+        )
 
 
 if __name__ == "__main__":
     random_table(int(sys.argv[1]) if len(sys.argv) > 1 else 2000)
-    ship_table(1 / 50)
-    ship_table(1 / 20)
+    for steepness, harmonics in ((1 / 50, 1), (1 / 20, 1), (1 / 20, 5)):
+        ship_table(steepness, harmonics)

@@ -29,6 +29,12 @@ def test_every_page_is_linked_from_the_readme_or_another_page():
     assert [page.name for page in PAGES[1:] if page.resolve() not in linked] == []
 
 
+def test_pictures_of_the_pages_stay_small():
+    sizes = {picture.name: picture.stat().st_size for picture in (ROOT / "docs" / "images").glob("*.png")}
+    assert sizes
+    assert max(sizes.values()) < 300_000
+
+
 def test_symbols_table_is_that_of_the_code():
     text = (ROOT / "docs" / "conventions.md").read_text()
     for name, symbol in SYMBOLS.items():

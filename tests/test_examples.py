@@ -7,10 +7,14 @@ from pathlib import Path
 
 import pytest
 
-EXAMPLES = sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
+SLOW = {"plot_how_good"}
+EXAMPLES = [
+    pytest.param(script, id=script.stem, marks=[pytest.mark.slow] if script.stem in SLOW else [])
+    for script in sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
+]
 
 
-@pytest.mark.parametrize("script", EXAMPLES, ids=lambda p: p.stem)
+@pytest.mark.parametrize("script", EXAMPLES)
 def test_example_draws_its_picture(script, tmp_path):
     picture = tmp_path / "picture.png"
     environment = os.environ | {"MPLBACKEND": "Agg"}

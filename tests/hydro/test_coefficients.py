@@ -57,15 +57,17 @@ def test_wave_damping_takes_energy_from_every_motion(name):
     )  # stated error of a spline through the table's frequencies, of each curve's largest
 
 
-@pytest.mark.parametrize("name", ["series60-cb60", "box"])
-def test_sway_force_of_roll_equals_roll_moment_of_sway(name):
-    # reciprocity, from the two potentials on the contours, summed over the ship
-    s = ship(name)
+@pytest.mark.parametrize(("method", "tolerance"), [("lewis", 1e-6), ("auto", 6e-3)])
+@pytest.mark.parametrize("name", ["box", "series60-cb60"])
+def test_sway_force_of_roll_equals_roll_moment_of_sway(name, method, tolerance):
+    # Reciprocity, from the two potentials on the contours, summed over the ship. Lewis sections are solved by series, to
+    # rounding; close-fit potentials stand on 25 panels and kinks of the offsets are good to half a percent.
+    s = ship(name).with_(sections=method)
     table, weight = section_table(s.hull, 1025.0), strips(s.hull).weight
     n4 = table.y * table.nz - table.z * table.ny
     force_of_roll = np.einsum("s,fsn,sn->f", weight, table.psi[..., 1], table.ny)
     moment_of_sway = np.einsum("s,fsn,sn->f", weight, table.psi[..., 0], n4)
-    np.testing.assert_allclose(force_of_roll, moment_of_sway, atol=1e-6 * np.abs(moment_of_sway).max())
+    np.testing.assert_allclose(force_of_roll, moment_of_sway, atol=tolerance * np.abs(moment_of_sway).max())
 
 
 def test_box_is_its_section_times_the_closed_form_lengthwise_integrals():
@@ -136,7 +138,9 @@ def test_natural_roll_frequency_is_that_of_the_undamped_coupled_system():
 def test_series60_has_the_roll_frequency_and_course_stability_found_independently():
     # An earlier, separate computation on the same lines (GM 0.05 B, k_xx 0.35 B, Fn 0.25): n2 0.467 rad/s; largest
     # calm-water exponent about +0.13 1/s by strip theory, negative and above -0.04 by Clarke's regression.
-    assert coefficients(S60, 0.4, 0.0).roll_frequency == pytest.approx(0.467, abs=0.001)
+    lewis = S60.with_(sections="lewis")  # the sections of that computation; the true contours give 0.3 % less
+    assert coefficients(lewis, 0.4, 0.0).roll_frequency == pytest.approx(0.467, abs=0.001)
+    assert coefficients(S60, 0.4, 0.0).roll_frequency == pytest.approx(0.467, rel=0.005)
     assert calm_water_exponents(S60.with_(linear="strip"), SPEED).real.max() == pytest.approx(0.13, abs=0.01)
     assert -0.04 < calm_water_exponents(S60, SPEED).real.max() < 0
 

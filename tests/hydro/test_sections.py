@@ -172,7 +172,7 @@ def test_narrow_section_is_pushed_below_the_waterline():
 )
 def test_section_unlike_any_form_warns_once_and_gives_numbers(section, word):
     with pytest.warns(RangeWarning, match=word) as caught:
-        ds = section_coefficients(section, np.linspace(0.1, 3.0, 20))
+        ds = section_coefficients(section, np.linspace(0.1, 3.0, 20), "lewis")
     assert len(caught) == 1
     assert word in ds.attrs["remark"]
     assert all(np.isfinite(ds[name]).all() for name in ds.data_vars)
@@ -183,7 +183,7 @@ def test_submerged_bulb_keeps_its_area_where_the_forms_allow():
     bulb = Section(y=0.4 * np.sin(t), z=3.0 + 0.4 * np.cos(t))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)
-        ds = section_coefficients(bulb, [1.0])
+        ds = section_coefficients(bulb, [1.0], "lewis")
     area = 2.0 * ds.attrs["lewis_half_breadth"] * ds.attrs["lewis_draught"] * ds.attrs["lewis_area_coefficient"]
     assert area == pytest.approx(np.pi * 0.4**2, rel=1e-3)
 

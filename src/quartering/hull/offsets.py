@@ -16,6 +16,7 @@ from quartering.hull.section import Floats, Section
 
 Contour = tuple[Floats, Floats]
 Shape = Literal["offsets", "wigley", "box"]
+Sections = Literal["auto", "lewis", "close-fit"]
 
 STATIONS = 41
 """Stations of a hull given by formula: Gauss-Legendre nodes, one of them amidships."""
@@ -41,6 +42,7 @@ class Hull:
     shape : str                      "offsets", or "wigley" or "box" when integrals may use the exact formula
     design_draught : float           draught the lines were drawn for [m]
     outline : str                    how contour points are joined: "smooth" or "straight"
+    section_method : str             how the water at a section is solved: "auto", "lewis" or "close-fit"
     """
 
     name: str
@@ -56,6 +58,7 @@ class Hull:
     shape: Shape
     design_draught: float
     outline: Outline = "smooth"
+    section_method: Sections = "auto"
 
     @property
     def depth(self) -> float:

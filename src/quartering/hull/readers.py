@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
@@ -130,6 +131,7 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
     """Ship from checked keys, on its base ship when it has one."""
     base, base_keys = _base(where, keys)
     hull = hull_of(where, keys, base.hull if base else None)
+    hull = replace(hull, section_method=keys.sections or (base.hull.section_method if base else "auto"))
     entries = _loading_entries(where, keys.loading, base_keys, base, hull)
     notes = _notes(keys, base, hull, entries)
     given = {key: quantity(entry.value, "ratio", what=f"{where}: {key}") for key, entry in keys.coefficients.items()}

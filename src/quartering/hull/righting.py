@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -178,3 +179,32 @@ def righting_polynomial(ship: Ship, max_angle: float = 40.0) -> RightingFit:
             break
     gz3, gz5, gz7 = (*(float(value) for value in found), 0.0, 0.0)[:3]
     return RightingFit(gm, gz3, gz5, gz7, residual, float(max_angle), deck_angle(ship.hull))
+
+
+@lru_cache(maxsize=16)
+def vanishing_angle(ship: Ship) -> float:
+    """Heel at which the righting arm vanishes: of the lines, or of the fit where that is sooner.
+
+    Parameters
+    ----------
+    ship : Ship
+
+    Returns
+    -------
+    float    [deg], to half a degree; infinite when both are positive up to 90
+
+    Notes
+    -----
+    Source: `righting_arm`, with the hull closed at the top of the offsets, and `righting_polynomial` beyond its range.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> 60.0 < vanishing_angle(ship("series60-cb60")) < 90.0
+    True
+    """
+    angles = np.linspace(0.5, 89.5, 179)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RangeWarning)  # the closed deck is what is asked for
+        arms = np.minimum(righting_arm(ship, angles), righting_polynomial(ship).arm(angles))
+    return float(angles[(arms <= 0).argmax()]) if (arms <= 0).any() else float("inf")

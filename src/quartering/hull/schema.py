@@ -107,6 +107,7 @@ class ShipKeys(_Strict):
     coefficients: dict[str, Given] = {}
     multipliers: dict[str, float] = {}
     linear: Literal["default", "strip"] | None = None
+    sections: Literal["auto", "lewis", "close-fit"] | None = None
     measured: str | None = None
     drag_coefficient: Given | None = None
     velocity_scale: Given | None = None

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Literal
+from typing import Literal, cast, get_args
 
 from quartering.conventions import WATER_DENSITY, InputError
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.offsets import Hull, at_draught
+from quartering.hull.offsets import Hull, Sections, at_draught
 from quartering.hull.units import quantity
 from quartering.names import checked_values
 
@@ -85,6 +85,7 @@ class Ship:
         draught: float | str | None = None,
         roll_damping: float | str | None = None,
         linear: Literal["default", "strip"] | None = None,
+        sections: Sections | None = None,
         coefficients: Mapping[str, float] | None = None,
         measured: str | None = None,
     ) -> Ship:
@@ -97,6 +98,7 @@ class Ship:
         draught : float or str                         another waterline of the same lines; G stays unless given [m]
         roll_damping : float or str                    fraction of critical, 0 or more
         linear : str                                   "default" or "strip"
+        sections : str                                 how section coefficients are found: "auto", "lewis" or "close-fit"
         coefficients : mapping of str to float         factors by name, times those already there
         measured : str                                 measured manoeuvring set, by name or file; "none" goes without
 
@@ -119,6 +121,8 @@ class Ship:
         (1.2, 6.1773, 0.5)
         """
         hull = self.hull if draught is None else at_draught(self.hull, self._length("draught", draught))
+        if sections is not None:
+            hull = replace(hull, section_method=checked_sections(self.name, sections))
         given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
         lengths = {key: self._length(key, value) for key, value in given.items() if value is not None}
         loading = reloaded(self.name, hull, self.loading, roll_damping=roll_damping, **lengths)
@@ -231,6 +235,13 @@ def reloaded(
         gyradius_yaw=gyradius_yaw or loading.gyradius_yaw,
         roll_damping=damping,
     )
+
+
+def checked_sections(name: str, sections: str) -> Sections:
+    """The way section coefficients are found, refused when it is none of the three."""
+    if sections not in get_args(Sections):
+        raise InputError(f'{name}: sections = "{sections}"; allowed are {", ".join(get_args(Sections))}; try "auto"')
+    return cast(Sections, sections)
 
 
 def checked_linear(name: str, linear: str) -> Literal["default", "strip"]:

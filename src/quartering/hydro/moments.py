@@ -38,7 +38,7 @@ def section_table(hull: Hull, density: float) -> SectionTable:
 
     Notes
     -----
-    Source: [Tasai61] sections in sway and roll.  Valid: as `radiation_table`.
+    Source: [Tasai61] or [Frank67], by the hull's choice of section method.  Valid: as `radiation_table`.
 
     Examples
     --------
@@ -47,7 +47,8 @@ def section_table(hull: Hull, density: float) -> SectionTable:
     >>> section_table(hull, 1025.0) is section_table(hull, 1025.0)
     True
     """
-    return radiation_table(strips(hull), default_frequencies(hull.beam, hull.draught), density)
+    frequency = default_frequencies(hull.beam, hull.draught)
+    return radiation_table(strips(hull), frequency, density, method=hull.section_method)
 
 
 class Moments(NamedTuple):

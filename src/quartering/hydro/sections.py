@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from typing import Final, Literal, get_args
+from typing import Final, get_args
 
 import numpy as np
 import xarray as xr
@@ -11,10 +11,12 @@ from numpy.typing import ArrayLike
 
 from quartering.conventions import WATER_DENSITY, InputError, RangeWarning
 from quartering.hull.section import Floats, Section
+from quartering.hydro.closefit import PANELS, close_fit
 from quartering.hydro.lewis import LewisForms, area_coefficient_limits, lewis_forms
+from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
 from quartering.hydro.multipole import Radiation, radiation
-
-Method = Literal["auto", "lewis"]
+from quartering.hydro.outline import Outline, section_outline
+from quartering.hydro.table import Method
 
 _VARIABLES: Final = {
     "a22": ("kg m-1", "sway added mass per metre of length"),
@@ -29,7 +31,12 @@ _VARIABLES: Final = {
 
 
 def section_coefficients(
-    section: Section, frequency: ArrayLike, method: Method = "auto", *, density: float = WATER_DENSITY
+    section: Section,
+    frequency: ArrayLike,
+    method: Method = "auto",
+    *,
+    density: float = WATER_DENSITY,
+    panels: int = PANELS,
 ) -> xr.Dataset:
     """Added mass and wave damping of a section in sway, roll and heave, about its waterline point.
 
@@ -37,29 +44,33 @@ def section_coefficients(
     ----------
     section : Section
     frequency : (f,) float   w >= 0 [rad/s]
-    method : "auto" or "lewis"
-        Both take the Lewis form of the section's breadth, draught and immersed area.
+    method : "auto", "lewis" or "close-fit"
+        "lewis" takes the Lewis form of the section's breadth, draught and immersed area, "close-fit" its own contour,
+        "auto" the Lewis form where the contour lies within 1 % of it (of the root of its area), else the contour.
     density : float          of the water, > 0 [kg/m3]
+    panels : int             on the half contour, for close-fit
 
     Returns
     -------
     xr.Dataset               a22 b22 a24 b24 a44 b44 a33 b33 over frequency, SI per metre of length, axes z down;
-                             a33 is infinite at w = 0
+                             a33 is infinite at w = 0; attribute `method` names the one used, `contour_difference`
+                             the largest distance from the Lewis form over the root of the area
 
     Raises
     ------
-    InputError               unknown method; a frequency negative or not finite; density not positive
+    InputError               unknown method; a frequency negative or not finite; density not positive; a contour that
+                             is open, crosses itself or starts above the water (not for "lewis")
 
     Warns
     -----
-    RangeWarning             the section is not Lewis-like and the nearest form stands for it: no breadth at the
-                             waterline (0.02 of the draught is taken as half breadth) or an area outside the forms'
-                             range
+    RangeWarning             a Lewis form was asked for (or the section lies in the centre plane) and the section is not
+                             Lewis-like, so the nearest form stands for it: no breadth at the waterline (0.02 of the
+                             draught is taken as half breadth) or an area outside the forms' range
 
     Notes
     -----
-    Source: [Ursell49], [Tasai61] multipoles on [Lewis29] forms.  Valid: deep water, nu B/2 < 20; surface-piercing
-    sections without marked shoulders.
+    Source: [Ursell49], [Tasai61] multipoles on [Lewis29] forms; [Frank67] on the section's own contour.
+    Valid: deep water, nu B/2 < 20; Lewis forms for surface-piercing sections without marked shoulders.
 
     Examples
     --------
@@ -75,12 +86,34 @@ def section_coefficients(
     if not (np.isfinite(density) and density > 0.0):
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
     forms = lewis_forms(section.half_breadth, section.draught, immersed_area(section))
-    remark = _remark(forms)
-    if remark:
-        warnings.warn(remark, RangeWarning, stacklevel=2)
-    lateral = radiation(forms, frequency, "lateral", density=density)
-    heave = radiation(forms, frequency, "heave", density=density)
-    return _dataset(np.atleast_1d(np.asarray(frequency, dtype=float)), lateral, heave, forms, density, remark)
+    outline = None if method == "lewis" else _own_outline(section, method)
+    difference = np.nan if outline is None else contour_difference(outline, forms)
+    w = np.atleast_1d(np.asarray(frequency, dtype=float))
+    like = not (forms.clipped[0] or forms.stretched[0]) and difference < LEWIS_LIKE
+    if outline is not None and (method == "close-fit" or not like):
+        lateral = close_fit([outline], w, "lateral", density=density, panels=panels)
+        heave = close_fit([outline], w, "heave", density=density, panels=panels)
+        used, references, remark = "close-fit", "Frank67, Kress90", ""
+    else:
+        used, references, remark = "lewis", "Ursell49, Tasai61, Lewis29", _remark(forms)
+        if remark:
+            warnings.warn(remark, RangeWarning, stacklevel=2)
+        lateral = radiation(forms, w, "lateral", density=density)
+        heave = radiation(forms, w, "heave", density=density)
+    choice: dict[str, str | float] = {
+        "method": used,
+        "contour_difference": difference,
+        "remark": remark,
+        "references": references,
+    }
+    return _dataset(w, lateral, heave, forms, density, choice)
+
+
+def _own_outline(section: Section, method: Method) -> Outline | None:
+    """The section's contour; none for a bare centre plane when a Lewis form may stand for it."""
+    if method == "auto" and not section.y.any():
+        return None
+    return section_outline(section)
 
 
 def immersed_area(section: Section) -> float:
@@ -133,7 +166,7 @@ def _remark(forms: LewisForms) -> str:
 
 
 def _dataset(
-    w: Floats, lateral: Radiation, heave: Radiation, forms: LewisForms, density: float, remark: str
+    w: Floats, lateral: Radiation, heave: Radiation, forms: LewisForms, density: float, choice: dict[str, str | float]
 ) -> xr.Dataset:
     values = {"a33": heave.added_mass[:, 0, 0, 0], "b33": heave.damping[:, 0, 0, 0]}
     for modes, i, j in (("22", 0, 0), ("24", 0, 1), ("44", 1, 1)):
@@ -145,7 +178,6 @@ def _dataset(
     }
     axis = ("frequency", w, {"units": "rad s-1", "long_name": "frequency", "symbol": "omega"})
     attributes = {
-        "method": "lewis",
         "axes": "y to starboard, z down",
         "reference_point": "centre of the waterline of the section",
         "time_factor": "exp(+i omega t)",
@@ -154,7 +186,6 @@ def _dataset(
         "lewis_half_breadth": float(forms.half_breadth[0]),
         "lewis_draught": float(forms.draught[0]),
         "lewis_area_coefficient": float(forms.area_coefficient[0]),
-        "remark": remark,
-        "references": "Ursell49, Tasai61, Lewis29",
+        **choice,
     }
     return xr.Dataset(variables, coords={"frequency": axis}, attrs=attributes)

@@ -2,28 +2,38 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Final
+from dataclasses import dataclass, replace
+from typing import Final, Literal, get_args
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
 from quartering.conventions import GRAVITY, InputError
 from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
+from quartering.hydro.closefit import close_fit, close_fit_limits
 from quartering.hydro.lewis import (
     LewisForms,
     added_mass_at_infinite_frequency,
     added_mass_at_zero_frequency,
     lewis_forms,
 )
-from quartering.hydro.multipole import CONTOUR_POINTS, radiation
+from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
+from quartering.hydro.multipole import CONTOUR_POINTS, Radiation, radiation
+from quartering.hydro.outline import Outline, strip_outline
 from quartering.hydro.wavemaker import Complexes
+
+Method = Literal["auto", "lewis", "close-fit"]
+"""How the section problem is solved: on the Lewis form, on the section's own contour, or whichever suits."""
 
 FREQUENCY_RANGE: Final = (0.02, 3.5)
 """Lowest and highest w sqrt(B/2g) of the standard frequencies [1]."""
 STANDARD_FREQUENCIES: Final = 96
+FEWEST_POINTS: Final = 8
+"""Contour points below which a strip says too little of its shape to be solved on its own contour."""
+REFINEMENT: Final = 2
+"""Panels of a close-fit solution for added mass and damping, over those on whose ends its potentials are kept."""
 _KNEE: Final = 0.8
 
 
@@ -32,7 +42,7 @@ class SectionTable:
     """Sway and roll coefficients and contour potentials of all sections of a hull, about their waterline points.
 
     Axes y to starboard, z down from the calm plane; phasors e^{+i w t}; per metre of length, both sides. The contour is
-    that of the Lewis form that stands for the section. On it, from the waterline to the keel,
+    the section's own (close-fit) or that of the Lewis form that stands for it. On it, from the waterline to the keel,
     a_ij + b_ij/(i w) = -2 density sum(psi_i n_j) with n_2 = ny and n_4 = y nz - z ny.
 
     Parameters
@@ -45,8 +55,9 @@ class SectionTable:
     psi : (f, s, n, 2) complex   potential per unit velocity in sway [m] and roll [m2]
     a_zero : (s, 3) float        limit of a for w -> 0
     a_infinite : (s, 3) float    limit of a for w -> infinity
-    forms : LewisForms           the forms, with those that had to be replaced by the nearest admissible one
+    forms : LewisForms           of all sections, with those that had to be replaced by the nearest admissible one
     density : float              of the water [kg/m3]
+    close_fit : (s,) bool        which sections were solved on their own contours
     """
 
     frequency: Floats
@@ -61,19 +72,23 @@ class SectionTable:
     a_infinite: Floats
     forms: LewisForms
     density: float
+    close_fit: NDArray[np.bool_]
 
 
 def radiation_table(
-    strips: Strips, frequency: ArrayLike, density: float, *, points: int = CONTOUR_POINTS
+    strips: Strips, frequency: ArrayLike, density: float, *, points: int = CONTOUR_POINTS, method: Method = "auto"
 ) -> SectionTable:
-    """Section coefficients in sway and roll of a hull's strips, each replaced by its Lewis form.
+    """Section coefficients in sway and roll of a hull's strips.
 
     Parameters
     ----------
-    strips : Strips          half breadth, draught and area of (s,) sections are used
+    strips : Strips          (s,) sections; strips without contour points are taken as Lewis forms by "auto"
     frequency : (f,) float   w >= 0, ascending [rad/s]
     density : float          of the water, > 0 [kg/m3]
     points : int             points on the half contour, at least 18
+    method : "auto", "lewis" or "close-fit"
+        "auto" takes the Lewis form where the contour lies within 1 % of it (of the root of its area), the section's own
+        contour elsewhere.
 
     Returns
     -------
@@ -81,12 +96,15 @@ def radiation_table(
 
     Raises
     ------
-    InputError               frequencies not ascending, negative or not finite; density not positive
+    InputError               frequencies not ascending, negative or not finite; density not positive; unknown method;
+                             "close-fit" for strips without contour points
 
     Notes
     -----
-    At w = 0 the damping is zero and the potentials are those under a rigid lid.
-    Source: [Tasai61] sections in sway and roll by [Lewis29] forms.  Valid: deep water; ship-like sections, nu B/2 < 20.
+    At w = 0 the damping is zero and the potentials are those under a rigid lid. Close-fit coefficients are those of twice
+    as many panels as the contour has points; the potentials integrate to them within 1e-3 (5e-3 on offsets with kinks).
+    Source: [Tasai61] sections in sway and roll by [Lewis29] forms; [Frank67] on their own contours.
+    Valid: deep water, nu B/2 < 20.
 
     Examples
     --------
@@ -102,8 +120,21 @@ def radiation_table(
         raise InputError(f"frequencies must be one list in ascending order [rad/s]; given {frequency!r}")
     if not (np.isfinite(density) and density > 0.0):
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
+    if method not in get_args(Method):
+        raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Method))}")
     forms = lewis_forms(strips.half_breadth, strips.draught, strips.area)
     lateral = radiation(forms, w, "lateral", density=density, points=points)
+    zero = added_mass_at_zero_frequency(forms, density)
+    infinite = added_mass_at_infinite_frequency(forms, density)[0]
+    chosen = _outlines(strips, forms, method)
+    own = np.array(sorted(chosen), dtype=np.intp)
+    if own.size:
+        outlines, fine = [chosen[s] for s in own], REFINEMENT * (points + 1)
+        fitted = close_fit(outlines, w, "lateral", density=density, panels=points + 1)
+        refined = close_fit(outlines, w, "lateral", density=density, panels=fine)
+        fitted = replace(fitted, added_mass=refined.added_mass, damping=refined.damping)
+        lateral = _replaced(lateral, own, fitted)
+        zero[own], infinite[own], _ = close_fit_limits(outlines, density, panels=fine)
     return SectionTable(
         frequency=w,
         a=_triplet(lateral.added_mass),
@@ -113,11 +144,39 @@ def radiation_table(
         ny=lateral.normal.real,
         nz=lateral.normal.imag,
         psi=lateral.potential,
-        a_zero=added_mass_at_zero_frequency(forms, density),
-        a_infinite=added_mass_at_infinite_frequency(forms, density)[0],
+        a_zero=zero,
+        a_infinite=infinite,
         forms=forms,
         density=float(density),
+        close_fit=np.isin(np.arange(forms.scale.size), own),
     )
+
+
+def _outlines(strips: Strips, forms: LewisForms, method: Method) -> dict[int, Outline]:
+    """Outlines of the sections that are to be solved on their own contours, by number."""
+    if method == "lewis" or (method == "auto" and strips.y.shape[1] < FEWEST_POINTS):
+        return {}
+    s = strips
+    chosen = {}
+    for i in range(s.y.shape[0]):
+        if method == "auto" and not s.y[i].any():
+            continue
+        outline = strip_outline(
+            s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]), f"section {i}"
+        )
+        like = not (forms.clipped[i] or forms.stretched[i]) and contour_difference(outline, forms, i) < LEWIS_LIKE
+        if method == "close-fit" or not like:
+            chosen[i] = outline
+    return chosen
+
+
+def _replaced(lewis: Radiation, own: NDArray[np.intp], fitted: Radiation) -> Radiation:
+    """Solution of all sections, those in ``own`` from the second."""
+    fields = {name: getattr(lewis, name).copy() for name in Radiation.__dataclass_fields__}
+    for name, value in fields.items():
+        at = (own,) if name in ("point", "normal") else (slice(None), own)
+        value[at] = getattr(fitted, name)
+    return Radiation(**fields)
 
 
 def _triplet(matrix: Floats) -> Floats:

@@ -56,10 +56,18 @@ def ships(json: Json = False) -> None:
 def new(
     ship: Annotated[str, typer.Argument(help="Built-in ship to start from.")],
     file: Annotated[str, typer.Argument(help="Ship file to write, such as my.yaml.")],
+    case: Annotated[
+        bool, typer.Option("--case", help="Write the case file of a study with this ship instead.")
+    ] = False,
     json: Json = False,
 ) -> None:
-    """Write a commented ship file that starts from a built-in ship."""
+    """Write a commented ship file that starts from a built-in ship, or the case file of a study."""
     with answering():
+        if case:
+            from quartering.view.commands.sweep import new_case
+
+            new_case(ship, file, json)
+            return
         from quartering.view.commands.ships import new_file
 
         new_file(ship, file, json)
@@ -147,6 +155,59 @@ def polar(
 
         waves = (wave_lengths, steepness, wave_height)
         draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, output, json)
+
+
+@app.command()
+def sweep(
+    case: Annotated[str, typer.Argument(help="Case file, see `quartering new --case`.")],
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Folder of the results; by default the case's name.")
+    ] = None,
+    cluster: Annotated[str | None, typer.Option(help="local:4, or tcp://host:8786 of a dask scheduler.")] = None,
+    yes: Annotated[bool, typer.Option("--yes", help="Run it however large it is.")] = False,
+    uncertainty: Annotated[
+        str | None, typer.Option(help="K_ppp=20%,gm=5%: probability of instability instead of one verdict.")
+    ] = None,
+    draws: Annotated[int, typer.Option(help="Random draws with --uncertainty, a multiple of 8.")] = 256,
+    json: Json = False,
+) -> None:
+    """Every condition of a case file; interrupted, it goes on where it was when it is called again."""
+    with answering():
+        from quartering.view.commands.sweep import run_sweep, run_uncertain
+
+        if uncertainty is not None:
+            run_uncertain(case, uncertainty, draws, output, yes, json)
+        else:
+            run_sweep(case, output, cluster, yes, json)
+
+
+@app.command()
+def worst(
+    result: Annotated[str, typer.Argument(help="Folder of a sweep, or a .nc file.")],
+    by: Annotated[str, typer.Option(help="roll: largest roll; margin: least stable.")] = "roll",
+    count: Annotated[int, typer.Option(help="How many conditions.")] = 10,
+    json: Json = False,
+) -> None:
+    """The worst conditions of a stored result."""
+    with answering():
+        from quartering.view.commands.result import show_worst
+
+        show_worst(result, by, count, json)
+
+
+@app.command()
+def show(
+    result: Annotated[str, typer.Argument(help="Folder of a sweep, or a .nc file.")],
+    at: Annotated[list[str] | None, typer.Option(help="Cut at wave_height=4, repeatable.")] = None,
+    output: Picture = None,
+    csv: Annotated[str | None, typer.Option(help="Table of the cut to write (.csv).")] = None,
+    json: Json = False,
+) -> None:
+    """What a stored result holds: the worst of every speed and heading; its map, or a table, without computing again."""
+    with answering():
+        from quartering.view.commands.result import show_result
+
+        show_result(result, at or [], output, csv, json)
 
 
 @app.command()

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from rich.table import Table
 
+from quartering.hull.righting import vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
@@ -14,6 +16,7 @@ from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.equations import Model
 from quartering.motion.of_ship import equations
+from quartering.motion.status import Status
 from quartering.motion.steady import Motion, steady_motion
 from quartering.stability.verdict import Verdict, stability
 from quartering.study.cure import Cure, cures
@@ -31,7 +34,7 @@ def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     model = equations(one, wave, speed, heading, form=chosen)
-    motion = steady_motion(model, harmonics, start="rest")
+    motion = _within(vanishing_angle(one), steady_motion(model, harmonics, start="rest"))
     found = stability(model, motion)
     helps = [] if found.stable or not motion.status.ok else cures(one, wave, speed, heading)[:_MOST_CURES]
     entries = coefficients(one, model.frequency, speed).table()
@@ -50,6 +53,14 @@ def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str
     show(estimated_words(estimated, one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     show(next_steps(f"quartering simulate {name} {words} -o roll.png", f"quartering polar {name} --speed {typed[1]}"))
+
+
+def _within(limit: float, motion: Motion) -> Motion:
+    """The motion, or none where it rolls past the angle at which the righting arm vanishes (as in a map)."""
+    if not motion.peak[1] > math.radians(limit):
+        return motion
+    nothing = np.full_like(motion.cos, np.nan)
+    return replace(motion, cos=nothing, sin=nothing, status=Status.BEYOND_VANISHING_ANGLE)
 
 
 def _motion_table(one: Ship, wave: Wave, model: Model, motion: Motion) -> Table:

@@ -1,0 +1,194 @@
+"""Added mass and damping of a ship in all six modes over frequency, as a labelled dataset."""
+
+from __future__ import annotations
+
+from typing import Any, Final, Literal, get_args
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from quartering.conventions import InputError
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.immersed import strips
+from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
+from quartering.hydro.lewis import added_mass_at_infinite_frequency
+from quartering.hydro.multipole import radiation
+from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
+from quartering.hydro.strip import frequency_floor, has_transom
+from quartering.hydro.surge import spheroid_surge
+from quartering.hydro.table import SectionTable, radiation_table
+
+SIX_MODES: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
+"""Modes in body axes: x to the bow, y to starboard, z down; pitch positive bow up."""
+
+Reference = Literal["G", "waterline"]
+Axes = Literal["body", "seakeeping"]
+Terms = Literal["cap", "drop"]
+Sections = tuple[Floats, Floats]
+
+
+def hydrodynamics6(
+    ship: Ship,
+    frequency: ArrayLike,
+    speed: float = 0.0,
+    *,
+    reference: Reference | tuple[float, float] = "G",
+    low_frequency: Terms = "cap",
+    axes: Axes = "body",
+    surge: Literal["spheroid", "zero"] = "spheroid",
+) -> xr.Dataset:
+    """Added mass and damping of a ship in surge, sway, heave, roll, pitch and yaw over frequency.
+
+    Parameters
+    ----------
+    ship : Ship
+    frequency : (f,) float    encounter frequency omega, not 0 [rad/s]; negative (the ship overtakes the wave) as |omega|
+    speed : float             U, >= 0 [m/s]
+    reference : str or (x, z) "G"; "waterline": the calm plane over G; or a point: x forward of midship, z below the
+                              calm plane [m]
+    low_frequency : str       "cap": the U/omega^2 terms use max(|omega|, 0.15 sqrt(g/B)); "drop": they are left out
+    axes : str                "body", or "seakeeping": displacements in axes that move with the mean course
+    surge : str               "spheroid": added mass of a prolate spheroid at the height of the centre of buoyancy, no
+                              damping; "zero"
+
+    Returns
+    -------
+    Dataset    added_mass, damping (frequency, mode, mode_of_motion); their limits *_zero and *_infinite (mode,
+               mode_of_motion) for omega -> 0 (body axes only: in the others they do not exist) and -> infinity; SI,
+               y to starboard and z down
+
+    Raises
+    ------
+    InputError    a frequency that is 0 or not finite, a negative speed, an unknown option
+
+    Notes
+    -----
+    The terms of the aft end are kept when the ship has a transom. The added mass in heave grows like ln(1/omega): its
+    limit at zero is infinite (and so are the couplings with pitch, unless fore and aft balance).
+    Source: [STF70] with transom terms; surge: [Lamb32].  Valid: slender ships, deep water, Lewis sections in heave.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> ds = hydrodynamics6(ship("wigley"), [0.6, -0.6], speed=5.0)
+    >>> ds.added_mass.shape, bool((ds.damping[0] == ds.damping[1]).all())
+    ((2, 6, 6), True)
+    """
+    omega = np.atleast_1d(np.asarray(frequency, dtype=float))
+    _check(omega, speed, low_frequency, axes, surge)
+    hull, density, immersed = ship.hull, ship.loading.density, strips(ship.hull)
+    x_o, depth, said = _reference_point(ship, reference)
+    ascending, back = np.unique(np.abs(omega), return_inverse=True)
+    table = radiation_table(immersed, ascending, density)
+    a, b = (c[back] for c in _sections(table, density))
+    edge = np.stack([_limit(table, "zero"), _limit(table, "infinite")])
+    place = immersed.x - x_o, immersed.weight
+    x_aft = hull.x_aft - x_o if has_transom(immersed) else None
+    floor = frequency_floor(hull.beam) if low_frequency == "cap" else np.inf
+    added, damping = six_mode_matrices(*place, a, b, speed, omega, depth=depth, x_aft=x_aft, floor=floor)
+    ends = six_mode_matrices(*place, edge, 0 * edge, speed, [0.0, np.inf], depth=depth, x_aft=x_aft)
+    along = _surge_matrix(ship, depth) if surge == "spheroid" else np.zeros((6, 6))
+    added, ends = added + along, (ends[0] + along, ends[1])
+    if axes == "seakeeping":
+        added, damping = seakeeping_axes(added, damping, speed, np.maximum(np.abs(omega), floor))
+        ends = seakeeping_axes(*ends, speed, np.full(2, np.inf))
+    growth = section_matrix(np.zeros((1, immersed.x.size, 3)), immersed.half_breadth[None] ** 2)
+    grows = six_mode_matrices(*place, growth, 0 * growth, speed, [np.inf], depth=depth, x_aft=x_aft)
+    dataset = _dataset(omega, added, damping, _without_limit(ends, grows))
+    if axes == "seakeeping":
+        dataset = dataset.drop_vars(["added_mass_zero", "damping_zero"])
+    return dataset.assign_attrs(
+        ship=ship.name, speed=float(speed), reference_point=said, surge=surge, density=density,
+        axes=f"{axes} axes: x to the bow, y to starboard, z down; pitch positive bow up",
+        method=f"strip theory, Lewis sections in heave; low frequencies: {low_frequency}",
+        references="STF70, Tasai61, Ursell49, Lewis29, Lamb32",
+    )  # fmt: skip
+
+
+def _check(omega: Floats, speed: float, low_frequency: str, axes: str, surge: str) -> None:
+    if omega.ndim != 1 or not (np.isfinite(omega).all() and (omega != 0).all()):
+        raise InputError(
+            "frequency must be one list of numbers, none of them 0 rad/s; the dataset holds the limits at zero and "
+            "infinite frequency beside it"
+        )
+    if np.ndim(speed) or not (np.isfinite(speed) and speed >= 0):
+        raise InputError(f"speed {speed!r} must be one number >= 0 m/s; heading tells the direction")
+    for name, value, allowed in (
+        ("low_frequency", low_frequency, get_args(Terms)),
+        ("axes", axes, get_args(Axes)),
+        ("surge", surge, ("spheroid", "zero")),
+    ):
+        if value not in allowed:
+            raise InputError(f'{name} "{value}" is unknown; allowed: {", ".join(allowed)}')
+
+
+def _reference_point(ship: Ship, reference: Reference | tuple[float, float]) -> tuple[float, float, str]:
+    """The point's x from midship, the depth of the calm plane below it, and what to call it."""
+    lcb, z0 = hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught
+    if reference == "G":
+        return lcb, z0, "centre of gravity G"
+    if reference == "waterline":
+        return lcb, 0.0, "calm plane over G"
+    point = np.asarray(reference, dtype=float) if not isinstance(reference, str) else np.zeros(0)
+    if point.shape != (2,) or not np.isfinite(point).all():
+        raise InputError(
+            f'reference {reference!r} is not a point; allowed: "G", "waterline" or (x forward of midship, z below the '
+            "calm plane) in metres"
+        )
+    return float(point[0]), -float(point[1]), f"{point[0]:g} m forward of midship, {point[1]:g} m below the calm plane"
+
+
+def _sections(table: SectionTable, density: float) -> Sections:
+    """Section matrices (f, s, 3, 3) of added mass and damping."""
+    heave = radiation(table.forms, table.frequency, "heave", density=density)
+    return (
+        section_matrix(table.a, heave.added_mass[..., 0, 0]),
+        section_matrix(table.b, heave.damping[..., 0, 0]),
+    )
+
+
+def _limit(table: SectionTable, which: Literal["zero", "infinite"]) -> Floats:
+    """Section matrices (s, 3, 3) of added mass at a limit; heave at zero frequency is filled in later."""
+    if which == "infinite":
+        return section_matrix(table.a_infinite, added_mass_at_infinite_frequency(table.forms, table.density)[1])
+    return section_matrix(table.a_zero, np.zeros(table.a_zero.shape[0]))
+
+
+def _surge_matrix(ship: Ship, depth: float) -> Floats:
+    """Added mass in surge with its moment, the force at the height of the centre of buoyancy."""
+    water = hydrostatics(ship)
+    mass = spheroid_surge(ship.hull.length, water.volume) * ship.loading.density * water.volume
+    lever = np.zeros(6)
+    lever[0], lever[4] = 1.0, depth + ship.hull.draught - water.kb  # u + z q at z below the reference point
+    return np.asarray(mass * np.outer(lever, lever))
+
+
+def _without_limit(ends: Sections, growth: Sections) -> Sections:
+    """Infinite entries at zero frequency where the growing heave added mass of the sections does not cancel."""
+    filled = []
+    for values, share in zip(ends, growth, strict=True):
+        scale = np.sqrt(np.abs(np.outer(share[0].diagonal(), share[0].diagonal())))
+        grows = np.abs(share[0]) > np.maximum(1e-9 * scale, 1e-12 * np.abs(share[0]).max())
+        out = values.copy()
+        out[0] = np.where(grows, np.copysign(np.inf, share[0]), values[0])
+        filled.append(out)
+    return filled[0], filled[1]
+
+
+def _dataset(omega: Floats, added: Floats, damping: Floats, ends: Sections) -> xr.Dataset:
+    matrix = ("mode", "mode_of_motion")
+    units = "SI: kg, kg m, kg m2 (over s for damping) between forces [N, N m] and velocities [m/s, rad/s]"
+    fields: dict[str, Any] = {}
+    for name, letter, values, limits in (
+        ("added_mass", "A", added, ends[0]), ("damping", "B", damping, ends[1]),
+    ):  # fmt: skip
+        words = name.replace("_", " ")
+        fields[name] = (("frequency", *matrix), values, {"units": units, "symbol": letter, "long_name": words})
+        for k, limit in enumerate(("zero", "infinite")):
+            text = f"{words} at {limit} frequency"
+            fields[f"{name}_{limit}"] = (matrix, limits[k], {"units": units, "symbol": letter, "long_name": text})
+    axis = ("frequency", omega, {"units": "rad/s", "symbol": "omega", "long_name": "encounter frequency"})
+    modes = list(SIX_MODES)
+    return xr.Dataset(fields, coords={"frequency": axis, "mode": modes, "mode_of_motion": modes})

@@ -1,0 +1,234 @@
+"""Wave forces by three-dimensional panels: Capytaine at zero speed, on a mesh made from the same hull.
+
+Capytaine has x to the bow, y to port, z up, phasors of e^{-i w t} and the elevation 1 at its origin; the direction the
+wave runs towards is counted from x to y. Here its origin stands at the calm plane over G. Half a turn about x changes the
+sign of sway and yaw and makes the direction -mu; the conjugate belongs to e^{+i w t}; the factor i moves time zero to
+where the surface at G passes its mean level on the way down.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Final
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+
+from quartering.conventions import GRAVITY, HEADING_CONVENTION, MODES, REFERENCE_POINT, InputError
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.mesh import hull_panels
+from quartering.hull.section import Floats
+from quartering.hull.ship import Ship
+
+PANELS: Final = (40, 12)
+"""Panels along the ship and from keel to waterline on each side, unless given."""
+
+_DOFS: Final = ("Sway", "Roll", "Yaw")
+_HALF_TURN: Final = np.array([-1.0, 1.0, -1.0])
+_UNITS: Final = "SI: kg, kg m, kg m2 (over s for damping) between forces [N, N m] and velocities [m/s, rad/s]"
+_SIGNAL: Final = "cos cos(omega t) + sin sin(omega t); at t = 0 the surface at G passes its mean level going down"
+_PANELS_PER_WAVE: Final = 6.0
+_TABULATION: Final = {"tabulation_nr": 400, "tabulation_nz": 200, "tabulation_grid_shape": "scaled_nemoh3"}
+
+
+def bem_forces(
+    ship: Ship,
+    wave_lengths: ArrayLike,
+    headings: ArrayLike = 90.0,
+    *,
+    panels: tuple[int, int] = PANELS,
+    lid: bool = True,
+) -> xr.Dataset:
+    """Wave forces on a ship at zero speed by three-dimensional panels, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    ship : Ship
+    wave_lengths : (n,) float    lambda > 0 [m]
+    headings : (h,) float        mu: 0 following, 90 beam (wave from port to starboard), 180 head [deg]
+    panels : (int, int)          along the ship and from keel to waterline, on each side
+    lid : bool                   a lid on the calm plane inside the hull removes irregular frequencies
+
+    Returns
+    -------
+    Dataset    froude_krylov, diffraction, total (wave_length, heading, part, mode) [N/m; N m/m about G]: the force is
+               cos cos(w t) + sin sin(w t), as `wave_forces`; added_mass, damping (wave_length, mode, mode_of_motion)
+
+    Raises
+    ------
+    InputError    Capytaine is not there, a wave length not positive or shorter than six panels, headings not finite
+
+    Notes
+    -----
+    Source: [Ancellin19], linear potential flow.  Valid: zero speed, deep water, panels small against the wave.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> forces = bem_forces(ship("wigley"), [150.0], [90.0])                                   # doctest: +SKIP
+    >>> forces.total.dims                                                                      # doctest: +SKIP
+    ('wave_length', 'heading', 'part', 'mode')
+    """
+    length = np.atleast_1d(np.asarray(wave_lengths, dtype=float))
+    mu = np.atleast_1d(np.asarray(headings, dtype=float))
+    if length.ndim != 1 or not (np.isfinite(length).all() and (length > 0).all()):
+        raise InputError(f"wave_lengths {wave_lengths!r} must be a list of lengths above 0 m")
+    if mu.ndim != 1 or not np.isfinite(mu).all():
+        raise InputError(f"headings {headings!r} must be a list of finite angles in degrees; {HEADING_CONVENTION}")
+    omega = np.sqrt(2 * np.pi * GRAVITY / length)
+    solved = _solved(ship, omega, mu, panels, lid)
+    dataset = _radiation(solved).assign(_forces(solved))
+    dataset = dataset.assign_coords(
+        heading=("heading", mu, {"units": "deg", "symbol": "mu", "long_name": "heading to the waves"}),
+        wave_length=("frequency", length, {"units": "m", "symbol": "lambda", "long_name": "wave length"}),
+        part=["cos", "sin"], unit=("mode", ["N", "N m", "N m"]),
+    ).swap_dims(frequency="wave_length")  # fmt: skip
+    return dataset.assign_attrs(_attributes(ship, panels, lid), heading_convention=HEADING_CONVENTION, signal=_SIGNAL)
+
+
+def bem_hydrodynamics(
+    ship: Ship, frequency: ArrayLike, *, panels: tuple[int, int] = PANELS, lid: bool = True
+) -> xr.Dataset:
+    """Added mass and damping of a ship in sway, roll and yaw at zero speed by three-dimensional panels, about G.
+
+    Parameters
+    ----------
+    ship : Ship
+    frequency : (f,) float    omega > 0 [rad/s]
+    panels : (int, int)       along the ship and from keel to waterline, on each side
+    lid : bool                a lid on the calm plane inside the hull removes irregular frequencies
+
+    Returns
+    -------
+    Dataset    added_mass, damping (frequency, mode, mode_of_motion), as `hydrodynamics`
+
+    Raises
+    ------
+    InputError    Capytaine is not there, a frequency not positive or its wave shorter than six panels
+
+    Notes
+    -----
+    Source: [Ancellin19], linear potential flow.  Valid: zero speed, deep water, panels small against the wave.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> bem_hydrodynamics(ship("wigley"), [0.6]).added_mass.dims                               # doctest: +SKIP
+    ('frequency', 'mode', 'mode_of_motion')
+    """
+    omega = np.atleast_1d(np.asarray(frequency, dtype=float))
+    if omega.ndim != 1 or not (np.isfinite(omega).all() and (omega > 0).all()):
+        raise InputError(f"frequency {frequency!r} must be a list of numbers above 0 rad/s")
+    solved = _solved(ship, omega, np.zeros(0), panels, lid)
+    return _radiation(solved).assign_attrs(_attributes(ship, panels, lid))
+
+
+def _capytaine() -> Any:
+    """The package, or what to do without it."""
+    try:
+        import capytaine
+    except ImportError as error:
+        raise InputError(
+            f"three-dimensional panels need Capytaine, which cannot be imported ({error}); install it with "
+            "`pip install 'quartering[bem]'`, or take form 'stf'"
+        ) from None
+    return capytaine
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Without Capytaine's remarks on warped panels and tabulations, and with the level it had afterwards."""
+    logger = logging.getLogger("capytaine")
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        logger.setLevel(level)
+
+
+def _solved(ship: Ship, omega: Floats, mu: Floats, panels: tuple[int, int], lid: bool) -> xr.Dataset:
+    """Capytaine's own dataset: radiation, and diffraction for every heading."""
+    capytaine = _capytaine()
+    half = hull_panels(ship.hull, *panels)
+    widest = float(np.sqrt(np.linalg.norm(half.area_vectors, axis=1).max()))
+    shortest = 2 * np.pi * GRAVITY / float(omega.max()) ** 2
+    if shortest < _PANELS_PER_WAVE * widest:
+        raise InputError(
+            f"a wave of {shortest:.3g} m is too short for panels of {widest:.3g} m; it must be {_PANELS_PER_WAVE:.0f} "
+            f"times as long; give more panels than {panels[0]} x {panels[1]}, or longer waves"
+        )
+    x_g = hydrostatics(ship).lcb
+    points = (half.vertices - np.array([x_g, 0.0, 0.0])) * np.array([1.0, -1.0, -1.0])
+    with _quiet():
+        starboard = capytaine.Mesh(vertices=points, faces=half.quads)
+        mesh = capytaine.ReflectionSymmetricMesh(starboard, plane="xOz")
+        centre = (0.0, 0.0, ship.loading.kg - ship.hull.draught)
+        body = capytaine.FloatingBody(
+            mesh=mesh, lid_mesh=mesh.generate_lid() if lid else None,
+            dofs=capytaine.rigid_body_dofs(only=list(_DOFS), rotation_center=centre),
+        )  # fmt: skip
+        ascending, back = np.unique(omega, return_inverse=True)
+        coords: dict[str, Any] = {
+            "omega": ascending, "radiating_dof": list(_DOFS), "rho": ship.loading.density, "g": GRAVITY, "water_depth": np.inf
+        }  # fmt: skip
+        direction, order = np.unique(np.radians(-mu), return_inverse=True)
+        if mu.size:
+            coords["wave_direction"] = direction
+        solver = capytaine.BEMSolver(green_function=capytaine.Delhommeau(**_TABULATION))
+        solved: xr.Dataset = solver.fill_dataset(
+            xr.Dataset(coords=coords), body, progress_bar=False, hydrostatics=False
+        )
+    names = [name for name in ("added_mass", "diffraction_force") if name in solved]
+    if not names or any(bool(np.isnan(solved[name].to_numpy()).any()) for name in names):
+        raise InputError(f"{ship.name}: Capytaine could not solve every wave; its log says why, try other panels")
+    wanted = {"omega": back} | ({"wave_direction": order} if mu.size else {})
+    for name in wanted:  # the solver sorts, and a single value may have lost its dimension
+        if name not in solved.dims:
+            solved = solved.expand_dims(name)
+    return solved.isel(wanted)
+
+
+def _radiation(solved: xr.Dataset) -> xr.Dataset:
+    dims = ("frequency", "mode", "mode_of_motion")
+    turn = _HALF_TURN[:, None] * _HALF_TURN
+    fields = {}
+    for ours, theirs, letter in (("added_mass", "added_mass", "A"), ("damping", "radiation_damping", "B")):
+        values = solved[theirs].sel(influenced_dof=list(_DOFS), radiating_dof=list(_DOFS))
+        matrix = values.transpose("omega", "influenced_dof", "radiating_dof").to_numpy() * turn
+        fields[ours] = (dims, matrix, {"units": _UNITS, "symbol": letter, "long_name": ours.replace("_", " ")})
+    omega = np.atleast_1d(solved["omega"].to_numpy()).astype(float)
+    axis = ("frequency", omega, {"units": "rad/s", "symbol": "omega", "long_name": "wave frequency"})
+    return xr.Dataset(fields, coords={"frequency": axis, "mode": list(MODES), "mode_of_motion": list(MODES)})
+
+
+def _forces(solved: xr.Dataset) -> dict[str, Any]:
+    parts: dict[str, NDArray[np.complex128]] = {}
+    for ours, theirs in (("froude_krylov", "Froude_Krylov_force"), ("diffraction", "diffraction_force")):
+        values = solved[theirs].sel(influenced_dof=list(_DOFS)).transpose("omega", "wave_direction", "influenced_dof")
+        parts[ours] = 1j * np.conj(values.to_numpy()) * _HALF_TURN
+    parts["total"] = parts["froude_krylov"] + parts["diffraction"]
+    units = "N/m (sway), N m/m (roll, yaw)"
+    return {
+        name: (
+            ("frequency", "heading", "part", "mode"), np.stack([phasor.real, -phasor.imag], axis=-2),
+            {"units": units, "symbol": "Y, K, N", "long_name": f"{name.replace('_', ' ')} wave force per metre of amplitude"},
+        )
+        for name, phasor in parts.items()
+    }  # fmt: skip
+
+
+def _attributes(ship: Ship, panels: tuple[int, int], lid: bool) -> dict[str, str | float]:
+    return {
+        "ship": ship.name,
+        "speed": 0.0,
+        "form": "bem",
+        "axes": "body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
+        "reference_point": REFERENCE_POINT,
+        "water_density": float(ship.loading.density),
+        "method": f"Capytaine, {panels[0]} x {panels[1]} panels a side, {'with' if lid else 'without'} interior lid",
+        "references": "Ancellin19",
+    }

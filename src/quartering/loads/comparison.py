@@ -1,0 +1,145 @@
+"""Wave forces in several forms side by side, and how far they are apart."""
+
+from __future__ import annotations
+
+from typing import Any, Final, get_args
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, SYMBOLS, InputError
+from quartering.hull.immersed import strips
+from quartering.hull.ship import Ship
+from quartering.hydro.moments import section_table
+from quartering.loads.forces import FORMS, Form, wave_force_phasors
+from quartering.loads.stations import stations
+from quartering.loads.waves import Floats, Phasors
+
+PRESSURE_ALONE: Final = "froude-krylov"
+PANELS: Final = "bem"
+MEASURE: Final = "stf"
+MEANINGS: Final[dict[str, str]] = {
+    PRESSURE_ALONE: "pressure of the undisturbed wave alone, no diffraction",
+    **FORMS,
+    PANELS: "three-dimensional panels (Capytaine) at zero speed",
+}
+"""Form of the wave force -> what it is."""
+
+
+def compare_forces(
+    ship: Ship,
+    wave_lengths: ArrayLike,
+    headings: ArrayLike,
+    speed: float = 0.0,
+    *,
+    bem: xr.Dataset | None = None,
+) -> xr.Dataset:
+    """Wave forces on a ship in every form, and their differences from strip theory with contour potentials.
+
+    Parameters
+    ----------
+    ship : Ship
+    wave_lengths : (n,) float    lambda > 0 [m]
+    headings : (h,) float        mu: 0 following, 90 beam (wave from port to starboard), 180 head [deg]
+    speed : float                U >= 0 [m/s]
+    bem : Dataset                of `bem_forces` for the same ship, wave lengths and headings; None leaves panels out
+
+    Returns
+    -------
+    Dataset    force (form, wave_length, heading, part, mode), amplitude (form, wave_length, heading, mode) per metre of
+               wave amplitude [N/m; N m/m about G]; difference (form, wave_length, heading, mode) and
+               largest_difference (form, mode): modulus of the difference from "stf", over the largest force of "stf" in
+               that mode [1]; forms "froude-krylov", "paper", "paper-corrected", "relative-motion", "stf" and "bem"
+
+    Raises
+    ------
+    InputError    a wave length not positive, a speed that is negative or, with panels, not zero, panels of other waves
+
+    Notes
+    -----
+    The differences count phase as well as size.
+    Source: [H71] eqs. (B-3)-(B-11); [STF70] exciting force; [Ancellin19].  Valid: deep water, linear wave.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> found = compare_forces(ship("wigley"), [100.0, 200.0], [30.0, 90.0])
+    >>> found.force.dims, float(found.largest_difference.sel(form="stf").max())
+    (('form', 'wave_length', 'heading', 'part', 'mode'), 0.0)
+    """
+    length, mu = (np.atleast_1d(np.asarray(v, dtype=float)) for v in (wave_lengths, headings))
+    if length.ndim != 1 or not (np.isfinite(length).all() and (length > 0).all()):
+        raise InputError(f"wave_lengths {wave_lengths!r} must be a list of lengths above 0 m")
+    if mu.ndim != 1 or np.ndim(speed):
+        raise InputError("headings must be one list [deg] and speed one number [m/s]")
+    force, omega = _strip_forces(ship, length, mu, speed)
+    if bem is not None:
+        force[PANELS] = _panel_forces(bem, length, mu, speed)
+    return _dataset(ship, length, mu, speed, force, omega)
+
+
+def _strip_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> tuple[dict[str, Phasors], Floats]:
+    """Phasors (n, h, 3) of every form of strip theory, and the encounter frequencies (n, h)."""
+    density, shape = ship.loading.density, (length.size, mu.size)
+    k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
+    hull = strips(ship.hull), stations(ship), section_table(ship.hull, density)
+    force: dict[str, Phasors] = {}
+    for form in get_args(Form):
+        pressure, scattered, omega = wave_force_phasors(*hull, k, speed, heading, form=form, density=density)
+        force.setdefault(PRESSURE_ALONE, pressure.reshape(*shape, 3))
+        force[form] = (pressure + scattered).reshape(*shape, 3)
+    return force, omega.reshape(shape)
+
+
+def _panel_forces(bem: xr.Dataset, length: Floats, mu: Floats, speed: float) -> Phasors:
+    """Phasors (n, h, 3) of the panels, refused when they are not of these waves."""
+    if speed != 0:
+        raise InputError(f"speed {speed} m/s: the panels are at zero speed; compare at speed 0, or leave bem out")
+    for name, wanted in (("wave_length", length), ("heading", mu)):
+        given = np.atleast_1d(bem[name].to_numpy()) if name in bem.coords else np.zeros(0)
+        if given.shape != wanted.shape or not np.allclose(given, wanted, rtol=1e-9):
+            raise InputError(
+                f"the panels have {name} {given.tolist()}, the comparison {wanted.tolist()}; give bem_forces the same"
+            )
+    values = bem["total"].transpose("wave_length", "heading", "part", "mode").to_numpy()
+    return np.asarray(values[:, :, 0] - 1j * values[:, :, 1])
+
+
+def _dataset(
+    ship: Ship, length: Floats, mu: Floats, speed: float, force: dict[str, Phasors], omega: Floats
+) -> xr.Dataset:
+    names = [name for name in MEANINGS if name in force]
+    phasor = np.stack([force[name] for name in names])
+    largest = np.abs(force[MEASURE]).max(axis=(0, 1))
+    apart = np.abs(phasor - force[MEASURE])
+    share = np.divide(apart, largest, out=np.zeros_like(apart), where=largest > 0)
+    where, unit = ("form", "wave_length", "heading"), "N/m (sway), N m/m (roll, yaw)"
+    words = "wave force and moments per metre of wave amplitude"
+    over = "difference from stf over its largest"
+    fields: dict[str, Any] = {
+        "force": (
+            (*where, "part", "mode"), np.stack([phasor.real, -phasor.imag], axis=-2),
+            {"units": unit, "symbol": "Y, K, N", "long_name": words},
+        ),
+        "amplitude": ((*where, "mode"), np.abs(phasor), {"units": unit, "symbol": "|Y|, |K|, |N|", "long_name": words}),
+        "difference": ((*where, "mode"), share, {"units": "1", "symbol": "", "long_name": over}),
+        "largest_difference": (
+            ("form", "mode"), share.max(axis=(1, 2)), {"units": "1", "symbol": "", "long_name": f"largest {over}"},
+        ),
+        "encounter_frequency": (
+            where[1:], omega, dict(zip(("symbol", "units", "long_name"), SYMBOLS["encounter_frequency"], strict=True)),
+        ),
+    }  # fmt: skip
+    coords = {
+        "form": names, "wave_length": ("wave_length", length, {"units": "m", "symbol": "lambda"}),
+        "heading": ("heading", mu, {"units": "deg", "symbol": "mu", "long_name": "heading to the waves"}),
+        "part": ["cos", "sin"], "mode": list(MODES), "unit": ("mode", ["N", "N m", "N m"]),
+        "ratio": ("wave_length", length / ship.hull.length, {"units": "1", "long_name": "wave length over ship length"}),
+        "meaning": ("form", [MEANINGS[name] for name in names]),
+    }  # fmt: skip
+    return xr.Dataset(fields, coords=coords).assign_attrs(
+        ship=ship.name, speed=float(speed), reference_point=REFERENCE_POINT, heading_convention=HEADING_CONVENTION,
+        signal="cos cos(|omega| t) + sin sin(|omega| t); at t = 0 the surface at G passes its mean level going down",
+        references="H71, STF70" + (", Ancellin19" if PANELS in force else ""),
+    )  # fmt: skip

@@ -1,0 +1,167 @@
+"""`quartering worst` and `quartering show`: questions to results that are stored, nothing computed again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from quartering.conventions import InputError
+from quartering.stability.kind import Kind
+from quartering.study.query import Measure, worst, worst_by, write_csv
+from quartering.study.result import open_result
+from quartering.view.output import PICTURES, claim, write
+from quartering.view.terminal import next_steps, show, show_json, table
+
+
+def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
+    """Print the conditions with the largest roll or the least stable margin."""
+    measure: Measure = by  # type: ignore[assignment]  # worst refuses an unknown one
+    found = worst(opened(result), measure, count)
+    names = [str(n) for n in found.coords if n != "rank"]
+    rows = [
+        {name: float(found[name][i]) for name in (*names, "roll_peak", "exponent")}
+        | {"verdict": Kind(int(found["verdict"][i])).label}
+        for i in range(found.sizes["rank"])
+    ]
+    if as_json:
+        show_json({"by": by, "worst": rows})
+        return
+    columns = [_head(name, found) for name in (*names, "roll_peak", "exponent")] + ["verdict"]
+    texts = [[v if isinstance(v, str) else f"{v:.4g}" for v in row.values()] for row in rows]
+    what = "Largest roll" if by == "roll" else "Least stable margin"
+    show(table(f"{what} of {found.attrs['ship']}", columns, texts, tuple(range(len(columns) - 1))))
+    show(next_steps(f"quartering show {result}"))
+
+
+def show_result(result: str, cuts: list[str], output: str | None, table_file: str | None, as_json: bool) -> None:
+    """Print the worst of every speed and heading; draw the map of a slice, or write it as a table."""
+    picture = claim(output, PICTURES) if output else None
+    target = claim(table_file, (".csv",)) if table_file else None
+    ds, where = opened(result), dict(split_cut(cut) for cut in cuts)
+    named = [dim for dim in where if dim not in ds["verdict"].dims or dim not in ds.coords]
+    if named:
+        raise InputError(f"--at {named[0]}: this result can be cut at {', '.join(_axes(ds))}")
+    if target is not None:
+        write_csv(ds, target, None, **where)
+    cut = ds.sel(where, method="nearest") if where else ds
+    if picture is not None:
+        _draw(cut, picture)
+    by = worst_by(cut, [dim for dim in ("speed", "heading") if dim in cut["verdict"].dims])
+    files = {"picture": str(picture) if picture else None, "table": str(target) if target else None}
+    if as_json:
+        show_json(_facts(ds, by) | files)
+        return
+    stacked = by.stack(line=[*by["roll_peak"].dims]) if by["roll_peak"].dims else by.expand_dims("line")
+    rows = [_row(stacked.isel(line=i)) for i in range(stacked.sizes["line"])]
+    show(
+        table(
+            f"{ds.attrs['title']}: {_sizes(ds)}", ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, (0, 1, 2, 3, 4, 5)
+        )
+    )
+    show(*(f"Wrote {path}" for path in files.values() if path))
+    show(
+        next_steps(
+            f"quartering worst {result}", f"quartering show {result} --at wave_height=2 -o map.png --csv slice.csv"
+        )
+    )
+
+
+def opened(result: str) -> xr.Dataset:
+    """The dataset of a sweep's folder or of a netCDF file."""
+    path = Path(result)
+    if path.is_dir():
+        return open_result(path)
+    try:
+        return xr.load_dataset(path)
+    except (OSError, ValueError) as error:
+        raise InputError(
+            f'"{result}" is neither the folder of a sweep nor a netCDF file ({error.__class__.__name__})'
+        ) from None
+
+
+def split_cut(typed: str) -> tuple[str, float]:
+    """Dimension and value of "wave_height=4".
+
+    Examples
+    --------
+    >>> split_cut("wave_height=4")
+    ('wave_height', 4.0)
+    """
+    name, sign, number = typed.partition("=")
+    try:
+        return name.strip(), float(number)
+    except ValueError:
+        raise InputError(
+            f'--at "{typed}"{"" if sign else " has no ="}: write it like --at wave_height=4 [m, m/s, deg]'
+        ) from None
+
+
+_COLUMNS = ("largest roll [deg]", "largest exponent [1/s]", "unstable", "no answer")
+
+
+def _row(line: xr.Dataset) -> tuple[str, ...]:
+    place = [f"{float(line[name]):.4g}" if name in line.coords else "" for name in ("speed", "heading")]
+    shares = [f"{100 * float(line[name]):.1f} %" for name in ("unstable", "without_answer")]
+    return (*place, f"{float(line['roll_peak']):.3g}", f"{float(line['exponent']):+.3g}", *shares)
+
+
+def _facts(ds: xr.Dataset, by: xr.Dataset) -> dict[str, Any]:
+    return {
+        "title": ds.attrs["title"],
+        "sizes": {str(name): size for name, size in ds["verdict"].sizes.items()},
+        **{str(name): values.values for name, values in by.coords.items()},
+        **{str(name): values.values for name, values in by.data_vars.items()},
+    }
+
+
+def _draw(cut: xr.Dataset, picture: Path) -> None:
+    """The polar map of a slice with one wave height and one loading."""
+    from quartering.view.plots import style
+    from quartering.view.plots.polar_map import polar_map
+
+    if "loading" in cut.dims:
+        several, cut = cut.sizes["loading"], cut.isel(loading=0)
+        own = ", ".join(f"{name} {float(cut[name]):.4g}" for name in _loading_names(cut))
+        cut = cut.assign_attrs(loading=f"{own} (loading 1 of {several}); the rest as the ship's own")
+    if "wave_height" in cut["verdict"].dims:
+        cut = cut.isel(wave_height=-1)
+    for dim in ("speed", "heading", "wave_length"):
+        if dim not in cut["verdict"].dims:
+            raise InputError(f"a map needs all values of {dim}; leave out --at {dim}")
+    height = float(cut["wave_height"])
+    flat = cut.drop_vars("wave_height").assign_coords(
+        wave_height=("wave_length", np.full(cut.sizes["wave_length"], height), cut["wave_height"].attrs)
+    )
+    if _loading_names(flat):
+        flat = flat.assign_attrs(natural_roll_frequency=small_roll_frequency(flat))
+    write((picture, lambda part: style.save(polar_map(flat.load()), part)))
+
+
+def small_roll_frequency(ds: xr.Dataset) -> float:
+    """Natural roll frequency [rad/s] of small roll, from the condition that rolls least of those met nearest to it."""
+    n2, omega = ds["n2"].values, np.abs(ds["encounter_frequency"].values)
+    roll = np.where(np.isfinite(ds["roll"].values), ds["roll"].values, np.inf)
+    off = np.abs(omega - n2) / n2 + roll / 10.0
+    return float(n2.ravel()[np.nanargmin(off)]) if np.isfinite(off).any() else float("nan")
+
+
+def _loading_names(ds: xr.Dataset) -> list[str]:
+    """Coordinates that tell one loading from another."""
+    usual = {"speed", "heading", "wave_length", "wave_height", "resonance", "rank"}
+    return [str(name) for name in ds.coords if name not in usual]
+
+
+def _axes(ds: xr.Dataset) -> list[str]:
+    return [str(dim) for dim in ds["verdict"].dims if dim in ds.coords]
+
+
+def _sizes(ds: xr.Dataset) -> str:
+    return ", ".join(f"{size} {name}" for name, size in ds["verdict"].sizes.items())
+
+
+def _head(name: str, ds: xr.Dataset) -> str:
+    unit = ds[name].attrs.get("units", "1")
+    return name.replace("_", " ") + ("" if unit == "1" else f" [{unit}]")

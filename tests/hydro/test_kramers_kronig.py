@@ -1,0 +1,135 @@
+"""Causality of added mass and damping: closed form, published half circle, spoiled databases."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import trapezoid
+from scipy.special import dawsn
+
+from quartering.conventions import InputError
+from quartering.hull.ship import ship
+from quartering.hydro.kramers_kronig import kramers_kronig, retardation
+from quartering.hydro.moments import section_table
+from quartering.hydro.sixmodes import hydrodynamics6
+from quartering.hydro.strip import hydrodynamics
+
+DATA = Path(__file__).parents[1] / "data" / "sections_reference.csv"
+OMEGA = np.linspace(0.05, 3.2, 64)
+
+
+def circle():
+    """Reference half circle, sway and heave, as (frequency, a, b) in units of rho A and w sqrt(r/g)."""
+    rows = csv.DictReader(line for line in DATA.read_text().splitlines() if not line.startswith("#"))
+    table = [row for row in rows if row["section"] == "circle"]
+    omega = np.sqrt([float(row["frequency_squared"]) for row in table])
+    a, b = (np.array([[float(row[f"{letter}{mode}"]) for mode in ("22", "33")] for row in table]) for letter in "ab")
+    return omega, a, b
+
+
+def dataset(omega, a, b, limit=None):
+    """A database of two uncoupled modes."""
+    ds = hydrodynamics(ship("wigley"), omega).isel(mode=[0, 1], mode_of_motion=[0, 1])
+    full = [np.stack([np.diag(row) for row in values]) for values in (a, b)]
+    ds = ds.assign(added_mass=(ds.added_mass.dims, full[0]), damping=(ds.damping.dims, full[1]))
+    return ds if limit is None else ds.assign(added_mass_infinite=(("mode", "mode_of_motion"), np.diag(limit)))
+
+
+def test_closed_pair_is_met():
+    """b = u^2 exp(-u^2) has the transform (2/sqrt(pi)) (1/2 - w D(w)), D Dawson's integral."""
+    w = np.linspace(0.02, 6.0, 400)
+    b = w**2 * np.exp(-(w**2))
+    a = 1.0 + 2 / np.sqrt(np.pi) * (0.5 - w * dawsn(w))
+    found = kramers_kronig(dataset(w, np.stack([a, a], 1), np.stack([b, b], 1), [1.0, 1.0]))
+    assert found.largest < 2e-5
+    assert not found.fitted
+
+
+def test_published_half_circle_belongs_together():
+    """Half circle, multipole reference good to 2e-5 with its limits 4/pi^2 (sway) and 1 (heave) of rho A."""
+    omega, a, b = circle()
+    found = kramers_kronig(dataset(omega, a, b, [4 / np.pi**2, 1.0]))
+    assert found.consistent
+    sway, heave = np.abs(found.difference[:, [0, 1], [0, 1]]).T
+    assert sway.max() < 0.015  # at the end of the table, where the rest of the damping is a guess
+    assert heave.max() < 0.035  # at its beginning, where heave grows like ln(1/w) and the table is coarse
+    assert np.median(heave) < 1e-3
+    fitted = kramers_kronig(dataset(omega, a, b))
+    assert np.median(np.abs(fitted.difference[:, [0, 1], [0, 1]])) < 1e-3
+    assert fitted.fitted
+    assert np.diag(fitted.added_mass_infinite) == pytest.approx([4 / np.pi**2, 1.0], abs=0.02)
+
+
+@pytest.mark.parametrize("name", ["wigley", "series60-cb60", "box", "s175"])
+def test_sections_and_whole_ships_of_the_library_belong_together(name):
+    """Property: the added mass comes from pressures, the damping from radiated waves; causality ties them."""
+    vessel = ship(name)
+    sections = kramers_kronig(section_table(vessel.hull, 1025.0))
+    assert sections.consistent, sections.sentence
+    whole = kramers_kronig(hydrodynamics6(vessel, OMEGA))
+    assert whole.consistent, whole.sentence
+    assert np.median(np.abs(whole.difference)) < 1e-3
+
+
+def spoiled(how):
+    ds = hydrodynamics6(ship("series60-cb60"), OMEGA)
+    a, b = ds.added_mass.to_numpy().copy(), ds.damping.to_numpy().copy()
+    if how == "irregular frequency":
+        a[30:32, 1, 1] *= np.array([1.35, 0.7])
+    elif how == "damping of half the size":
+        b[:, 1, 1] *= 0.5
+    elif how == "sign of the coupling":
+        b[:, 1, 3] *= -1.0
+        b[:, 3, 1] *= -1.0
+    elif how == "another reference point":
+        b[:] = hydrodynamics6(ship("series60-cb60"), OMEGA, reference=(0.0, -6.0)).damping
+    return ds.assign(added_mass=(ds.added_mass.dims, a), damping=(ds.damping.dims, b))
+
+
+@pytest.mark.parametrize(
+    ("how", "entry"),
+    [
+        ("irregular frequency", ("sway", "sway")),
+        ("damping of half the size", ("sway", "sway")),
+        ("sign of the coupling", None),
+        ("another reference point", None),
+    ],
+)
+def test_a_spoiled_database_is_found_out(how, entry):
+    """Faults put in by hand; the sound database passes, see above."""
+    found = kramers_kronig(spoiled(how))
+    assert not found.consistent
+    assert "do not belong together" in found.sentence
+    if entry:
+        assert found.worst[0] == entry
+    if how == "irregular frequency":
+        assert found.worst[1] in OMEGA[30:32]
+
+
+def test_retardation_gives_the_added_mass_back():
+    """a(w) - a(inf) = -(1/w) int K sin(w t) dt (Cummins 1962), against the transform of the damping itself."""
+    ds = hydrodynamics6(ship("box"), OMEGA)
+    time = np.linspace(0.0, 60.0, 3001)
+    memory = retardation(OMEGA, ds.damping.to_numpy()[:, 1, 1], time)
+    infinite = ds.added_mass_infinite.to_numpy()[1, 1]
+    a = ds.added_mass.to_numpy()[:, 1, 1]
+    for k in range(5, 50, 6):
+        wave = np.sin(OMEGA[k] * time)
+        back = infinite - trapezoid(memory * wave, time) / OMEGA[k]
+        assert back == pytest.approx(a[k], abs=0.01 * np.abs(a - infinite).max())
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda ds: ds.isel(frequency=slice(5)), "at least 8"),
+        (lambda ds: ds.isel(frequency=slice(None, None, -1)), "ascending"),
+        (lambda ds: ds.drop_vars("damping"), "neither"),
+        (lambda ds: ds.assign_attrs(speed=5.0), "speed 0"),
+        (lambda ds: ds.assign(damping=ds.damping * np.nan), "finite"),
+    ],
+)
+def test_bad_input_is_answered_with_what_is_needed(change, said):
+    with pytest.raises(InputError, match=said):
+        kramers_kronig(change(hydrodynamics(ship("wigley"), OMEGA)))
