@@ -48,7 +48,7 @@ def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin,
 
 
 def modified_struble(
-    system: System, *, from_rest: bool = False
+    system: System, *, from_rest: bool = False, start: Floats | None = None
 ) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by the paper's method.
 
@@ -56,6 +56,7 @@ def modified_struble(
     ----------
     system : System      n conditions
     from_rest : bool     which motion where several exist, as in `harmonic_balance`
+    start : (n, 3, b)    start of Newton's method for the fundamental, as in `harmonic_balance`
 
     Returns
     -------
@@ -79,7 +80,7 @@ def modified_struble(
     ((1, 3), (1, 3, 4))
     """
     low, orders = ((1,), (1, 3)) if system.symmetric else ((0, 1), (0, 1, 2, 3))
-    fundamental, status, residual = harmonic_balance(system, low, from_rest=from_rest)
+    fundamental, status, residual = harmonic_balance(system, low, start, from_rest=from_rest)
     known = fundamental.shape[2]
     table = basis(orders, system.degree, system.has_modulus)
     u = np.zeros((system.count, 3, table.factors.size))
