@@ -58,7 +58,7 @@ def duffing_amplitudes(formula: str, beta: float, force: float, frequency: float
         if abs(9 * w2 - 1) < 1e-9:
             raise InputError("formula C-5 has a pole at frequency 1/3 (third superharmonic); take another frequency")
         cubic, linear, constant = beta * (7 * w2 - 1) / (9 * w2 - 1), 1.0 - w2, -force
-    roots = np.roots(np.trim_zeros([cubic, 0.0, linear, constant], "f"))
+    roots = np.roots(np.array([cubic, 0.0, linear, constant]))
     return np.asarray(np.sort(roots[np.abs(roots.imag) < 1e-9 * (1 + np.abs(roots))].real))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
@@ -147,7 +147,7 @@ def canonical(
     )
 
 
-def _triple(values: Sequence[float] | Floats, name: str) -> Floats:
+def _triple(values: ArrayLike, name: str) -> Floats:
     array = np.array(values, dtype=float)
     if array.shape != (3,) or not np.isfinite(array).all():
         raise InputError(f"{name} needs three finite numbers (sway N, roll N m, yaw N m); given {values!r}")
@@ -155,7 +155,7 @@ def _triple(values: Sequence[float] | Floats, name: str) -> Floats:
     return array
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, init=False)
 class Model:
     """Equations of sway, roll and yaw of one ship in one regular wave, every number taken literally.
 
@@ -191,26 +191,44 @@ class Model:
     frequency: float
     force_cos: Floats
     force_sin: Floats
-    force_mean: Floats = field(default_factory=lambda: np.zeros(3))
-    source: Mapping[str, object] = field(default_factory=dict)
-    references: tuple[str, ...] = ("H71",)
+    force_mean: Floats
+    source: Mapping[str, object]
+    references: tuple[str, ...]
     system: System = field(init=False, repr=False)
 
-    def __post_init__(self) -> None:
-        inertia = np.array(self.inertia, dtype=float)
-        if inertia.shape != (3, 3) or not np.isfinite(inertia).all():
-            raise InputError(f"inertia needs a 3 x 3 array of finite numbers (sway, roll, yaw); given {self.inertia!r}")
-        if not (np.isfinite(self.frequency) and self.frequency > 0):
+    def __init__(
+        self,
+        inertia: ArrayLike,
+        terms: Mapping[str, float],
+        frequency: float,
+        force_cos: ArrayLike,
+        force_sin: ArrayLike,
+        force_mean: ArrayLike = (0.0, 0.0, 0.0),
+        source: Mapping[str, object] = MappingProxyType({}),
+        references: tuple[str, ...] = ("H71",),
+    ) -> None:
+        masses = np.array(inertia, dtype=float)
+        if masses.shape != (3, 3) or not np.isfinite(masses).all():
+            raise InputError(f"inertia needs a 3 x 3 array of finite numbers (sway, roll, yaw); given {inertia!r}")
+        if not (np.isfinite(frequency) and frequency > 0):
             raise InputError(
-                f"encounter frequency {self.frequency} rad/s must be greater than zero: a wave that keeps pace with the"
+                f"encounter frequency {frequency} rad/s must be greater than zero: a wave that keeps pace with the"
                 " ship has no periodic motion; change speed or heading (for a negative one, give its modulus and the"
                 " conjugate force: reverse the sign of force_sin)"
             )
-        inertia.flags.writeable = False
-        object.__setattr__(self, "inertia", inertia)
-        object.__setattr__(self, "terms", MappingProxyType({k: float(v) for k, v in self.terms.items()}))
-        for name in ("force_cos", "force_sin", "force_mean"):
-            object.__setattr__(self, name, _triple(getattr(self, name), name))
+        masses.flags.writeable = False
+        values: dict[str, object] = {
+            "inertia": masses,
+            "terms": MappingProxyType({name: float(value) for name, value in terms.items()}),
+            "frequency": float(frequency),
+            "force_cos": _triple(force_cos, "force_cos"),
+            "force_sin": _triple(force_sin, "force_sin"),
+            "force_mean": _triple(force_mean, "force_mean"),
+            "source": MappingProxyType(dict(source)),
+            "references": references,
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
         table = term_table(self.terms)
-        system = canonical(inertia, table, self.frequency, self.force_cos, self.force_sin, self.force_mean)
+        system = canonical(masses, table, frequency, self.force_cos, self.force_sin, self.force_mean)
         object.__setattr__(self, "system", system)
