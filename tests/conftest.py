@@ -12,7 +12,7 @@ SOURCES = Path(__file__).parents[1] / "src" / "quartering"
 def pytest_configure(config):
     digest = hashlib.sha256()
     for file in sorted(SOURCES.rglob("*.py")):
-        if "njit" in (text := file.read_text()):
+        if "njit" in (text := file.read_text()) or "quartering.compiled" in text:
             digest.update(text.encode())
     if getattr(config, "cache", None) is None or config.cache.get("quartering/kernels", None) == digest.hexdigest():
         return

@@ -3,13 +3,12 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from numba import njit
-
+from quartering.compiled import inner, kernel
 from quartering.motion.dense import lu_factor, lu_solve
 from quartering.motion.polynomial import accelerations
 
 
-@njit(cache=True, nogil=True)
+@inner
 def orbit_state(values, rates, factors, w, u, n, state):
     """State (v, phi, p, r) at sample ``n`` of the motion ``u`` (3, b), written into ``state``.
 
@@ -28,7 +27,7 @@ def orbit_state(values, rates, factors, w, u, n, state):
         state[3] += u[2, b] * rate
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def balance(system, tables, u, strength, residual, matrix, scratch):
     """Residual of the balance equations at ``u`` and, if asked for, its exact derivative.
 
@@ -89,7 +88,7 @@ def balance(system, tables, u, strength, residual, matrix, scratch):
         residual[k * nb + first + 1] -= sin[k]
 
 
-@njit(cache=True, nogil=True)
+@inner
 def relative_step(step, u):
     """Largest step in any unknown relative to its mode's amplitude, so that metres and radians count alike.
 
@@ -112,13 +111,13 @@ def relative_step(step, u):
     return size
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _negative(a, out):
     for i in range(a.size):
         out[i] = -a[i]
 
 
-@njit(cache=True, nogil=True)
+@inner
 def copy_motion(u, out):
     """Copy coefficients (3, b) from ``u`` into ``out``.
 
@@ -131,7 +130,7 @@ def copy_motion(u, out):
             out[k, b] = u[k, b]
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _add(u, step, damping, out):
     nb = u.shape[1]
     for k in range(3):
@@ -139,7 +138,7 @@ def _add(u, step, damping, out):
             out[k, b] = u[k, b] + damping * step[k * nb + b]
 
 
-@njit(cache=True, nogil=True)
+@inner
 def newton(system, tables, u, strength, work):
     """Damped Newton from ``u``, in place; returns (0 converged, 1 not converged, 2 singular) and a sign.
 

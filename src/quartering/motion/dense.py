@@ -3,10 +3,10 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from numba import njit
+from quartering.compiled import inner
 
 
-@njit(cache=True, nogil=True)
+@inner
 def lu_factor(a, pivots):
     """Factor the square matrix ``a`` in place; returns the sign of its determinant, 0 when it is singular.
 
@@ -40,7 +40,7 @@ def lu_factor(a, pivots):
     return sign
 
 
-@njit(cache=True, nogil=True)
+@inner
 def lu_solve(a, pivots, b):
     """Solve in place for one right-hand side ``b``, with ``a`` and ``pivots`` from `lu_factor`.
 

@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 from numpy.typing import ArrayLike, NDArray
 
+from quartering.compiled import kernel
 from quartering.conventions import InputError
 from quartering.motion.equations import Floats, Model
 from quartering.motion.polynomial import accelerations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _march(first, last, linear, coefficients, powers, modulus, mean, cos, sin, h, forcing, steps, limit, states, times):
     """Fourth-order Runge-Kutta with a fixed step; `forcing` (2 per period, 2) holds cosine and sine at half steps.
 

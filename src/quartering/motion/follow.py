@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from quartering.compiled import inner
 from quartering.motion.balance import balance
 from quartering.motion.dense import lu_factor, lu_solve
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _excitation(system, first, nb, out):
     """Excitation as it stands in the balance equations (3 b,)."""
     mean, cos, sin = system[4], system[5], system[6]
@@ -23,7 +23,7 @@ def _excitation(system, first, nb, out):
         out[k * nb + first + 1] = sin[k]
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _correct(system, tables, u, share, scale, tangent, force, bordered, pivots, step, work):
     """Newton's method across the tangent from a predicted point (u, share); returns iterations, or -1, and the share.
 
@@ -57,7 +57,7 @@ def _correct(system, tables, u, share, scale, tangent, force, bordered, pivots, 
     return -1, share
 
 
-@njit(cache=True, nogil=True)
+@inner
 def follow(system, tables, linear_motion, u, work):
     """Follow the motion from rest while the excitation grows from 0 to 1; leaves ``u`` near the first motion at 1.
 

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
 from quartering.motion.balance import balance, copy_motion, newton
 from quartering.motion.basis import basis
@@ -19,7 +19,7 @@ _CONVERGED, _BY_FOLLOWING = int(Status.CONVERGED), int(Status.CONVERGED_BY_FOLLO
 _NO_MOTION, _SINGULAR, _NOT_FINITE = int(Status.NO_MOTION_FOUND), int(Status.SINGULAR), int(Status.NOT_FINITE)
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _changed(before, after):
     """Is roll more than twice or less than half of what it was?"""
     old, new = 0.0, 0.0
@@ -29,7 +29,7 @@ def _changed(before, after):
     return new > 4.0 * old or old > 4.0 * new
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
            values, rates, factors, weights, given_start, from_rest, u, status, error):  # fmt: skip
     """Periodic motions of conditions first..last; u (n, 3, b) holds the start when `given_start`, then the result."""

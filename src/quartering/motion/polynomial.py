@@ -3,10 +3,10 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from numba import njit
+from quartering.compiled import inner
 
 
-@njit(cache=True, nogil=True)
+@inner
 def accelerations(linear, coefficients, powers, modulus, strength, state, table, force, jacobian):
     """Right-hand side of the canonical equations without excitation and, if asked for, its derivative by the state.
 

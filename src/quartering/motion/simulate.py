@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numba import njit
 
+from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
 from quartering.motion.equations import Model
 from quartering.motion.polynomial import accelerations
@@ -42,7 +42,7 @@ _DENSE = np.array(
 )  # fmt: skip
 
 
-@njit(cache=True, nogil=True)
+@inner
 def _derivative(system, time, y, scratch, out):
     linear, coefficients, powers, modulus, mean, cos, sin, w = system
     power_table, force, jacobian = scratch
@@ -54,7 +54,7 @@ def _derivative(system, time, y, scratch, out):
     out[3] = force[2] + mean[2] + cos[2] * c + sin[2] * s
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):
     """Dormand-Prince 5(4) with fourth-order dense output at ``times``; returns the number of samples written."""
     scratch = (np.empty((4, 8)), np.empty(3), np.empty((0, 4)))

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from quartering.compiled import kernel
 from quartering.motion.balance import balance
 from quartering.motion.basis import basis
 from quartering.motion.dense import lu_factor, lu_solve
@@ -15,7 +15,7 @@ from quartering.motion.harmonic import harmonic_balance
 from quartering.threads import in_threads
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
              values, rates, factors, weights, known, u):  # fmt: skip
     """Fill the columns of ``u`` (n, 3, b) after the first `known` with their linear response."""
