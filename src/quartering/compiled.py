@@ -6,7 +6,11 @@ its compilation.
 
 from __future__ import annotations
 
-from numba import njit
+from typing import Any
 
-kernel = njit(cache=True, nogil=True)
-inner = njit(cache=True, nogil=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
+import numba
+
+_compile: Any = numba.njit  # its stubs do not know every option
+
+kernel: Any = _compile(cache=True, nogil=True)
+inner: Any = _compile(cache=True, nogil=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)

@@ -46,6 +46,31 @@ def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any) -> None:
             done.result()
 
 
+def workers() -> int:
+    """Number of cores this process may use."""
+    return _WORKERS
+
+
+def alone(work: Callable[[Item], Result], item: Item) -> Result:
+    """Do a piece of work on this thread only, as one of many that others do at the same time.
+
+    Parameters
+    ----------
+    work : function    of one item
+    item : Any
+
+    Returns
+    -------
+    Any                its result
+    """
+    before = getattr(_inside, "busy", False)
+    _inside.busy = True
+    try:
+        return work(item)
+    finally:
+        _inside.busy = before
+
+
 def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tuple[int, Result]]:
     """Do a piece of work for each item on all cores, and hand the results over as they are done.
 
@@ -63,10 +88,6 @@ def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tu
     Stopping the iteration (an interrupt, an error) drops the items not yet begun.
     """
 
-    def alone(item: Item) -> Result:
-        _inside.busy = True
-        return work(item)
-
     if not items:
         return
     if len(items) == 1 or _WORKERS == 1:
@@ -75,7 +96,7 @@ def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tu
     yield 0, work(items[0])
     pool = ThreadPoolExecutor(_WORKERS)
     try:
-        pending = {pool.submit(alone, item): i for i, item in enumerate(items) if i > 0}
+        pending = {pool.submit(alone, work, item): i for i, item in enumerate(items) if i > 0}
         while pending:
             for done in wait(pending, return_when=FIRST_COMPLETED).done:
                 yield pending.pop(done), done.result()

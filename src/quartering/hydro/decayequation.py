@@ -6,17 +6,17 @@ phi'' + 2 zeta w0 phi' + d |phi'| phi' + c phi'^3 + w0^2 phi + k3 phi^3 = 0
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from quartering.compiled import kernel
 from quartering.hull.section import Floats
 
 
-@njit(cache=True, nogil=True, fastmath=False)
+@kernel
 def _acceleration(x: float, v: float, c1: float, c2: float, c3: float, k1: float, k3: float) -> float:
     return -(c1 + c2 * abs(v) + c3 * v * v) * v - (k1 + k3 * x * x) * x
 
 
-@njit(cache=True, nogil=True, fastmath=False)
+@kernel
 def _integrate(t: Floats, x: float, v: float, c1: float, c2: float, c3: float, k1: float, k3: float) -> Floats:
     out = np.empty(t.size)
     out[0] = x

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from typing import Final
 
-import numba
+from quartering.compiled import kernel
 
 EULER: Final = 0.5772156649015329
 _TERMS: Final = 400
@@ -14,7 +14,7 @@ _NEAR: Final = 3.0
 _WORK: Final = 125.0
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def scaled_exponential_integral(w: complex) -> complex:
     """e^w E1(w), principal branch (cut along the negative real axis, which belongs to the upper side).
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 
-import numba
 import numpy as np
 
+from quartering.compiled import kernel
 from quartering.hull.section import Floats
 from quartering.hydro.exponential import scaled_exponential_integral
 from quartering.hydro.wavemaker import Complexes
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _far_field(nu: float, sign: float, Z: Complexes, of_h: Complexes, of_conjugate: Complexes) -> None:
     """Factors of h and conj h at the nodes in the integral of e^{-i nu s} H from the last node to infinity."""
     last = Z.size - 1
@@ -36,7 +36,7 @@ def _far_field(nu: float, sign: float, Z: Complexes, of_h: Complexes, of_conjuga
                 of_h[i] -= sign * share * value
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _solve_definite(G: Floats, R: Floats) -> None:
     """Solve G X = R for a symmetric positive definite G (lower triangle used), both overwritten, X in R."""
     n, m = R.shape
@@ -62,7 +62,7 @@ def _solve_definite(G: Floats, R: Floats) -> None:
             R[i, j] /= G[i, i]
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _outgoing_row(
     nu: float, sign: float, submerged: bool, T: Complexes, slope: Floats, of_h: Complexes, of_conjugate: Complexes,
     row: Complexes,
@@ -88,7 +88,7 @@ def _outgoing_row(
             row[n - 1] = 0.0
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def standing_waves(
     first: int, last: int, wavenumber: Floats, sign: float, submerged: np.ndarray, normal: Floats, known: Floats,
     node: Complexes, tangent: Complexes, slope: Floats, stream: Floats, stream_slope: Floats, potential: Complexes,

@@ -5,10 +5,10 @@ from __future__ import annotations
 import cmath
 import math
 
-import numba
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering.compiled import kernel
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hydro.table import SectionTable
 from quartering.loads.interpolation import frequency_weights
@@ -81,7 +81,7 @@ def contour_diffraction(
     return 2.0 * density * forces
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _contour_forces(
     x: Floats, weight: Floats, y: Floats, z: Floats, ny: Floats, nz: Floats, psi: Phasors,
     first: NDArray[np.int64], lagrange: Floats, waves: Floats, x_aft: float, transom: float,

@@ -8,6 +8,7 @@ import numba
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quartering.compiled import kernel
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hull.strips import Strips
 from quartering.loads.stations import Stations
@@ -71,7 +72,7 @@ def froude_krylov(
     return density * GRAVITY * phasors
 
 
-@numba.njit(cache=True, nogil=True)
+@kernel
 def _pressure_integrals(
     x: Floats,
     weight: Floats,

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
-from quartering.stability.first_order import FirstOrder, first_order
+from quartering.stability.first_order import Detail, FirstOrder, first_order
 from quartering.stability.floquet import Floquet, fastest_rate, floquet
 from quartering.stability.kind import kinds, linear_exponents
-from quartering.stability.variation import variational_harmonics
+from quartering.stability.variation import variation_along
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,9 @@ class Assessment:
     calm: NDArray[np.complex128]
 
 
-def assess(system: System, u: Floats, orders: tuple[int, ...], accuracy: float = 1e-6) -> Assessment:
+def assess(
+    system: System, u: Floats, orders: tuple[int, ...], accuracy: float = 1e-6, *, detail: Detail = "full"
+) -> Assessment:
     """Judge the stability of periodic motions by every method.
 
     Parameters
@@ -41,6 +43,7 @@ def assess(system: System, u: Floats, orders: tuple[int, ...], accuracy: float =
     u : (n, 3, b) float       motions, as from `harmonic_balance`
     orders : tuple of int     their harmonics
     accuracy : float          of the Floquet multipliers
+    detail : str              "full", or what a "map" needs: no shares of stable motions, no mean_jacobian
 
     Returns
     -------
@@ -60,12 +63,12 @@ def assess(system: System, u: Floats, orders: tuple[int, ...], accuracy: float =
     >>> int(assess(system, u, orders).kind[0])
     0
     """
-    phasors = variational_harmonics(system, u, orders)
+    phasors, along = variation_along(system, u, orders)
     first = 1 if orders[0] == 0 else 0
     amplitude = np.hypot(u[:, :, first], u[:, :, first + 1])
-    indices = first_order(system, phasors, amplitude)
+    indices = first_order(system, phasors, amplitude, detail)
     trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
     rate = fastest_rate(phasors, indices.mean_jacobian)
-    multipliers = floquet(system, u, orders, rate, trace, accuracy)
+    multipliers = floquet(system, u, orders, rate, trace, accuracy, variation=(phasors, along), detail=detail)
     calm = linear_exponents(system)
     return Assessment(indices, multipliers, kinds(multipliers, calm), calm)

@@ -6,7 +6,7 @@ Everything here is algebra on the harmonics of the variational matrix, vectorise
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 from quartering.motion.equations import Floats, System
 
 Complex = NDArray[np.complex128]
+Detail = Literal["full", "map"]
 _VELOCITIES = [0, 2, 3]
+_CLEARLY = 0.3
 RESONANCES = (2, 4, 6)
 """Values of m at which the paper looks for a resonance n2 = m omega/2."""
 
@@ -56,11 +58,14 @@ class FirstOrder:
 
     @property
     def growth(self) -> Floats:
-        """Largest growth rate any first-order quantity predicts, the averaged system deciding near m = 2 [1/s]."""
+        """Largest growth rate any first-order quantity predicts, the averaged system deciding near m = 2 [1/s].
+
+        NaN where the mean roll stiffness is negative: first-order theory has no roll mode there, and no answer.
+        """
         rates = np.column_stack(
             [self.roll_rate, self.averaged.real.max(axis=1), self.slow.max(axis=1), self.combination]
         )
-        return np.asarray(np.nanmax(np.where(np.isnan(rates), -np.inf, rates), axis=1))
+        return np.asarray(rates.max(axis=1))
 
 
 def roll_cubic(system: System, factors: str) -> Floats:
@@ -105,8 +110,26 @@ def _index_from_amplitudes(
     return np.asarray(0.5 * n2 * w**2 * (i1 * p1**2 + i2 * p2**2 + i3 * p3**2) + n2 * linear)
 
 
-def _averaged_roll_pair(frequency: Floats, phasors: Complex) -> Complex:
-    """Roll pair (n, 2) of d(A', B')/d(A, B) from the averaged equations (A-10)."""
+def _real_parts(matrix: Floats) -> Floats:
+    """Real parts (n, 2) of the eigenvalues of 2 x 2 matrices, the larger first."""
+    (a, b), (c, d) = matrix.transpose(1, 2, 0)
+    middle, apart = 0.5 * (a + d), np.sqrt(np.maximum(0.25 * (a - d) ** 2 + b * c, 0.0))
+    return np.stack([middle + apart, middle - apart], axis=1)
+
+
+def _mean_spectrum(phasors: Complex) -> Complex:
+    """Eigenvalues (n, 4) of the mean variational matrix."""
+    jacobian = np.zeros((phasors.shape[0], 4, 4))
+    jacobian[:, [0, 2, 3]] = phasors[:, 0].real
+    jacobian[:, 1, 2] = 1.0
+    return np.asarray(np.linalg.eigvals(jacobian).astype(complex))
+
+
+def _averaged_roll_pair(frequency: Floats, phasors: Complex, detail: Detail) -> Complex:
+    """Roll pair (n, 2) of d(A', B')/d(A, B) from the averaged equations (A-10).
+
+    For a map the eigenvalues nearest to those of roll alone are taken where they are clearly the nearest.
+    """
     w = frequency[:, None]
     n = frequency.size
     matrix = np.empty((n, 6, 6))
@@ -123,12 +146,30 @@ def _averaged_roll_pair(frequency: Floats, phasors: Complex) -> Complex:
         error[:, k] -= frequency**2 * displacement
         matrix[:, :3, column] = -error.imag / (2 * w)
         matrix[:, 3:, column] = -error.real / (2 * w)
+    if detail == "full":
+        return _in_roll(matrix)
+    values = np.linalg.eigvals(matrix).astype(complex)
+    own = matrix[:, [[1, 1], [4, 4]], [[1, 4], [1, 4]]]  # roll alone, sway and yaw at rest
+    middle, apart = 0.5 * (own[:, 0, 0] + own[:, 1, 1]), 0.25 * (own[:, 0, 0] - own[:, 1, 1]) ** 2
+    root = np.sqrt((apart + own[:, 0, 1] * own[:, 1, 0]).astype(complex))
+    away = np.minimum(np.abs(values - (middle + root)[:, None]), np.abs(values - (middle - root)[:, None]))
+    order = np.argsort(away, axis=1)
+    away = np.take_along_axis(away, order, axis=1)
+    pair = np.take_along_axis(values, order[:, :2], axis=1)
+    doubtful = np.flatnonzero(~(away[:, 1] < _CLEARLY * away[:, 2]))
+    if doubtful.size:
+        pair[doubtful] = _in_roll(matrix[doubtful])
+    return pair
+
+
+def _in_roll(matrix: Floats) -> Complex:
+    """The two eigenvalues (n, 2) of matrices (n, 6, 6) in whose modes roll, variables 1 and 4, takes part most."""
     values, vectors = np.linalg.eig(matrix)
     left = np.linalg.inv(vectors)
     share = np.abs(vectors * left.transpose(0, 2, 1))
     in_roll = share[:, 1] + share[:, 4]
     order = np.argsort(-in_roll, axis=1)[:, :2]
-    return np.take_along_axis(values, order, axis=1).astype(complex)
+    return np.asarray(np.take_along_axis(values, order, axis=1).astype(complex))
 
 
 def _combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Floats, phasors: Complex) -> Floats:
@@ -152,7 +193,7 @@ def _combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Fl
     return np.asarray(np.linalg.eigvals(matrix).real.max(axis=1))
 
 
-def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrder:
+def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Detail = "full") -> FirstOrder:
     """First-order stability of periodic motions from the harmonics of their variational matrix.
 
     Parameters
@@ -160,6 +201,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrd
     system : System              n conditions
     phasors : (n, 4, 3, 4)       from `variational_harmonics`
     amplitude : (n, 3) float     of the fundamental: sway [m], roll, yaw [rad]
+    detail : str                 "full", or what a "map" needs: mean_jacobian stays NaN
 
     Returns
     -------
@@ -202,10 +244,8 @@ def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrd
         return rate[:, None] + np.sqrt(np.maximum(root, 0.0))
 
     course = mean[:, [0, 2]][:, :, [0, 2]] - rho[:, [0, 2], None] * mean[:, 1][:, None, [0, 2]]
-    slow = np.sort(np.linalg.eigvals(course).real, axis=1)[:, ::-1]
-    jacobian = np.zeros((w.size, 4, 4))
-    jacobian[:, [0, 2, 3]] = phasors[:, 0].real
-    jacobian[:, 1, 2] = 1.0
+    slow = _real_parts(course)
+    spectrum = _mean_spectrum(phasors) if detail == "full" else np.full((w.size, 4), np.nan, dtype=complex)
     linear = np.einsum("nj,nj->n", rho, system.linear[:, 1][:, _VELOCITIES])
     amplitudes = np.where(finite[:, None], amplitude, 0.0)
     by_rho = _index_from_amplitudes(system, amplitudes, n2, linear, rho[:, 0])
@@ -225,6 +265,6 @@ def first_order(system: System, phasors: Complex, amplitude: Floats) -> FirstOrd
         q=known(growth(kappa - 1j * n2[:, None] * damping)),
         slow=known(slow),
         combination=known(_combination_rate(w, n2, rho, rate, course, phasors)),
-        averaged=known(_averaged_roll_pair(w, phasors), finite),
-        mean_jacobian=known(np.linalg.eigvals(jacobian).astype(complex), finite),
+        averaged=known(_averaged_roll_pair(w, phasors, detail), finite),
+        mean_jacobian=known(spectrum, finite),
     )

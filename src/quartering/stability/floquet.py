@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
+from quartering.stability.first_order import Detail
+from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
 from quartering.stability.variation import transition_matrices
 
 Complex = NDArray[np.complex128]
+
 _SMALLEST_DETERMINANT = 1e-9
+_NEARLY_UNSTABLE = 0.999
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,7 +28,7 @@ class Floquet:
     half : (n, 4) complex           of the half-period map with sign reversal removed: multipliers = half^2 when the motion
                                     is symmetric; NaN when it is not
     exponents : (n, 4) complex      w/(2 pi) ln(multiplier) [1/s]
-    share : (n, 4, 4) float         participation of v, phi, p, r (last axis) in each mode, summing to 1
+    share : (n, 4, 4) float         participation of v, phi, p, r (last axis) in each mode, summing to 1; NaN if not asked for
     liouville : (n,) float          relative difference of the product of multipliers and exp(integral of the trace); NaN
                                     where the product is too small to be told from rounding
     """
@@ -82,7 +86,7 @@ def fastest_rate(phasors: Complex, mean_jacobian: Complex) -> Floats:
     Parameters
     ----------
     phasors : (n, m, 3, 4)       harmonics of the variational matrix, the mean first
-    mean_jacobian : (n, 4)       eigenvalues of its mean [1/s]
+    mean_jacobian : (n, 4)       eigenvalues of its mean [1/s]; NaN where they are not known: a bound takes their place
 
     Returns
     -------
@@ -102,11 +106,32 @@ def fastest_rate(phasors: Complex, mean_jacobian: Complex) -> Floats:
     """
     sizes = np.abs(phasors).sum(axis=1)
     diagonal = np.maximum.reduce([sizes[:, 0, 0], sizes[:, 1, 2], sizes[:, 2, 3]])
-    return np.maximum.reduce([np.abs(mean_jacobian).max(axis=1), np.sqrt(sizes[:, 1, 1]), diagonal])
+    largest = np.abs(mean_jacobian).max(axis=1)
+    if np.isnan(largest).any():
+        largest = np.where(np.isnan(largest), _spectral_bound(phasors[:, 0].real), largest)
+    return np.maximum.reduce([largest, np.sqrt(sizes[:, 1, 1]), diagonal])
+
+
+def _spectral_bound(mean: Floats) -> Floats:
+    """Bound (n,) on the moduli of the eigenvalues of the mean matrix (n, 3, 4): |A^8|^(1/8)."""
+    power = np.zeros((mean.shape[0], 4, 4))
+    power[:, [0, 2, 3]] = mean
+    power[:, 1, 2] = 1.0
+    for _ in range(3):
+        power = power @ power
+    return np.asarray(np.sqrt((power**2).sum(axis=(1, 2))) ** (1 / 8))
 
 
 def floquet(
-    system: System, u: Floats, orders: tuple[int, ...], rate: Floats, trace: Floats, accuracy: float = 1e-6
+    system: System,
+    u: Floats,
+    orders: tuple[int, ...],
+    rate: Floats,
+    trace: Floats,
+    accuracy: float = 1e-6,
+    *,
+    variation: tuple[Complex, Floats] | None = None,
+    detail: Detail = "full",
 ) -> Floquet:
     """Floquet multipliers of periodic motions by integrating their variational equations.
 
@@ -118,6 +143,9 @@ def floquet(
     rate : (n,) float            from `fastest_rate`, to choose the steps [1/s]
     trace : (n,) float           mean trace of the variational matrix, for the Liouville check [1/s]
     accuracy : float             of the multipliers
+    variation : optional         from `variation_along`; where it is given, the equations are smooth and the accuracy is
+                                 moderate, long steps of Magnus' series are taken in place of Runge-Kutta's
+    detail : str                 "full", or what a "map" needs: shares of unstable motions alone
 
     Returns
     -------
@@ -127,7 +155,7 @@ def floquet(
     -----
     A motion with odd harmonics only has a variational matrix of half the period, so half a cycle suffices: a half-period
     multiplier of -1 is a fold, +1 symmetry breaking, a complex pair on the unit circle a growing oscillation.
-    Source: [H71] eq. (8) and Liouville's formula.
+    Source: [H71] eq. (8) and Liouville's formula; [Blanes09].
 
     Examples
     --------
@@ -144,19 +172,13 @@ def floquet(
     symmetric = all(h % 2 == 1 for h in orders)
     span = 0.5 if symmetric else 1.0
     found = np.isfinite(u).all(axis=(1, 2)) & system.finite
-    steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
-    phi = transition_matrices(system, np.where(found[:, None, None], u, 0.0), orders, span, steps)
+    phi = _transitions(system, np.where(found[:, None, None], u, 0.0), orders, span, found, rate, accuracy, variation)
     found &= np.isfinite(phi).all(axis=(1, 2))
-    values, vectors = np.linalg.eig(np.where(found[:, None, None], phi, np.eye(4)))
-    values, vectors = values.astype(complex), vectors.astype(complex)
-    order = np.argsort(-np.abs(values), axis=1, kind="stable")
-    values = np.take_along_axis(values, order, axis=1)
-    vectors = np.take_along_axis(vectors, order[:, None, :], axis=2)
-    share = _participation(vectors)
+    values, share = _modes(np.where(found[:, None, None], phi, np.eye(4)), detail)
     full = values**2 if symmetric else values
     frequency = np.where(found, system.frequency, 1.0)
     with np.errstate(divide="ignore"):
-        exponents = np.log(full) * (frequency / (2 * np.pi))[:, None]
+        exponents = np.asarray(np.log(full) * (frequency / (2 * np.pi))[:, None], dtype=complex)
     expected = np.exp(np.where(found, trace, 0.0) * 2 * np.pi / frequency)
     product = np.prod(full, axis=1).real
     liouville = np.where(
@@ -165,7 +187,54 @@ def floquet(
     gone = ~found
     for array in (full, values, exponents, share, liouville):
         array[gone] = np.nan
-    return Floquet(full, values if symmetric else np.full_like(values, np.nan), exponents, share, liouville)
+    half = values if symmetric else np.full_like(values, np.nan)
+    return Floquet(full, half, exponents, share, np.asarray(liouville))
+
+
+def _transitions(
+    system: System,
+    u: Floats,
+    orders: tuple[int, ...],
+    span: float,
+    found: NDArray[np.bool_],
+    rate: Floats,
+    accuracy: float,
+    variation: tuple[Complex, Floats] | None,
+) -> Floats:
+    """State transition matrices (n, 4, 4), each by the method that reaches the accuracy at the least cost."""
+    if variation is None or accuracy < FINEST or system.has_modulus:
+        steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
+        return transition_matrices(system, u, orders, span, steps)
+    phasors, along = variation
+    steps, scale = magnus_steps(system.frequency, phasors, rate, span, accuracy)
+    cycle = 2 * np.pi * span / np.where(found, system.frequency, 1.0)
+    phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale)
+    rest = np.flatnonzero(found & ~np.isfinite(phi).all(axis=(1, 2)))
+    if rest.size:
+        names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+        few = replace(system, **{name: getattr(system, name)[rest] for name in names})
+        many = steps_for(few.frequency, span, rate[rest], max(orders), accuracy)
+        phi[rest] = transition_matrices(few, u[rest], orders, span, many)
+    return phi
+
+
+def _modes(phi: Floats, detail: Detail) -> tuple[Complex, Floats]:
+    """Eigenvalues (n, 4) by falling modulus, and the share (n, 4, 4) of each state in each mode."""
+    if detail == "full":
+        wanted = np.arange(phi.shape[0])
+        values, share = np.empty(phi.shape[:2], complex), np.empty(phi.shape)
+    else:
+        values = np.linalg.eigvals(phi).astype(complex)
+        order = np.argsort(-np.abs(values), axis=1, kind="stable")
+        values = np.take_along_axis(values, order, axis=1)
+        share = np.full(phi.shape, np.nan)
+        wanted = np.flatnonzero(np.abs(values[:, 0]) > _NEARLY_UNSTABLE)
+    if wanted.size:
+        own, vectors = np.linalg.eig(phi[wanted])
+        order = np.argsort(-np.abs(own), axis=1, kind="stable")
+        values[wanted] = np.take_along_axis(own.astype(complex), order, axis=1)
+        share[wanted] = _participation(np.take_along_axis(vectors.astype(complex), order[:, None, :], axis=2))
+    return values, share
 
 
 def _participation(vectors: Complex) -> Floats:

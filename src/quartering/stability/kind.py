@@ -82,12 +82,19 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
     >>> linear_exponents(Model(np.eye(3), terms, 0.8, (0, 0, 0), (0, 0, 0)).system)[0].real.round(3).tolist()
     [-0.05, -0.05, -0.5, -1.0]
     """
-    matrix = np.zeros((system.count, 4, 4))
-    matrix[:, [0, 2, 3]] = system.linear
-    matrix[:, 1, 2] = 1.0
     finite = system.finite
-    values = np.linalg.eigvals(np.where(finite[:, None, None], matrix, 0.0)).astype(complex)
+    linear = np.where(finite[:, None, None], system.linear, 0.0)
+    fresh = np.ones(
+        system.count, dtype=bool
+    )  # the heights of one condition stand together and share their coefficients
+    fresh[1:] = (linear[1:] != linear[:-1]).any(axis=(1, 2))
+    different = linear[fresh]
+    matrix = np.zeros((different.shape[0], 4, 4))
+    matrix[:, [0, 2, 3]] = different
+    matrix[:, 1, 2] = 1.0
+    values = np.linalg.eigvals(matrix).astype(complex)
     values = np.take_along_axis(values, np.argsort(-values.real, axis=1, kind="stable"), axis=1)
+    values = values[np.cumsum(fresh) - 1]
     values[~finite] = np.nan
     return np.asarray(values)
 

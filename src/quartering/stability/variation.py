@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 from numpy.typing import NDArray
 
+from quartering.compiled import kernel
 from quartering.motion.balance import orbit_state
 from quartering.motion.basis import basis
 from quartering.motion.equations import Floats, System
@@ -17,16 +17,19 @@ EVEN_HARMONICS = (0, 2, 4, 6)
 """Harmonics of the variational matrix that first-order theory uses."""
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _harmonics(first, last, linear, coefficients, powers, modulus, frequency,
-               values, rates, factors, u, project, out):  # fmt: skip
-    """out (n, m, 3, 4): the projections (m, samples) of d(acceleration)/d(state) along each motion."""
+               values, rates, factors, u, project, out, along):  # fmt: skip
+    """d(acceleration)/d(state) along each motion (n, samples, 3, 4), and its projections (m, samples) in out (n, m, 3, 4)."""
     power_table, state = np.empty((4, 8)), np.empty(4)
     force, jacobian = np.empty(3), np.empty((3, 4))
     for i in range(first, last):
         for n in range(values.shape[1]):
             orbit_state(values, rates, factors, frequency[i], u[i], n, state)
-            accelerations(linear[i], coefficients[i], powers, modulus, 1.0, state, True, power_table, force, jacobian)
+            accelerations(linear[i], coefficients[i], powers, modulus, 1.0, state, power_table, force, jacobian)
+            for k in range(3):
+                for s in range(4):
+                    along[i, n, k, s] = jacobian[k, s]
             for m in range(project.shape[0]):
                 for k in range(3):
                     for s in range(4):
@@ -63,6 +66,35 @@ def variational_harmonics(
     >>> variational_harmonics(system, u, orders)[0, 0, 1].real.round(12).tolist()
     [0.0, -1.0, -0.1, 0.0]
     """
+    return variation_along(system, u, orders, harmonics)[0]
+
+
+def variation_along(
+    system: System, u: Floats, orders: tuple[int, ...], harmonics: tuple[int, ...] = EVEN_HARMONICS
+) -> tuple[NDArray[np.complex128], Floats]:
+    """Harmonics of the variational matrix along periodic motions, and the matrix itself at equal intervals.
+
+    Parameters
+    ----------
+    system, u, orders, harmonics    as in `variational_harmonics`
+
+    Returns
+    -------
+    harmonics : (n, m, 3, 4) complex    as from `variational_harmonics`
+    along : (n, s, 3, 4) float          at s equal intervals from phase 0, over half a cycle where all orders are odd
+
+    Notes
+    -----
+    Source: [H71] eq. (8).
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
+    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
+    >>> variation_along(system, np.zeros((1, 3, 2)), (1,))[1][0, 0, 1].tolist()
+    [0.0, -1.0, -0.1, 0.0]
+    """
     # The matrix has degree one less than the equations; a margin of harmonics keeps the last one free of aliases.
     table = basis(orders, system.degree - 2, system.has_modulus, extra=2 * max(harmonics) + 2)
     samples = table.values.shape[1]
@@ -72,6 +104,7 @@ def variational_harmonics(
     for m in harmonics[1:]:
         rows += [2.0 / samples * np.cos(m * phases), 2.0 / samples * np.sin(m * phases)]
     out = np.zeros((system.count, len(rows), 3, 4))
+    along = np.empty((system.count, samples, 3, 4))
     in_threads(
         _harmonics,
         system.count,
@@ -81,14 +114,15 @@ def variational_harmonics(
         u,
         np.array(rows),
         out,
+        along,
     )
     phasors = np.empty((system.count, len(harmonics), 3, 4), dtype=complex)
     phasors[:, 0] = out[:, 0]
     phasors[:, 1:] = out[:, 1::2] - 1j * out[:, 2::2]
-    return phasors
+    return phasors, along
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):
     """Rows v', p', r' of the variational matrix (3, 4) at the phase whose cosine and sine are given."""
     linear, coefficients, powers, modulus, w = system
@@ -112,10 +146,10 @@ def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):
         state[2] += rate * (c * u[1, column + 1] - s * u[1, column])
         state[3] += rate * (c * u[2, column + 1] - s * u[2, column])
         column += 2
-    accelerations(linear, coefficients, powers, modulus, 1.0, state, True, power_table, force, matrix)
+    accelerations(linear, coefficients, powers, modulus, 1.0, state, power_table, force, matrix)
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _slope(matrix, phi, out):
     """Derivative of the state transition matrix phi (4, 4), rows (v, phi, p, r)."""
     for c in range(4):
@@ -130,7 +164,7 @@ def _slope(matrix, phi, out):
             )
 
 
-@njit(cache=True, nogil=True)
+@kernel
 def _transition(first, last, linear, coefficients, powers, modulus, frequency,
                 orders, u, span, steps, transition):  # fmt: skip
     """Fourth-order Runge-Kutta solution (n, 4, 4) of the variational equations over ``span`` cycles."""

@@ -165,10 +165,13 @@ def _sentence(
     growth = float(result.floquet.exponents[0, mode].real)
     first = float(result.first_order.growth[0])
     stable_by_first_order = first < _NEUTRAL
+    no_opinion = "has no answer (the mean roll stiffness is negative)" if np.isnan(first) else ""
     if kind is Kind.STABLE:
         opinion = "says the same" if stable_by_first_order else f"would call it unstable ({first:+.3g} 1/s)"
-        return f"{where}stable: disturbances die out at {abs(growth):.3g} 1/s or faster; first-order theory {opinion}."
+        dying = f"{abs(growth):.3g} 1/s"
+        return f"{where}stable: disturbances die out at {dying} or faster; first-order theory {no_opinion or opinion}."
     opinion = f"says the same ({first:+.3g} 1/s)" if not stable_by_first_order else f"misses it ({first:+.3g} 1/s)"
+    opinion = no_opinion or opinion
     index = float(result.first_order.k2[0])
     index_says = "no K2 here" if np.isnan(index) else f"K2 alone {'agrees' if index > 0 else 'does not see it'}"
     blame = f"; {strongest[0]} adds most ({strongest[1]:+.3g} 1/s)" if strongest[1] > 0 else ""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import righting_polynomial
+from quartering.hull.righting import righting_polynomial, vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.motion.of_ship import ShipSystem, ship_system
@@ -17,11 +17,16 @@ from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks, steady_motions
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
+from quartering.study.grid import Grid
+from quartering.study.shared import part_of, systems
 from quartering.threads import spread
 
 Floats = NDArray[np.float64]
-BLOCK = 512
+BLOCK = 1024
 """Conditions worked on at once by one core: bounds the memory, and how often progress is told."""
+
+ACCURACY = 5e-6
+"""Error of the Floquet multipliers in a map."""
 
 RESULTS: dict[str, tuple[int, ...]] = {
     "sway": (), "roll": (), "yaw": (), "roll_peak": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (), "index": (),
@@ -29,6 +34,9 @@ RESULTS: dict[str, tuple[int, ...]] = {
     "multiplier_modulus": (4,), "verdict": (), "status": (),
 }  # fmt: skip
 """Name of every result and the shape it adds to the shape of the conditions."""
+
+FLAGS = ("verdict", "status")
+"""Results that are small integers."""
 
 
 def evaluate(
@@ -77,13 +85,13 @@ def evaluate(
     results["encounter_frequency"] = np.full(m, np.nan)
     results["verdict"] = np.full((m, heights), int(Kind.NO_ANSWER), dtype=np.int8)
     results["status"] = np.zeros((m, heights), dtype=np.int8)
-    limit = _vanishing_angle(ship)
+    limit = vanishing_angle(ship)
     rows = max(1, BLOCK // heights)
     parts = [slice(start, min(start + rows, m)) for start in range(0, m, rows)]
 
     def block(part: slice) -> dict[str, NDArray[np.generic]]:
         equations = ship_system(ship, 2 * np.pi / wave_length[part], speed[part], heading[part], form=form)
-        found = _block(equations, wave_height[part], harmonics, limit)
+        found = judged(equations, wave_height[part], harmonics, limit)
         return found | {"encounter_frequency": equations.encounter_frequency}
 
     done = 0
@@ -93,19 +101,77 @@ def evaluate(
         done += (parts[i].stop - parts[i].start) * heights
         if progress is not None:
             progress(done, m * heights)
-    _warn_outside_range(ship, results)
+    fitted = righting_polynomial(ship).max_angle
+    warn_outside_range(ship.name, int((np.nan_to_num(results["roll_peak"].astype(float)) > fitted).sum()), fitted)
     return results
 
 
-def _block(equations: ShipSystem, height: Floats, harmonics: int, limit: float) -> dict[str, NDArray[np.generic]]:
-    """Results of one block of conditions, flat."""
+def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
+    """Response and stability of one block of a grid: a function of nothing but the two.
+
+    Parameters
+    ----------
+    grid : Grid
+    index : int    of the block
+
+    Returns
+    -------
+    dict of str to array    `RESULTS` with leading shape (loadings, points, heights); encounter_frequency (points,); and beyond
+                            (), the number of conditions that roll beyond the fit of the righting arm
+
+    Notes
+    -----
+    Source: [H71]; forces are shared by the loadings, see `systems`.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.grid import grid
+    >>> evaluate_block(grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0, gm=[1.0, 1.2]), 0)["roll"].shape
+    (2, 2, 1)
+    """
+    block = grid.blocks[index]
+    u, mu, length = grid.points(block.points)
+    ships = [grid.loaded(i) for i in range(block.loadings.start, block.loadings.stop)]
+    height = grid.axes["wave_height"]
+    shape = (len(ships), u.size, height.size)
+    results: dict[str, NDArray[np.generic]] = {
+        name: np.empty((*shape, *s), np.int8 if name in FLAGS else np.float64) for name, s in RESULTS.items()
+    }
+    rows, beyond = max(1, BLOCK // height.size), 0
+    for i, equations in enumerate(systems(ships, 2 * np.pi / length, u, mu, grid.form)):
+        limit, fitted = vanishing_angle(ships[i]), righting_polynomial(ships[i]).max_angle
+        for start in range(0, u.size, rows):
+            part = slice(start, min(start + rows, u.size))
+            heights = np.broadcast_to(height, (part.stop - start, height.size))
+            for name, values in judged(part_of(equations, part), heights, grid.harmonics, limit).items():
+                results[name][i, part] = values.reshape(results[name][i, part].shape)
+        beyond += int((np.nan_to_num(results["roll_peak"][i].astype(float)) > fitted).sum())
+        results["encounter_frequency"] = equations.encounter_frequency
+    return results | {"beyond": np.array(beyond)}
+
+
+def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) -> dict[str, NDArray[np.generic]]:
+    """Results of some conditions, flat: the heights of one condition beside each other.
+
+    Parameters
+    ----------
+    equations : ShipSystem      m conditions per metre of wave amplitude
+    height : (m, h) float       wave heights [m]
+    harmonics : int             of the steady motion
+    limit : float               angle at which the righting moment vanishes [deg]
+
+    Returns
+    -------
+    dict of str to (m h, ...)   `RESULTS`
+    """
     system = equations.at_amplitude(0.5 * height)
     u, orders, status, _ = steady_motions(system, harmonics, start="rest")
     largest = np.degrees(roll_peaks(u, orders))
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
     status = np.where(largest > limit, Status.BEYOND_VANISHING_ANGLE, status).astype(np.int8)
     u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
-    result = assess(system, u, orders)
+    result = assess(system, u, orders, ACCURACY, detail="map")
     f = result.first_order
     first = 1 if orders[0] == 0 else 0
     sway, roll, yaw = np.hypot(u[:, :, first], u[:, :, first + 1]).T
@@ -120,19 +186,18 @@ def _block(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     }  # fmt: skip
 
 
-def _vanishing_angle(ship: Ship) -> float:
-    """Angle at which the fitted righting arm vanishes [deg]; infinite when it does not below 90 degrees."""
-    angles = np.linspace(0.5, 90.0, 180)
-    gone = righting_polynomial(ship).arm(angles) <= 0
-    return float(angles[gone.argmax()]) if gone.any() else float("inf")
+def warn_outside_range(name: str, beyond: int, fitted: float) -> None:
+    """Say that some conditions roll beyond the angle up to which the righting arm is fitted [deg].
 
-
-def _warn_outside_range(ship: Ship, results: dict[str, NDArray[np.generic]]) -> None:
-    fit = righting_polynomial(ship)
-    beyond = int((np.nan_to_num(results["roll_peak"].astype(float)) > fit.max_angle).sum())
+    Parameters
+    ----------
+    name : str       of the ship
+    beyond : int     number of such conditions; nothing is said of none
+    fitted : float   [deg]
+    """
     if beyond:
         warnings.warn(
-            f"{ship.name}: {beyond} conditions roll beyond {fit.max_angle:g} deg, where the fit of the righting arm ends;"
+            f"{name}: {beyond} conditions roll beyond {fitted:g} deg, where the fit of the righting arm ends;"
             " their size and verdict are extrapolated",
             RangeWarning,
             stacklevel=3,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from importlib.metadata import version
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -19,7 +20,7 @@ from quartering.stability.first_order import RESONANCES
 from quartering.stability.kind import Kind
 from quartering.study.conditions import RESULTS
 
-_EXTRA_DIMS = {
+EXTRA_DIMS = {
     "q": ("resonance",),
     "q_paper": ("resonance",),
     "slow": ("slow_mode",),
@@ -56,15 +57,40 @@ def labelled(
     --------
     See `polar` and `sweep`, which call this.
     """
-    variables = {name: ((*dims, *_EXTRA_DIMS.get(name, ())), results[name], attributes(name)) for name in RESULTS}
-    variables["encounter_frequency"] = (
-        tuple(wave_dims),
-        results["encounter_frequency"],
-        attributes("encounter_frequency"),
+    return described(heading_of(ship, form=form, harmonics=harmonics), results, coordinates, dims, wave_dims)
+
+
+def described(
+    heading: Mapping[str, object],
+    results: Mapping[str, Any],
+    coordinates: Mapping[str, tuple[tuple[str, ...], NDArray[np.float64]]],
+    dims: Sequence[str],
+    wave_dims: Sequence[str],
+) -> xr.Dataset:
+    """Dataset of results with a heading that is known already.
+
+    Parameters
+    ----------
+    heading : mapping                      attributes of the whole, see `heading_of`
+    results, coordinates, dims, wave_dims  as in `labelled`; the arrays may be ones xarray reads when they are used
+
+    Returns
+    -------
+    xarray.Dataset
+
+    Examples
+    --------
+    See `labelled`.
+    """
+    variables = {
+        name: xr.Variable((*dims, *EXTRA_DIMS.get(name, ())), results[name], attributes(name)) for name in RESULTS
+    }
+    variables["encounter_frequency"] = xr.Variable(
+        tuple(wave_dims), results["encounter_frequency"], attributes("encounter_frequency")
     )
     coords = {name: (where, values, attributes(name)) for name, (where, values) in coordinates.items()}
     coords["resonance"] = (("resonance",), np.array(RESONANCES), {"long_name": "m in n2 = m omega/2", "units": "1"})
-    return xr.Dataset(variables, coords, _provenance(ship, form, harmonics))
+    return xr.Dataset(variables, coords, dict(heading))
 
 
 def attributes(name: str) -> dict[str, object]:
@@ -94,8 +120,47 @@ def attributes(name: str) -> dict[str, object]:
     return known
 
 
-def _provenance(ship: Ship, form: Form, harmonics: int) -> dict[str, object]:
-    """What a reader needs to know where the numbers come from."""
+def plain_attributes(values: Mapping[str, object]) -> dict[str, object]:
+    """Attributes in types JSON knows, floats unchanged.
+
+    Parameters
+    ----------
+    values : mapping    of numbers, texts and lists of numbers
+
+    Returns
+    -------
+    dict
+
+    Examples
+    --------
+    >>> plain_attributes({"n": np.float64(0.5), "two": [np.float64(1.0), 2.0]})
+    {'n': 0.5, 'two': [1.0, 2.0]}
+    """
+    plain: dict[str, object] = {}
+    for key, value in values.items():
+        numbers = np.asarray(value)
+        plain[key] = value if isinstance(value, str) else numbers.tolist()
+    return plain
+
+
+def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
+    """Attributes of a dataset: what a reader needs to know where the numbers come from.
+
+    Parameters
+    ----------
+    ship : Ship
+    form, harmonics    as computed
+
+    Returns
+    -------
+    dict of str to str, float or list of float
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> heading_of(ship("wigley"), form="stf", harmonics=1)["steady_motion"]
+    'modified Struble method'
+    """
     c = coefficients(ship, 0.5, 0.0)
     estimated = [entry.name for entry in c.table() if entry.kind in ("regression", "cross-flow")]
     hull, loading = ship.hull, ship.loading

@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
-from itertools import product
+from pathlib import Path
+from typing import Any
 
-import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from quartering.conventions import InputError
+from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.loads.waves import Wave
-from quartering.study.conditions import RESULTS, evaluate
-from quartering.study.dataset import labelled
+from quartering.study.conditions import warn_outside_range
+from quartering.study.dataset import heading_of
+from quartering.study.executor import computed
+from quartering.study.grid import LOADING_AXES, Grid, axis, grid
+from quartering.study.result import in_memory, open_result
+from quartering.study.store import block_counts, counted, open_store, write_block
 
-LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught")
-Floats = NDArray[np.float64]
+__all__ = ["LOADING_AXES", "axis", "fill", "sweep"]
 
 
 def sweep(
@@ -30,6 +33,8 @@ def sweep(
     harmonics: int = 1,
     form: Form = "stf",
     progress: Callable[[int, int], None] | None = None,
+    store: str | Path | None = None,
+    cluster: str | None = None,
     **axes: ArrayLike,
 ) -> xr.Dataset:
     """Response and stability over a grid of conditions and loadings.
@@ -44,6 +49,9 @@ def sweep(
     harmonics : int             of the steady motion: 1 is the paper's method
     form : str                  of the diffraction force
     progress : function(done, total), optional
+    store : str or Path         folder the results are put in block by block, for studies larger than memory or longer than
+                                patience: a second call with the same case computes only what is missing
+    cluster : str, optional     "local:4" or "tcp://host:8786": computed by worker processes; by default by threads
     **axes : (l,) float         loading values (gm, kg, gyradius_roll, gyradius_yaw [m], roll_damping, draught) or
                                 multipliers of coefficients by name (K_ppp=[0.5, 1, 2]); every combination is one "loading"
 
@@ -54,11 +62,12 @@ def sweep(
 
     Raises
     ------
-    InputError        an axis that is empty or not numbers, a wave that breaks, an unknown loading or coefficient
+    InputError        an axis that is empty or not numbers, a wave that breaks, an unknown loading or coefficient, a store
+                      that holds another case or cannot be written
 
     Notes
     -----
-    Forces and coefficients are computed once for all wave heights.  Source: [H71].
+    Forces are computed once for all wave heights and heights of G.  Source: [H71].
 
     Examples
     --------
@@ -67,83 +76,106 @@ def sweep(
     >>> dict(ds.sizes)["loading"], ds["roll"].dims
     (2, ('loading', 'speed', 'heading', 'wave_length', 'wave_height'))
     """
-    grid = {
-        "speed": axis("speed", speed), "heading": axis("heading", heading),
-        "wave_length": axis("wave_length", wave_length), "wave_height": axis("wave_height", wave_height),
-    }  # fmt: skip
-    _check_waves(grid["wave_length"], grid["wave_height"])
-    extra = {name: axis(name, values) for name, values in axes.items()}
-    loadings = [dict(zip(extra, values, strict=True)) for values in product(*extra.values())]
-    u, mu, length = (
-        a.ravel() for a in np.meshgrid(*(grid[n] for n in ("speed", "heading", "wave_length")), indexing="ij")
-    )
-    heights = np.broadcast_to(grid["wave_height"], (u.size, grid["wave_height"].size))
-    total = len(loadings) * heights.size
-    shape = tuple(values.size for values in grid.values())
-    parts = []
-    for i, loading in enumerate(loadings):
+    wanted = grid(ship, speed, heading, wave_length, wave_height, harmonics=harmonics, form=form, **axes)
 
-        def report(done: int, _: int, before: int = i * heights.size) -> None:
-            if progress is not None:
-                progress(before + done, total)
+    def told(done: int, _: Counter[str]) -> None:
+        if progress is not None:
+            progress(done, wanted.count)
 
-        parts.append(
-            evaluate(_loaded(ship, loading), u, mu, length, heights, harmonics=harmonics, form=form, progress=report)
-        )
-    coordinates = {name: ((name,), values) for name, values in grid.items()}
-    dims: tuple[str, ...] = tuple(grid)
-    if not extra:
-        results = {name: parts[0][name].reshape(*shape, *s) for name, s in RESULTS.items()}
-    else:
-        dims = ("loading", *dims)
-        results = {name: np.stack([p[name].reshape(*shape, *s) for p in parts]) for name, s in RESULTS.items()}
-        coordinates |= {name: (("loading",), np.array([one[name] for one in loadings])) for name in extra}
-    results["encounter_frequency"] = parts[0]["encounter_frequency"].reshape(shape[:3])
-    return labelled(ship, results, coordinates, dims, tuple(grid)[:3], form=form, harmonics=harmonics)
+    if store is not None:
+        counts = fill(wanted, store, cluster=cluster, told=told)
+        _warn(wanted, counts["beyond"])
+        return open_result(store)
+    found: dict[int, Any] = {}
+
+    def keep(index: int, block: dict[str, Any]) -> dict[str, int]:
+        found[index] = block
+        return counted(block)
+
+    total: Counter[str] = Counter()
+    for _, counts_of_block in computed(wanted, range(len(wanted.blocks)), keep, cluster):
+        total.update(counts_of_block)
+        told(conditions_of(total), total)
+    _warn(wanted, total["beyond"])
+    return in_memory(wanted, found, heading_of(ship, form=form, harmonics=harmonics))
 
 
-def axis(name: str, values: ArrayLike) -> Floats:
-    """Values of one axis as a checked, flat array.
+def fill(
+    wanted: Grid,
+    folder: str | Path,
+    *,
+    cluster: str | None = None,
+    told: Callable[[int, Counter[str]], None] | None = None,
+) -> Counter[str]:
+    """Compute what is missing of a grid into a store.
 
     Parameters
     ----------
-    name : str             for the message
-    values : (n,) float
+    wanted : Grid
+    folder : str or Path
+    cluster : str, optional                    as in `sweep`
+    told : function(done, counts), optional    called at the start with what was there, and after each block
 
     Returns
     -------
-    (n,) float
+    Counter of str    numbers of conditions by "verdict n", "status n", "beyond", the old blocks' included
 
     Raises
     ------
-    InputError             empty, or not finite numbers
+    InputError        what `open_store` and `write_block` refuse
+
+    Notes
+    -----
+    However it ends, the blocks finished stay, and the next call goes on from them.  Memory holds the blocks being worked on and
+    nothing else.
+    """
+    store = open_store(folder, wanted)
+    missing = store.missing()
+    todo = set(missing)
+    total: Counter[str] = Counter()
+    for i in range(len(wanted.blocks)):
+        if i not in todo:
+            total.update(block_counts(store, i))
+    if told is not None:
+        told(conditions_of(total), total)
+
+    def keep(index: int, found: dict[str, Any]) -> dict[str, int]:
+        return write_block(store, index, found, wanted)
+
+    for _, counts in computed(wanted, _in_turn(wanted, missing), keep, cluster):
+        total.update(counts)
+        if told is not None:
+            told(conditions_of(total), total)
+    return total
+
+
+def _in_turn(wanted: Grid, missing: list[int]) -> list[int]:
+    """Blocks in the order they are begun: the smallest alone, which compiles, then the large ones before the small."""
+    sizes = {
+        i: (b.points.stop - b.points.start) * (b.loadings.stop - b.loadings.start) for i, b in enumerate(wanted.blocks)
+    }
+    ordered = sorted(missing, key=lambda i: -sizes[i])
+    return ordered[-1:] + ordered[:-1]
+
+
+def conditions_of(counts: Counter[str]) -> int:
+    """Number of conditions counted so far.
+
+    Parameters
+    ----------
+    counts : Counter of str    as from `fill`
+
+    Returns
+    -------
+    int
 
     Examples
     --------
-    >>> axis("speed", 7.5).tolist()
-    [7.5]
+    >>> conditions_of(Counter({"status 0": 3, "status 2": 1, "verdict 0": 4}))
+    4
     """
-    try:
-        array = np.atleast_1d(np.array(values, dtype=float))
-    except (TypeError, ValueError):
-        raise InputError(f"{name} = {values!r} is not a number or a list of numbers; try [0, 5, 10]") from None
-    if array.ndim != 1 or array.size == 0:
-        raise InputError(f"{name} needs at least one value in a flat list; given shape {array.shape}")
-    if not np.isfinite(array).all():
-        raise InputError(f"{name} has a value that is not a finite number: {array[~np.isfinite(array)][0]}")
-    return array
+    return sum(number for key, number in counts.items() if key.startswith("status "))
 
 
-def _check_waves(lengths: Floats, heights: Floats) -> None:
-    """Refuse waves that cannot be, by building the extreme ones."""
-    Wave(length=float(lengths.min()), height=float(heights.max()))
-    Wave(length=float(lengths.min()), height=float(heights.min()))
-
-
-def _loaded(ship: Ship, loading: dict[str, float]) -> Ship:
-    """The ship with one combination of loading values and coefficient multipliers."""
-    if not loading:
-        return ship
-    own = {name: float(value) for name, value in loading.items() if name in LOADING_AXES}
-    multipliers = {name: float(value) for name, value in loading.items() if name not in LOADING_AXES}
-    return ship.with_(**own, coefficients=multipliers)  # type: ignore[arg-type]
+def _warn(wanted: Grid, beyond: int) -> None:
+    warn_outside_range(wanted.ship.name, beyond, righting_polynomial(wanted.ship).max_angle)

@@ -1,0 +1,365 @@
+"""The case file of a study: a ship, the values of every axis with their units, checked line by line."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Annotated, Any, Final
+
+import numpy as np
+import yaml
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship, ship
+from quartering.hull.units import Kind, quantity, split_quantity
+from quartering.loads.forces import Form
+from quartering.names import checked_values
+from quartering.study.grid import CONDITION_AXES, Grid, grid
+
+MOST_VALUES = 100_000
+"""Largest number of values one range may stand for."""
+SCHEMA = Path(__file__).with_name("case.schema.json")
+_KINDS: Final[dict[str, Kind]] = {
+    "speed": "speed", "heading": "angle", "wave_length": "length", "wave_height": "length",
+    "gm": "length", "kg": "length", "gyradius_roll": "length", "gyradius_yaw": "length", "draught": "length",
+    "roll_damping": "ratio",
+}  # fmt: skip
+_UNITS: Final = {
+    "speed": ("m/s", "kn", "km/h", "Fn"), "angle": ("deg", "rad"), "length": ("m", "mm", "cm", "km", "ft", "L", "B", "T"),
+    "ratio": ("%",),
+}  # fmt: skip
+_RANGE = re.compile(
+    r"\s*(?P<first>[-+.\deE]+?)\s*\.\.\s*(?P<last>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>\S*?)\s*"
+    r"(?:(?P<how>step|count)\s+(?P<size>\S+)\s*(?P<own>\S*))?\s*"
+)
+Values = Annotated[
+    float | str | list[float | str],
+    Field(description='a value "8 kn", a list [0, 4, 8], or a range "0..18 kn step 1" or "0.4..2.3 L count 20"'),
+]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class LoadingAxes(_Strict):
+    """Values of the loading; every combination is computed."""
+
+    gm: Values | None = Field(default=None, description="metacentric height [m, B]; gm or kg, not both")
+    kg: Values | None = Field(default=None, description="height of G over the keel [m, B]")
+    gyradius_roll: Values | None = Field(default=None, description="k_xx [m, B]")
+    gyradius_yaw: Values | None = Field(default=None, description="k_zz [m, L]")
+    roll_damping: Values | None = Field(default=None, description="added roll damping, fraction of critical [1, %]")
+    draught: Values | None = Field(default=None, description="[m, T]")
+
+
+class Case(_Strict):
+    """A study: a ship and every combination of conditions and loadings."""
+
+    ship: str = Field(description="name of a built-in ship, or path of a ship file beside this one")
+    speed: Values = Field(description="forward speed [m/s, kn, Fn], from 0")
+    heading: Values = Field(description="0 following, 90 beam, 180 head sea [deg]")
+    wave_length: Values = Field(description="[m, L]")
+    wave_height: Values = Field(description="crest to trough [m]; at most a seventh of the wave length")
+    loading: LoadingAxes = Field(default=LoadingAxes(), description="values of the loading to vary")
+    coefficients: dict[str, Values] = Field(
+        default={}, description="multipliers of coefficients by name, such as K_ppp"
+    )
+    harmonics: int = Field(default=1, ge=1, description="of the steady motion: 1 is the paper's method, else odd")
+    form: Form = Field(default="stf", description="of the diffraction force")
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where in a file a value stands, for messages."""
+
+    name: str
+    lines: Mapping[tuple[str, ...], int]
+
+    def says(self, path: tuple[str, ...], text: str) -> InputError:
+        line = next((self.lines[path[:n]] for n in range(len(path), -1, -1) if path[:n] in self.lines), 1)
+        return InputError(f"{self.name}, line {line}: {text}")
+
+
+def read_case(path: str | Path) -> Case:
+    """A case file with its keys and types checked.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    Case
+
+    Raises
+    ------
+    InputError    a file that cannot be read, an unknown key or wrong type: the line, what is allowed, the nearest word
+
+    Notes
+    -----
+    Source: the format of the case file, `case.schema.json`.
+
+    Examples
+    --------
+    See `starting_case`.
+    """
+    return _read(path)[0]
+
+
+def case_grid(path: str | Path) -> Grid:
+    """The grid of conditions a case file describes, its text kept for the record.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    Grid
+
+    Raises
+    ------
+    InputError    what `read_case` refuses, a value or unit that cannot be, an unknown ship or coefficient
+
+    Notes
+    -----
+    L, B and T stand for the ship's own length, beam and draught.  Source: the format of the case file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder) / "case.yaml"
+    ...     _ = file.write_text(starting_case("series60-cb60"))
+    ...     case_grid(file).shape
+    (4, 3, 37, 20, 3)
+    """
+    case, place, text = _read(path)
+    own = _ship(case.ship, Path(path), place)
+    axes = {name: _values(place, (name,), getattr(case, name), _KINDS[name], own) for name in CONDITION_AXES}
+    loading = {
+        name: _values(place, ("loading", name), value, _KINDS[name], own)
+        for name, value in case.loading
+        if value is not None
+    }
+    if "gm" in loading and "kg" in loading:
+        raise place.says(("loading", "kg"), "gm and kg are both given; one follows from the other, leave one out")
+    factors = {
+        name: _values(place, ("coefficients", name), value, "ratio", own) for name, value in case.coefficients.items()
+    }
+    for name, values in factors.items():
+        try:
+            checked_values(own.name, {name: float(values[0])})
+        except InputError as error:
+            raise place.says(("coefficients", name), str(error)) from None
+    if case.harmonics % 2 == 0:
+        raise place.says(("harmonics",), f"harmonics: {case.harmonics} is given; allowed: 1, 3, 5, 7, ..")
+    try:
+        made = grid(own, **axes, harmonics=case.harmonics, form=case.form, **loading, **factors)
+    except InputError as error:
+        raise place.says(_blamed(str(error), place), str(error)) from None
+    return Grid(made.ship, made.axes, made.loadings, made.harmonics, made.form, text)
+
+
+def starting_case(name: str) -> str:
+    """Text of a case file to begin from, with a comment on every line.
+
+    Parameters
+    ----------
+    name : str    of a built-in ship, or path of a ship file
+
+    Returns
+    -------
+    str
+
+    Notes
+    -----
+    Source: the format of the case file.
+
+    Examples
+    --------
+    >>> starting_case("wigley").splitlines()[2]
+    'ship: wigley                       # built-in name, or path of a ship file beside this one'
+    """
+    rows = (
+        (f"ship: {name}", "built-in name, or path of a ship file beside this one"),
+        (
+            "speed: 0.15..0.25 Fn step 0.05",
+            'm/s, kn, km/h or Fn; a value, a list [0, 5, 10] or a range "0..18 kn step 1"',
+        ),
+        ("heading: 0..180 deg step 5", "0 following, 90 beam, 180 head sea"),
+        ("wave_length: 0.4..2.3 L count 20", "m or L (the ship's length)"),
+        ("wave_height: [1 m, 2 m, 3 m]", "crest to trough; at most a seventh of the wave length"),
+        ("loading:                           # every combination is computed; leave out what stays", ""),
+        ("  gm: [0.6 m, 0.8 m, 1.0 m, 1.2 m]", "or kg; also gyradius_roll, gyradius_yaw, roll_damping, draught"),
+        ("# coefficients:", "multipliers of coefficients"),
+        ("#   K_ppp: [0.5, 1, 2]", "half, as it is, and twice the cubic roll damping"),
+        ("harmonics: 1", "of the steady motion: 1 is the paper's method; 3, 5, .. harmonic balance"),
+        ("form: stf", "diffraction: stf, relative-motion, paper-corrected or paper"),
+    )
+    head = [f"# yaml-language-server: $schema={SCHEMA}", "# A study: quartering sweep <this file> -o <folder>"]
+    return "\n".join([*head, *(f"{left:<35}# {note}" if note else left for left, note in rows)]) + "\n"
+
+
+def case_schema() -> str:
+    """JSON schema of the case file, as shipped for editors.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> json.loads(case_schema())["required"]
+    ['ship', 'speed', 'heading', 'wave_length', 'wave_height']
+    """
+    return json.dumps(Case.model_json_schema(), indent=1, sort_keys=True) + "\n"
+
+
+def _read(path: str | Path) -> tuple[Case, _Place, str]:
+    try:
+        text = Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f'case "{path}" cannot be read ({getattr(error, "strerror", None) or error})') from None
+    try:
+        node, content = yaml.compose(text, yaml.SafeLoader), yaml.safe_load(text)
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)
+        line = f", line {mark.line + 1}" if mark is not None else ""
+        raise InputError(
+            f"{path}{line}: this is not YAML ({getattr(error, 'problem', error)}); compare with `quartering new`"
+        ) from None
+    lines: dict[tuple[str, ...], int] = {}
+    place = _Place(str(path), lines)
+    if not isinstance(content, dict):
+        raise place.says((), f"a case is a list of keys with values: {', '.join(Case.model_fields)}")
+    _number_lines(node, (), lines, place)
+    try:
+        return Case.model_validate(content), place, text
+    except ValidationError as error:
+        raise _refusal(error, place, content) from None
+
+
+def _number_lines(node: Any, path: tuple[str, ...], lines: dict[tuple[str, ...], int], place: _Place) -> None:
+    """Line of every key, and a refusal of keys given twice."""
+    if not isinstance(node, yaml.MappingNode):
+        return
+    for key, value in node.value:
+        own = (*path, str(key.value))
+        if own in lines:
+            raise InputError(
+                f"{place.name}, line {key.start_mark.line + 1}: `{key.value}` is given twice (first in line {lines[own]})"
+            )
+        lines[own] = key.start_mark.line + 1
+        _number_lines(value, own, lines, place)
+
+
+def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> InputError:
+    """The first thing that is wrong, in words."""
+    problem = min(
+        error.errors(), key=lambda one: one["type"] != "extra_forbidden"
+    )  # a misspelt key, before a missing one
+    path = tuple(str(part) for part in problem["loc"])
+    keys: tuple[str, ...] = tuple(
+        part for part in path if part in _allowed_everywhere() or part in content or part in content.get("loading", {})
+    )
+    if problem["type"] == "extra_forbidden":
+        allowed = list((LoadingAxes if path[0] == "loading" else Case).model_fields)
+        nearest = get_close_matches(path[-1], allowed, n=1, cutoff=0.0)[0]
+        return place.says(
+            path, f"key `{path[-1]}` is unknown; did you mean `{nearest}`? Keys allowed here: {', '.join(allowed)}"
+        )
+    if problem["type"] == "missing":
+        return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
+    if problem["type"] == "literal_error":
+        near = get_close_matches(
+            str(problem["input"]), re.findall(r"'([^']+)'", problem["ctx"]["expected"]), n=1, cutoff=0.0
+        )
+        return place.says(
+            keys,
+            f"{path[0]}: {problem['input']!r} is given; did you mean {near[0]!r}? Allowed: {problem['ctx']['expected']}",
+        )
+    return place.says(keys, f"{', '.join(keys) or 'case'}: {problem['input']!r} is given; {problem['msg'].lower()}")
+
+
+def _allowed_everywhere() -> set[str]:
+    return {*Case.model_fields, *LoadingAxes.model_fields}
+
+
+def _values(
+    place: _Place, path: tuple[str, ...], given: float | str | list[float | str], kind: Kind, own: Ship
+) -> NDArray[np.float64]:
+    """Values of one axis in SI, degrees or 1."""
+    items = given if isinstance(given, list) else [given]
+    if not items:
+        raise place.says(path, f"{path[-1]}: the list is empty; give at least one value")
+    found: list[float] = []
+    for item in items:
+        try:
+            found += (
+                _range(item, kind, own, path[-1])
+                if isinstance(item, str) and ".." in item
+                else [_value(item, kind, own, path[-1])]
+            )
+        except InputError as error:
+            raise place.says(path, str(error)) from None
+    return np.array(found)
+
+
+def _value(item: float | str, kind: Kind, own: Ship, what: str) -> float:
+    hull = own.hull
+    unit = split_quantity(item, what)[1]
+    if unit and unit not in _UNITS[kind]:
+        near = get_close_matches(unit, _UNITS[kind], n=1, cutoff=0.0)
+        raise InputError(
+            f'{what}: unit "{unit}" in "{item}" is unknown; did you mean "{near[0]}"? Units allowed: {", ".join(_UNITS[kind])}'
+        )
+    return quantity(item, kind, length=hull.length, beam=hull.beam, draught=hull.draught, what=what)
+
+
+def _range(item: str, kind: Kind, own: Ship, what: str) -> list[float]:
+    """Values of "0..18 kn step 1" or "0.4..2.3 L count 20"."""
+    match = _RANGE.fullmatch(item)
+    if match is None or match["how"] is None:
+        raise InputError(f'{what}: "{item}" is not a range; write it like "0..18 kn step 1" or "0.4..2.3 L count 20"')
+    unit = match["unit"]
+    first, last = (_value(f"{number} {unit}".strip(), kind, own, what) for number in (match["first"], match["last"]))
+    if not last >= first:
+        raise InputError(f'{what}: the range "{item}" is empty, it ends below its begin; write the smaller value first')
+    size = _value(f"{match['size']} {match['own'] or unit}".strip(), kind, own, what) if match["how"] == "step" else 0.0
+    if match["how"] == "step":
+        if not size > 0:
+            raise InputError(f'{what}: the step of "{item}" must be above 0')
+        count = int((last - first) / size + 1 + 1e-9) if (last - first) / size < MOST_VALUES else MOST_VALUES + 1
+        last = first + (count - 1) * size
+    else:
+        if not match["size"].isdigit() or int(match["size"]) < 1:
+            raise InputError(f'{what}: the count of "{item}" must be a whole number from 1')
+        count = int(match["size"])
+    if count > MOST_VALUES:
+        raise InputError(f'{what}: "{item}" stands for more than {MOST_VALUES:,} values; take a larger step')
+    return [float(v) for v in np.linspace(first, last, count)]
+
+
+def _ship(name: str, path: Path, place: _Place) -> Ship:
+    beside = path.parent / name
+    try:
+        return ship(beside if beside.suffix in (".yaml", ".yml") and beside.exists() else name)
+    except InputError as error:
+        raise place.says(("ship",), str(error)) from None
+
+
+def _blamed(message: str, place: _Place) -> tuple[str, ...]:
+    """Key of the file a message of another room is about."""
+    for path in sorted(place.lines, key=len, reverse=True):
+        if path[-1] in message:
+            return path
+    words = {"wave_height": ("steep", "height"), "wave_length": ("length",)}
+    return next(((key,) for key, hints in words.items() if any(hint in message for hint in hints)), ())

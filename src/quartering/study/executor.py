@@ -1,0 +1,147 @@
+"""Where the blocks of a grid are computed: threads of this process, worker processes of this machine, a cluster."""
+
+from __future__ import annotations
+
+import copyreg
+import pickle
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from contextlib import contextmanager
+from functools import lru_cache
+from importlib import import_module
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.conventions import InputError
+from quartering.study.conditions import evaluate_block
+from quartering.study.grid import Grid
+from quartering.threads import alone, spread
+
+Found = dict[str, NDArray[np.generic]]
+Counts = dict[str, int]
+_AHEAD = 3
+"""Blocks given to each worker of a cluster at a time: enough to keep it busy, few enough to hold in memory."""
+_TRIES = 3
+
+
+def computed(
+    grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts], cluster: str | None = None
+) -> Iterator[tuple[int, Counts]]:
+    """Compute some blocks of a grid and hand each to `keep`.
+
+    Parameters
+    ----------
+    grid : Grid
+    indices : sequence of int    of the blocks
+    keep : function              of index and results: stores them, and returns what they count; called by several threads
+    cluster : str, optional      "local:4" for four worker processes on this machine, "tcp://host:8786" for a dask scheduler;
+                                 by default this process's threads
+
+    Yields
+    ------
+    (index, counts)              as blocks are kept, in any order
+
+    Raises
+    ------
+    InputError                   a cluster that cannot be read or reached, or whose extra is not installed
+
+    Notes
+    -----
+    A block is a function of the grid and its index alone, so it gives the same numbers wherever it is computed; one that is
+    lost with its worker is computed by another.
+    """
+    if cluster is None:
+        yield from _in_threads(grid, indices, keep)
+    else:
+        yield from _on_cluster(grid, indices, keep, cluster)
+
+
+def _in_threads(
+    grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts]
+) -> Iterator[tuple[int, Counts]]:
+    for i, counts in spread(lambda index: keep(index, evaluate_block(grid, index)), indices):
+        yield indices[i], counts
+
+
+def _on_cluster(
+    grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts], cluster: str
+) -> Iterator[tuple[int, Counts]]:
+    """Blocks by the workers of a dask cluster, a few ahead of what has been kept."""
+    prepare_pickling()
+    payload = pickle.dumps(grid)
+    with _client(cluster) as client:
+        executor = client.get_executor(retries=_TRIES, pure=False)
+        waiting = list(reversed(indices))
+        pending: dict[Future[Any], int] = {}
+        ahead = _AHEAD * max(1, len(client.scheduler_info()["workers"]))
+        try:
+            while waiting or pending:
+                while waiting and len(pending) < ahead:
+                    index = waiting.pop()
+                    pending[executor.submit(_one_block, payload, index)] = index
+                for done in wait(pending, return_when=FIRST_COMPLETED).done:
+                    index = pending.pop(done)
+                    yield index, keep(index, done.result())
+        finally:
+            for future in pending:
+                future.cancel()
+            executor.shutdown(wait=False)
+
+
+def prepare_pickling() -> None:
+    """Let the mappings that nobody can change, which a ship holds, travel to other processes."""
+    copyreg.pickle(MappingProxyType, _as_plain)
+
+
+def _as_plain(mapping: MappingProxyType[Any, Any]) -> tuple[Any, tuple[dict[Any, Any]]]:
+    return _frozen, (dict(mapping),)
+
+
+def _frozen(mapping: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    return MappingProxyType(mapping)
+
+
+@lru_cache(maxsize=4)
+def _unpacked(payload: bytes) -> Grid:
+    """The grid as a worker keeps it from block to block, with what it has found out about its ship."""
+    grid: Grid = pickle.loads(payload)
+    return grid
+
+
+def _one_block(payload: bytes, index: int) -> Found:
+    """One block on a worker, which uses one core."""
+    return alone(lambda i: evaluate_block(_unpacked(payload), i), index)
+
+
+@contextmanager
+def _client(cluster: str) -> Iterator[Any]:
+    """Connection to the cluster a text names; worker processes begun here end here."""
+    try:
+        distributed: Any = import_module("distributed")
+    except ImportError:
+        raise InputError(
+            f'cluster "{cluster}" needs dask.distributed; install it with: pip install "quartering[cluster]"'
+        ) from None
+    kind, _, rest = cluster.partition(":")
+    if kind == "local" and rest.isdigit() and int(rest) > 0:
+        with (
+            distributed.LocalCluster(
+                n_workers=int(rest), threads_per_worker=1, dashboard_address=None, processes=True
+            ) as workers,
+            distributed.Client(workers) as client,
+        ):
+            yield client
+    elif kind in ("tcp", "tls", "ws", "wss") and rest.startswith("//"):
+        try:
+            client = distributed.Client(cluster, timeout=10)
+        except (OSError, TimeoutError) as error:
+            raise InputError(f'no dask scheduler answers at "{cluster}" ({error}); is it running?') from None
+        with client:
+            yield client
+    else:
+        raise InputError(
+            f'cluster "{cluster}" is not known; give "local:4" or the address of a scheduler, "tcp://host:8786"'
+        )

@@ -1,0 +1,292 @@
+"""The conditions of a study: axes, loadings, and their division into blocks that are computed one by one."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+from functools import cached_property
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship
+from quartering.loads.forces import Form
+from quartering.loads.waves import Wave
+
+Floats = NDArray[np.float64]
+LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught")
+CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
+LARGEST_BLOCK, SMALLEST_BLOCK = 16_384, 512
+"""Conditions of one block: they bound the memory, and what a killed run has to do again."""
+_BLOCKS_WANTED = 64
+_POINTS_WANTED = 512
+_DRAUGHTS_TOGETHER = 4
+_SHIPS_KEPT = 4096
+_UNSAID = ("provenance", "source", "references")
+
+
+class Block(NamedTuple):
+    """One part of a grid: all wave heights at some loadings and some points (speed, heading, wave length)."""
+
+    loadings: slice
+    points: slice
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """Every condition of a study: a ship, its loadings, and the axes of the conditions.
+
+    Parameters
+    ----------
+    ship : Ship
+    axes : mapping of str to (n,) float        speed [m/s], heading [deg], wave_length, wave_height [m]
+    loadings : mapping of str to (l,) float    values of loading l, by name; empty for the ship as it is
+    harmonics : int                            of the steady motion
+    form : str                                 of the diffraction force
+    text : str                                 case file the grid was read from, for the record
+    """
+
+    ship: Ship
+    axes: Mapping[str, Floats]
+    loadings: Mapping[str, Floats] = field(default_factory=dict)
+    harmonics: int = 1
+    form: Form = "stf"
+    text: str = ""
+    _ships: dict[int, Ship] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        for mapping in ("axes", "loadings"):
+            object.__setattr__(self, mapping, dict(getattr(self, mapping)))
+
+    @property
+    def loading_count(self) -> int:
+        """Number of loadings, 1 for the ship as it is."""
+        return next(iter(self.loadings.values())).size if self.loadings else 1
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        """Dimensions of a result over the whole grid."""
+        return (("loading",) if self.loadings else ()) + CONDITION_AXES
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Sizes of `dims`."""
+        return ((self.loading_count,) if self.loadings else ()) + tuple(self.axes[n].size for n in CONDITION_AXES)
+
+    @property
+    def point_count(self) -> int:
+        """Number of points (speed, heading, wave length)."""
+        return int(np.prod([self.axes[name].size for name in CONDITION_AXES[:3]]))
+
+    @property
+    def count(self) -> int:
+        """Number of conditions."""
+        return self.loading_count * self.point_count * self.axes["wave_height"].size
+
+    @cached_property
+    def blocks(self) -> tuple[Block, ...]:
+        """The parts the grid is computed in; they follow from the grid alone, whatever machine computes them."""
+        heights, loadings, points = self.axes["wave_height"].size, self.loading_count, self.point_count
+        size = min(max(self.count // _BLOCKS_WANTED, SMALLEST_BLOCK), LARGEST_BLOCK)
+        together = min(max(size // (heights * min(points, _POINTS_WANTED)), 1), loadings)
+        if "draught" in self.loadings:  # hulls of few draughts are kept at a time
+            together = min(together, _DRAUGHTS_TOGETHER)
+        rows = min(max(size // (heights * together), 1), points)
+        return tuple(
+            Block(slice(first, min(first + together, loadings)), slice(start, min(start + rows, points)))
+            for first in range(0, loadings, together)
+            for start in range(0, points, rows)
+        )
+
+    @cached_property
+    def described(self) -> dict[str, Any]:
+        """What decides the results, in types JSON knows: two grids with equal descriptions give equal numbers."""
+        return {
+            "ship": {"name": self.ship.name, "digest": fingerprint(self.ship)},
+            **{name: values.tolist() for name, values in self.axes.items()},
+            "loadings": {name: values.tolist() for name, values in self.loadings.items()},
+            "harmonics": self.harmonics,
+            "form": self.form,
+        }
+
+    def points(self, part: slice) -> tuple[Floats, Floats, Floats]:
+        """Speed [m/s], heading [deg] and wave length [m] of some points."""
+        where = np.unravel_index(
+            np.arange(part.start, part.stop), [self.axes[name].size for name in CONDITION_AXES[:3]]
+        )
+        u, mu, length = (self.axes[name][i] for name, i in zip(CONDITION_AXES, where, strict=False))
+        return u, mu, length
+
+    def loaded(self, index: int) -> Ship:
+        """The ship in one of its loadings."""
+        if index not in self._ships:
+            if len(self._ships) >= _SHIPS_KEPT:
+                self._ships.clear()
+            values = {name: float(column[index]) for name, column in self.loadings.items()}
+            self._ships[index] = loaded(self.ship, values)
+        return self._ships[index]
+
+
+def grid(
+    ship: Ship,
+    speed: ArrayLike,
+    heading: ArrayLike,
+    wave_length: ArrayLike,
+    wave_height: ArrayLike,
+    *,
+    harmonics: int = 1,
+    form: Form = "stf",
+    **axes: ArrayLike,
+) -> Grid:
+    """All combinations of conditions and loadings, checked.
+
+    Parameters
+    ----------
+    ship : Ship
+    speed, heading, wave_length, wave_height : (n,) float    [m/s, deg, m, m]
+    harmonics, form                                          as in `sweep`
+    **axes : (l,) float                                      loading values or multipliers of coefficients by name
+
+    Returns
+    -------
+    Grid
+
+    Raises
+    ------
+    InputError    an axis that is empty or not numbers, a wave that breaks, an unknown or impossible loading
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> some = grid(ship("wigley"), 5.0, [30, 60], 100.0, [1.0, 2.0], K_ppp=[0.5, 1.0])
+    >>> some.count, some.shape, len(some.blocks)
+    (8, (2, 1, 2, 1, 2), 1)
+    """
+    conditions = dict(zip(CONDITION_AXES, (speed, heading, wave_length, wave_height), strict=True))
+    own = {name: axis(name, values) for name, values in conditions.items()}
+    _check_conditions(own)
+    extra = {name: axis(name, values) for name, values in axes.items()}
+    if "gm" in extra and "kg" in extra:
+        raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
+    combined = np.array(list(product(*extra.values())), dtype=float).reshape(
+        int(np.prod([v.size for v in extra.values()])), len(extra)
+    )
+    made = Grid(ship, own, {name: combined[:, i] for i, name in enumerate(extra)}, harmonics, form)
+    for i in range(made.loading_count if extra else 0):
+        made.loaded(i)
+    return made
+
+
+def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
+    """The ship with loading values set and coefficients multiplied.
+
+    Parameters
+    ----------
+    ship : Ship
+    values : mapping of str to float    gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; the others multiply
+                                        the coefficient of that name
+
+    Returns
+    -------
+    Ship
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> loaded(ship("wigley"), {"gm": 1.5, "K_ppp": 2.0}).loading.gm
+    1.5
+    """
+    if not values:
+        return ship
+    own = {name: value for name, value in values.items() if name in LOADING_AXES}
+    multipliers = {name: value for name, value in values.items() if name not in LOADING_AXES}
+    return ship.with_(**own, coefficients=multipliers)  # type: ignore[arg-type]
+
+
+def axis(name: str, values: ArrayLike) -> Floats:
+    """Values of one axis as a checked, flat array.
+
+    Parameters
+    ----------
+    name : str             for the message
+    values : (n,) float
+
+    Returns
+    -------
+    (n,) float
+
+    Raises
+    ------
+    InputError             empty, or not finite numbers
+
+    Examples
+    --------
+    >>> axis("speed", 7.5).tolist()
+    [7.5]
+    """
+    try:
+        array = np.atleast_1d(np.array(values, dtype=float))
+    except (TypeError, ValueError):
+        raise InputError(f"{name} = {values!r} is not a number or a list of numbers; try [0, 5, 10]") from None
+    if array.ndim != 1 or array.size == 0:
+        raise InputError(f"{name} needs at least one value in a flat list; given shape {array.shape}")
+    if not np.isfinite(array).all():
+        raise InputError(f"{name} has a value that is not a finite number: {array[~np.isfinite(array)][0]}")
+    return array
+
+
+def _check_conditions(axes: Mapping[str, Floats]) -> None:
+    """Refuse waves that cannot be, by building the extreme ones, and speeds astern."""
+    shortest = float(axes["wave_length"].min())
+    for height in (axes["wave_height"].max(), axes["wave_height"].min()):
+        Wave(length=shortest, height=float(height))
+    if axes["speed"].min() < 0:
+        raise InputError(
+            f"speed = {axes['speed'].min():g} m/s is negative; give speeds from 0, heading tells the direction"
+        )
+
+
+def fingerprint(value: Any) -> str:
+    """Digest of every number in a record, the texts that only tell of sources left out.
+
+    Parameters
+    ----------
+    value : Any    number, text, array, mapping, sequence, or a record of such
+
+    Returns
+    -------
+    str            32 hexadecimal digits; equal for equal content in any process
+
+    Examples
+    --------
+    >>> fingerprint({"gm": 1.0}) == fingerprint(dict(gm=1.0)) != fingerprint({"gm": 1.5})
+    True
+    """
+    digest = hashlib.sha256()
+    _feed(digest, value)
+    return digest.hexdigest()[:32]
+
+
+def _feed(digest: Any, value: Any) -> None:
+    if isinstance(value, np.ndarray):
+        digest.update(f"{value.dtype.str}{value.shape}".encode())
+        digest.update(np.ascontiguousarray(value).tobytes())
+    elif isinstance(value, Mapping):
+        for key in sorted(value):
+            _feed(digest, [str(key), value[key]])
+    elif isinstance(value, (list, tuple)):
+        digest.update(f"[{len(value)}".encode())
+        for item in value:
+            _feed(digest, item)
+    elif is_dataclass(value):
+        _feed(digest, {f.name: getattr(value, f.name) for f in fields(value) if f.name not in _UNSAID})
+    elif isinstance(value, float):
+        digest.update(float(value).hex().encode())
+    elif value is None or isinstance(value, (bool, int, str, np.generic)):
+        digest.update(f"{type(value).__name__}{value};".encode())
+    else:
+        _feed(digest, [type(value).__name__, vars(value)])

@@ -1,0 +1,194 @@
+"""Questions to a result: where is the roll worst, where is the margin least, and slices for a spreadsheet."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+import xarray as xr
+
+from quartering.conventions import SYMBOLS, InputError
+from quartering.stability.kind import Kind
+
+Measure = Literal["roll", "margin"]
+_OF = {"roll": "roll_peak", "margin": "exponent"}
+
+
+def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Dataset:
+    """The conditions with the largest roll, or the least stable margin.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
+    by : str                   "roll": largest roll angle over a cycle; "margin": largest Floquet exponent
+    count : int                how many
+
+    Returns
+    -------
+    xarray.Dataset             along ``rank``, the worst first: every coordinate of the condition, roll_peak [deg], exponent
+                               [1/s], verdict; fewer where fewer conditions have an answer
+
+    Raises
+    ------
+    InputError                 an unknown measure, a count below 1, not a result
+
+    Notes
+    -----
+    Source: [H71]; conditions without an answer are left out.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> ds = sweep(ship("wigley"), 5.0, [30.0, 60.0, 90.0], 100.0, [1.0, 2.0])
+    >>> float(worst(ds)["roll_peak"][0]) == float(ds["roll_peak"].max())
+    True
+    """
+    values = _measured(result, by)
+    if count < 1:
+        raise InputError(f"count = {count}; ask for 1 condition or more")
+    flat = values.values.ravel()
+    known = np.flatnonzero(np.isfinite(flat))
+    ranked = known[np.argsort(-flat[known], kind="stable")[:count]]
+    where = {
+        dim: xr.DataArray(index, dims="rank")
+        for dim, index in zip(values.dims, np.unravel_index(ranked, values.shape), strict=True)
+    }
+    chosen = result[["roll_peak", "exponent", "verdict"]].isel(where).load()
+    return chosen.assign_coords(rank=np.arange(1, ranked.size + 1))
+
+
+def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> xr.Dataset:
+    """The worst of every speed and heading over everything else.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
+    dims : sequence of str     that stay
+
+    Returns
+    -------
+    xarray.Dataset             roll_peak [deg] and exponent [1/s] at their largest, unstable and without_answer: shares of the
+                               conditions [1]
+
+    Raises
+    ------
+    InputError                 a dimension the result does not have, not a result
+
+    Notes
+    -----
+    Source: [H71].
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> worst_by(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, [1.0, 2.0]))["roll_peak"].dims
+    ('speed', 'heading')
+    """
+    _measured(result, "roll")
+    unknown = [dim for dim in dims if dim not in result["verdict"].dims]
+    if unknown:
+        raise InputError(
+            f'"{unknown[0]}" is not a dimension of this result; it has {", ".join(map(str, result["verdict"].dims))}'
+        )
+    others = [dim for dim in result["verdict"].dims if dim not in dims]
+    largest = result[["roll_peak", "exponent"]].max(others, keep_attrs=True)
+    verdict = result["verdict"]
+    shares = {
+        "unstable": ((verdict > int(Kind.STABLE)).mean(others), "share of conditions that are unstable"),
+        "without_answer": ((verdict == int(Kind.NO_ANSWER)).mean(others), "share of conditions without an answer"),
+    }
+    for name, (values, meaning) in shares.items():
+        largest[name] = values.assign_attrs(units="1", long_name=meaning, symbol="")
+    return largest
+
+
+def write_csv(result: xr.Dataset, path: str | Path, variables: Sequence[str] | None = None, **where: float) -> int:
+    """Write a slice of a result as a table: one line a condition, units in the head.
+
+    Parameters
+    ----------
+    result : xarray.Dataset              of `sweep`, `polar` or `open_result`
+    path : str or Path                   complete or not there at all
+    variables : sequence of str          columns after the coordinates; by default the amplitudes, exponent and verdict
+    **where : float                      value of a dimension to cut at, the nearest one taken: heading=30, wave_height=4
+
+    Returns
+    -------
+    int                                  number of lines
+
+    Raises
+    ------
+    InputError                           an unknown variable or dimension, a file that cannot be written
+
+    Notes
+    -----
+    Source: [H71].
+
+    Examples
+    --------
+    See the README.
+    """
+    names = list(variables or ("sway", "roll", "yaw", "roll_peak", "exponent", "verdict"))
+    unknown = [name for name in names if name not in result.data_vars]
+    if unknown:
+        raise InputError(f'"{unknown[0]}" is not in this result; it has {", ".join(map(str, result.data_vars))}')
+    for dim in where:
+        if dim not in result.dims or dim not in result.coords:
+            allowed = ", ".join(str(d) for d in result["verdict"].dims if d in result.coords)
+            raise InputError(f"a slice at {dim} is asked for; this result can be cut at {allowed}")
+    cut = result.sel(where, method="nearest") if where else result
+    dims = cut["verdict"].dims
+    table = {name: cut[name].load().broadcast_like(cut["verdict"]).transpose(*dims, ...) for name in names}
+    columns = _columns(cut, dims, table)
+    target = Path(path)
+    part = target.with_name(f".{target.name}.{os.getpid()}.part")
+    try:
+        with open(part, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(columns)
+            writer.writerows(zip(*columns.values(), strict=True))
+        os.replace(part, target)
+    except OSError as error:
+        raise InputError(f'"{target}" cannot be written ({error.strerror or error}); write elsewhere') from None
+    finally:
+        part.unlink(missing_ok=True)
+    return int(cut["verdict"].size)
+
+
+def _columns(cut: xr.Dataset, dims: Sequence[Any], table: dict[str, xr.DataArray]) -> dict[str, list[Any]]:
+    """Head and values of every column."""
+    columns: dict[str, list[Any]] = {}
+    shape = cut["verdict"].shape
+    for name, coordinate in cut.coords.items():
+        if set(coordinate.dims) <= set(dims):
+            grid = coordinate.broadcast_like(cut["verdict"]).transpose(*dims).values
+            columns[_head(str(name), coordinate)] = np.broadcast_to(grid, shape).ravel().tolist()
+    for name, values in table.items():
+        if name == "verdict":
+            columns[name] = [Kind(int(v)).label for v in values.values.ravel()]
+            continue
+        flat = values.values.reshape(int(np.prod(shape)), -1)
+        for i in range(flat.shape[1]):
+            head = _head(name, values)
+            columns[head if flat.shape[1] == 1 else f"{head} {i + 1}"] = flat[:, i].tolist()
+    return columns
+
+
+def _head(name: str, values: xr.DataArray) -> str:
+    unit = values.attrs.get("units", SYMBOLS[name].unit if name in SYMBOLS else "1")
+    return name if unit == "1" else f"{name} [{unit}]"
+
+
+def _measured(result: xr.Dataset, by: str) -> xr.DataArray:
+    """The variable a measure ranks by."""
+    if by not in _OF:
+        raise InputError(f'by = "{by}"; allowed are "roll" (largest roll) and "margin" (largest exponent)')
+    if not {"roll_peak", "exponent", "verdict"} <= set(result.data_vars):
+        raise InputError("this is not the result of a sweep or a polar map: roll_peak, exponent or verdict is missing")
+    return result[_OF[by]]

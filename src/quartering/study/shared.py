@@ -1,0 +1,94 @@
+"""Equations of one ship in many loadings: the wave forces found once and moved to each centre of gravity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.hull.ship import Ship
+from quartering.loads.forces import Form
+from quartering.motion.of_ship import ShipSystem, excitation, ship_system
+
+Floats = NDArray[np.float64]
+Phasors = NDArray[np.complex128]
+
+
+def systems(
+    ships: Sequence[Ship], wavenumber: Floats, speed: Floats, heading: Floats, form: Form = "stf"
+) -> Iterator[ShipSystem]:
+    """Equations per metre of wave amplitude, as `ship_system` gives them, for each loading in turn.
+
+    Parameters
+    ----------
+    ships : sequence of Ship    the same ship in its loadings
+    wavenumber : (m,) float     k > 0 [1/m]
+    speed, heading : (m,)       [m/s, deg]
+    form : str                  of the diffraction force
+
+    Yields
+    ------
+    ShipSystem    of each ship; forces are found again only where the hull in the water, its density or (for a form other than
+                  "stf") the height of G changes
+
+    Notes
+    -----
+    G moves up and down over one point of the waterplane, so sway and yaw stay and K_G' = K_G - (z0' - z0) Y, exactly.
+    Source: [STF70] forces about the waterline, moved rigidly.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> two = [ship("wigley"), ship("wigley").with_(gm=2.0)]
+    >>> [at.slow.tolist() for at in systems(two, np.array([0.05]), np.array([5.0]), np.array([30.0]))]
+    [[False], [False]]
+    """
+    known: dict[tuple[object, ...], tuple[Phasors, Floats, float]] = {}
+    for ship in ships:
+        kg = ship.loading.kg
+        key = (id(ship.hull), ship.loading.density, None if form == "stf" else kg)
+        if key not in known:
+            known[key] = *excitation(ship, wavenumber, speed, heading, form), kg
+        force, omega, at_kg = known[key]
+        yield ship_system(ship, wavenumber, speed, heading, form, known=(_moved(force, kg - at_kg), omega))
+
+
+def _moved(force: Phasors, up: float) -> Phasors:
+    """Force about a point `up` metres above the one it is given about."""
+    if up == 0.0:
+        return force
+    moved = force.copy()
+    moved[:, 1] -= up * force[:, 0]
+    return moved
+
+
+def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
+    """The equations of some of the conditions.
+
+    Parameters
+    ----------
+    equations : ShipSystem    m conditions
+    part : slice              of them
+
+    Returns
+    -------
+    ShipSystem                with the whole batch's coefficients
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> two = next(systems([ship("wigley")], np.full(2, 0.05), np.array([5.0, 6.0]), np.full(2, 30.0)))
+    >>> part_of(two, slice(1, 2)).system.count
+    1
+    """
+    s = equations.system
+    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+    system = replace(s, **{name: getattr(s, name)[part] for name in names})
+    return replace(
+        equations,
+        system=system,
+        encounter_frequency=equations.encounter_frequency[part],
+        slow=equations.slow[part],
+    )

@@ -1,0 +1,364 @@
+"""Results of a sweep on disk: one small netCDF file a block, complete or not there at all, and a description of the case."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+import os
+import threading
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.io import netcdf_file
+
+from quartering.conventions import InputError
+from quartering.study.conditions import FLAGS, RESULTS
+from quartering.study.dataset import EXTRA_DIMS, attributes, heading_of, plain_attributes
+from quartering.study.grid import Grid, fingerprint
+
+LAYOUT = 1
+"""Number of the layout of the folder; another one is refused."""
+MANIFEST = "case.json"
+_BLOCKS = "blocks"
+_NONE_YET = "has no block yet"
+Arrays = Mapping[str, NDArray[np.generic]]
+
+
+@dataclass(frozen=True)
+class Store:
+    """A folder that holds the results of one case.
+
+    Parameters
+    ----------
+    folder : Path
+    content : mapping    of its manifest: layout, version, case, hash, text, blocks, attributes
+    """
+
+    folder: Path
+    content: Mapping[str, Any]
+
+    def block(self, index: int) -> Path:
+        """File of one block."""
+        return self.folder / _BLOCKS / f"{index:07d}.nc"
+
+    def missing(self) -> list[int]:
+        """Blocks that are not there, or not whole."""
+        return [i for i in range(len(self.content["blocks"])) if not _whole(self.block(i))]
+
+
+def open_store(folder: str | Path, grid: Grid) -> Store:
+    """The store of a grid: made when the folder is new or empty, checked when it holds results already.
+
+    Parameters
+    ----------
+    folder : str or Path
+    grid : Grid
+
+    Returns
+    -------
+    Store
+
+    Raises
+    ------
+    InputError    a folder that holds something else, another case, another version, or cannot be written
+
+    Examples
+    --------
+    See `sweep`, whose ``store`` argument names the folder.
+    """
+    path = Path(folder)
+    if path.exists() and not path.is_dir():
+        raise InputError(f'store "{path}" is a file; give the name of a folder to put the results in')
+    if (path / MANIFEST).exists():
+        return _same_case(read_store(path), grid)
+    if path.is_dir() and any(not entry.name.endswith(".part") for entry in path.iterdir() if entry.name != _BLOCKS):
+        raise InputError(
+            f'store "{path}" holds other files and no {MANIFEST}, so it is not a sweep; give a new or empty folder'
+        )
+    content = _manifest(grid)
+    try:
+        (path / _BLOCKS).mkdir(parents=True, exist_ok=True)
+        _publish(path / MANIFEST, json.dumps(content, indent=1).encode())
+    except OSError as error:
+        raise InputError(
+            f'store "{path}" cannot be written ({error.strerror or error}); give a folder you may write to'
+        ) from None
+    return Store(path, content)
+
+
+def read_store(folder: str | Path) -> Store:
+    """The store in a folder, its manifest checked.
+
+    Parameters
+    ----------
+    folder : str or Path
+
+    Returns
+    -------
+    Store
+
+    Raises
+    ------
+    InputError    no store there, a manifest that cannot be read, a layout of another version
+    """
+    path = Path(folder)
+    try:
+        content = json.loads((path / MANIFEST).read_text())
+        layout = content["layout"]
+    except FileNotFoundError:
+        raise InputError(f'"{path}" is not the result of a sweep: there is no {MANIFEST} in it') from None
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise InputError(
+            f'"{path / MANIFEST}" cannot be read ({error}); the blocks beside it are untouched: put the file back, or'
+            " compute into another folder"
+        ) from None
+    if layout != LAYOUT:
+        raise InputError(
+            f'"{path}" was written in layout {layout} by quartering {content.get("version")}; this is quartering'
+            f" {version('quartering')}, which reads layout {LAYOUT}: compute into another folder, or use that version"
+        )
+    return Store(path, content)
+
+
+def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str, int]:
+    """Put one block of results into a store, whole or not at all.
+
+    Parameters
+    ----------
+    store : Store
+    index : int
+    found : mapping of str to array    from `evaluate_block`
+    grid : Grid
+
+    Returns
+    -------
+    dict of str to int    what it counts, see `counted`
+
+    Raises
+    ------
+    InputError            the disk is full, or refuses otherwise; the blocks written before stay
+    """
+    counts = counted(found)
+    data = _block_file(index, found, grid, counts)
+    try:
+        _publish(store.block(index), data)
+    except OSError as error:
+        raise InputError(
+            f'store "{store.folder}" cannot be written ({error.strerror or error}); the finished blocks are kept: free'
+            " some space and run the same command again, only what is missing is computed"
+        ) from None
+    return counts
+
+
+def counted(found: Arrays) -> dict[str, int]:
+    """Numbers of conditions by verdict and status, and of those beyond the fit of the righting arm.
+
+    Parameters
+    ----------
+    found : mapping of str to array    verdict, status, beyond
+
+    Returns
+    -------
+    dict of str to int    "verdict 0": .., "status 0": .., "beyond": ..; zeros left out
+
+    Examples
+    --------
+    >>> counted({"verdict": np.array([0, 0, 1]), "status": np.array([0, 0, 0]), "beyond": np.array(0)})
+    {'verdict 0': 2, 'verdict 1': 1, 'status 0': 3}
+    """
+    counts: dict[str, int] = {}
+    for name in FLAGS:
+        values, numbers = np.unique(found[name], return_counts=True)
+        counts |= {f"{name} {value}": int(number) for value, number in zip(values, numbers, strict=True)}
+    beyond = int(found["beyond"])
+    return counts | ({"beyond": beyond} if beyond else {})
+
+
+def block_counts(store: Store, index: int) -> dict[str, int]:
+    """What a block already written counts.
+
+    Parameters
+    ----------
+    store : Store
+    index : int
+
+    Returns
+    -------
+    dict of str to int
+    """
+    file: Any
+    with netcdf_file(store.block(index), "r", mmap=True) as file:
+        counts: dict[str, int] = json.loads(file.counts)
+    return counts
+
+
+def read_block(store: Store, index: int, name: str) -> NDArray[np.generic]:
+    """One variable of one block.
+
+    Parameters
+    ----------
+    store : Store
+    index : int
+    name : str    of a result, or encounter_frequency
+
+    Returns
+    -------
+    (l, m, h, ...) array    in this machine's byte order
+
+    Raises
+    ------
+    InputError    the block is missing or damaged
+    """
+    try:
+        with netcdf_file(store.block(index), "r", mmap=True) as file:
+            values = np.array(file.variables[name].data)
+    except (OSError, ValueError, TypeError, KeyError):
+        raise InputError(
+            f'"{store.folder}": block {index} of {len(store.content["blocks"])} {_NONE_YET} or is damaged; run the same'
+            " sweep again, only what is missing is computed"
+        ) from None
+    return values.astype(values.dtype.newbyteorder("="))
+
+
+def _manifest(grid: Grid) -> dict[str, Any]:
+    """What a store says about its case."""
+    return {
+        "layout": LAYOUT,
+        "version": version("quartering"),
+        "code": code_digest(),
+        "hash": fingerprint(grid.described),
+        "case": grid.described,
+        "text": grid.text,
+        "blocks": [[b.loadings.start, b.loadings.stop, b.points.start, b.points.stop] for b in grid.blocks],
+        "attributes": plain_attributes(heading_of(grid.ship, form=grid.form, harmonics=grid.harmonics)),
+    }
+
+
+def _same_case(store: Store, grid: Grid) -> Store:
+    """The store, when it belongs to this case and version."""
+    content, wanted = store.content, _manifest(grid)
+    if content.get("hash") != wanted["hash"] or content.get("blocks") != wanted["blocks"]:
+        old = content.get("case", {})
+        changed = [key for key, value in wanted["case"].items() if old.get(key) != value]
+        raise InputError(
+            f'store "{store.folder}" holds another case: {_changes(old, wanted["case"], changed)}. What it holds is kept;'
+            " go back to that case to continue it, or give another folder for this one"
+        )
+    if content.get("version") != wanted["version"]:
+        raise InputError(
+            f'store "{store.folder}" was begun by quartering {content.get("version")}, this is {wanted["version"]}: blocks of'
+            " two versions are not mixed; use that version to finish it, or give another folder"
+        )
+    if content.get("code") != wanted["code"]:
+        raise InputError(
+            f'store "{store.folder}" was begun with other source files of quartering {wanted["version"]}, so its blocks may'
+            " differ from new ones; go back to those files to finish it, or give another folder"
+        )
+    return store
+
+
+@lru_cache(maxsize=1)
+def code_digest() -> str:
+    """Digest of the source files that decide the numbers.
+
+    Returns
+    -------
+    str    16 hexadecimal digits, equal for equal installations
+
+    Examples
+    --------
+    >>> len(code_digest())
+    16
+    """
+    root, digest = Path(__file__).parents[1], hashlib.sha256()
+    for room in ("hull", "hydro", "loads", "motion", "stability"):
+        for file in sorted((root / room).rglob("*.py")):
+            digest.update(file.read_bytes())
+    own = [root / "study" / name for name in ("conditions.py", "shared.py", "grid.py")]
+    for file in [*sorted(root.glob("*.py")), *own]:
+        digest.update(file.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+def _changes(old: Mapping[str, Any], new: Mapping[str, Any], keys: list[str]) -> str:
+    """What differs between two cases, in words."""
+
+    def words(value: Any) -> str:
+        if isinstance(value, list) and len(value) > 1:
+            return f"{len(value)} values from {min(value):g} to {max(value):g}"
+        if isinstance(value, list):
+            return f"{value[0]:g}" if value else "none"
+        if isinstance(value, dict) and "digest" in value:
+            return f"{value['name']} ({value['digest'][:8]})"
+        if isinstance(value, dict):
+            return ", ".join(f"{k} {words(v)}" for k, v in value.items()) or "none"
+        return "none" if value is None else str(value)
+
+    return "; ".join(f"{key} there {words(old.get(key))}, here {words(new[key])}" for key in keys) or "other blocks"
+
+
+def _block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int]) -> bytes:
+    """Content of a block's file: netCDF, 64-bit offsets, with the coordinates of its conditions."""
+    block = grid.blocks[index]
+    u, mu, length = grid.points(block.points)
+    own = {"speed": u, "heading": mu, "wave_length": length}
+    buffer = io.BytesIO()
+    file: Any = netcdf_file(buffer, "w", version=2)
+    file.counts = json.dumps(counts)
+    file.Conventions = "CF-1.8"
+    sizes = {"loading": block.loadings.stop - block.loadings.start, "point": u.size}
+    sizes["wave_height"] = grid.axes["wave_height"].size
+    for name, extra in EXTRA_DIMS.items():
+        sizes[extra[0]] = RESULTS[name][0]
+    for name, size in sizes.items():
+        file.createDimension(name, size)
+    for name, values in own.items():
+        _variable(file, name, ("point",), values)
+    _variable(file, "wave_height", ("wave_height",), grid.axes["wave_height"])
+    for name, column in grid.loadings.items():
+        _variable(file, name, ("loading",), column[block.loadings])
+    for name in RESULTS:
+        _variable(file, name, ("loading", "point", "wave_height", *EXTRA_DIMS.get(name, ())), found[name])
+    _variable(file, "encounter_frequency", ("point",), found["encounter_frequency"])
+    file.flush()
+    data = buffer.getvalue()
+    file.close()
+    return data
+
+
+def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.generic]) -> None:
+    """One variable with its unit and meaning."""
+    made = file.createVariable(name, "i1" if values.dtype == np.int8 else "f8", dims)
+    made[:] = values
+    for key, value in attributes(name).items():
+        if value != "" if isinstance(value, str) else True:
+            setattr(made, key, value)
+
+
+def _whole(path: Path) -> bool:
+    """Is a block's file there, with all it says it holds?"""
+    try:
+        with netcdf_file(path, "r", mmap=True) as file:
+            return "encounter_frequency" in file.variables
+    except (OSError, ValueError, TypeError, KeyError, IndexError):
+        return False
+
+
+def _publish(path: Path, data: bytes) -> None:
+    """Write a file under another name beside its own, see it on the disk, and then give it its name."""
+    part = path.with_name(f".{path.name}.{os.getpid()}.{threading.get_ident()}.part")
+    try:
+        with open(part, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)

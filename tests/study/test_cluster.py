@@ -1,0 +1,75 @@
+"""Worker processes: the same numbers wherever a block is computed, also when a worker dies."""
+
+import pickle
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import quartering as qt
+from quartering.study import executor
+from quartering.study.grid import grid
+
+SHIP = qt.ship("series60-cb60")
+CONDITIONS = {
+    "speed": [0.0, 4.0, 8.0],
+    "heading": np.arange(0.0, 181.0, 10.0),
+    "wave_length": SHIP.hull.length * np.linspace(0.5, 2.0, 8),
+    "wave_height": [0.5, 1.5, 3.0],
+    "gm": [0.6, 0.9, 1.2],
+}
+
+
+@pytest.mark.parametrize("name", ["cloud", "local:0", "local:many", "tcp:host"])
+def test_an_unknown_cluster_is_refused_with_the_allowed_forms(name):
+    pytest.importorskip("distributed")
+    with pytest.raises(qt.InputError, match=r"local:4.*tcp://"):
+        qt.sweep(SHIP, 5.0, 60.0, 100.0, 1.0, cluster=name)
+
+
+def test_a_missing_extra_is_named(monkeypatch):
+    def absent(_):
+        raise ImportError
+
+    monkeypatch.setattr(executor, "import_module", absent)
+    with pytest.raises(qt.InputError, match=r"quartering\[cluster\]"):
+        qt.sweep(SHIP, 5.0, 60.0, 100.0, 1.0, cluster="local:2")
+
+
+def test_a_grid_travels_to_another_process():
+    executor.prepare_pickling()
+    wanted = grid(SHIP, **CONDITIONS)
+    there = pickle.loads(pickle.dumps(wanted))
+    assert there.described == wanted.described
+    np.testing.assert_array_equal(executor.evaluate_block(there, 2)["roll"], executor.evaluate_block(wanted, 2)["roll"])
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore")
+def test_a_killed_worker_costs_nothing_but_time(tmp_path):
+    """Agreement bit by bit with threads; a real cluster of two processes, one killed with SIGKILL while it works."""
+    distributed = pytest.importorskip("distributed")
+    expected = qt.sweep(SHIP, **CONDITIONS)
+    killed = []
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50
+    ) as workers:
+
+        def progress(done, of):
+            if done > 0.2 * of and not killed:
+                killed.append(done)
+                next(iter(workers.workers.values())).process.process.kill()
+
+        result = qt.sweep(
+            SHIP, **CONDITIONS, store=tmp_path / "s", cluster=workers.scheduler_address, progress=progress
+        )
+    assert killed
+    xr.testing.assert_identical(result.load(), expected)
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore")
+def test_local_workers_begin_and_end_with_the_sweep():
+    pytest.importorskip("distributed")
+    small = CONDITIONS | {"gm": [0.9], "heading": [30.0, 60.0]}
+    xr.testing.assert_identical(qt.sweep(SHIP, **small, cluster="local:2"), qt.sweep(SHIP, **small))

@@ -1,0 +1,308 @@
+"""Stored sweeps: interrupted any way and resumed they equal an uninterrupted one, and nothing foreign is mixed in."""
+
+import errno
+import json
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import quartering as qt
+from quartering.study import store as stores
+from quartering.study.grid import grid
+from quartering.study.result import open_result
+from quartering.study.sweep import fill
+
+SHIP = qt.ship("series60-cb60")
+LENGTH = SHIP.hull.length
+CONDITIONS = {
+    "speed": [0.0, 4.0, 8.0],
+    "heading": np.arange(0.0, 181.0, 20.0),
+    "wave_length": LENGTH * np.linspace(0.5, 2.0, 6),
+    "wave_height": [0.5, 1.5, 3.0],
+    "gm": [0.6, 0.9, 1.2],
+}
+
+
+@pytest.fixture(scope="module")
+def uninterrupted() -> xr.Dataset:
+    return qt.sweep(SHIP, **CONDITIONS)
+
+
+def _blocks(folder):
+    return {f.name: f.read_bytes() for f in sorted((folder / "blocks").iterdir())}
+
+
+@pytest.fixture(scope="module")
+def stored(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("whole") / "sweep"
+    qt.sweep(SHIP, **CONDITIONS, store=folder)
+    return folder
+
+
+def test_a_stored_sweep_is_the_sweep_in_memory_bit_by_bit(stored, uninterrupted):
+    xr.testing.assert_identical(open_result(stored).load(), uninterrupted)
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        {"loading": 1, "speed": 2},
+        {"heading": slice(2, 7, 2), "wave_length": [0, 3, 5], "wave_height": -1},
+        {"loading": [2, 0], "speed": 0, "heading": 3, "wave_length": 1, "wave_height": 2},
+        {"heading": slice(4, 4)},
+    ],
+)
+def test_a_part_of_a_stored_sweep_is_that_part(stored, uninterrupted, part):
+    for name in ("roll", "q", "verdict", "encounter_frequency"):
+        own = {k: v for k, v in part.items() if k in uninterrupted[name].dims}
+        xr.testing.assert_identical(open_result(stored)[name].isel(own).load(), uninterrupted[name].isel(own))
+
+
+def test_a_stored_sweep_survives_plain_netcdf(stored, uninterrupted, tmp_path):
+    open_result(stored).to_netcdf(tmp_path / "all.nc")
+    with xr.open_dataset(tmp_path / "all.nc") as back:
+        np.testing.assert_array_equal(back["roll"], uninterrupted["roll"])
+
+
+def test_a_block_opens_by_itself_with_units_and_coordinates(stored):
+    with xr.open_dataset(stored / "blocks" / "0000000.nc", engine="scipy") as block:
+        assert block["roll"].attrs["units"] == "deg"
+        assert block["speed"].dims == ("point",)
+        assert block["verdict"].dtype == np.int8
+
+
+class _Stop(Exception):
+    """Stands for whatever ends a run."""
+
+
+@pytest.mark.parametrize("kind", [KeyboardInterrupt, _Stop])
+def test_an_interrupted_sweep_keeps_its_blocks_and_computes_only_the_rest(kind, stored, uninterrupted, tmp_path):
+    folder, calls = tmp_path / "s", []
+
+    def interrupt(done, of):
+        calls.append(done)
+        if 0.3 * of < done:
+            raise kind
+
+    with pytest.raises(kind):
+        qt.sweep(SHIP, **CONDITIONS, store=folder, progress=interrupt)
+    kept = _blocks(folder)
+    assert 0 < len(kept) < len(_blocks(stored))
+    assert not list((folder / "blocks").glob(".*"))
+    stamps = {name: (folder / "blocks" / name).stat().st_mtime_ns for name in kept}
+    with pytest.raises(qt.InputError, match="not complete"):
+        open_result(folder)
+    half = open_result(folder, partial=True)
+    assert 0 < int(np.isfinite(half["roll"]).sum()) < half["roll"].size
+    first = []
+    result = qt.sweep(SHIP, **CONDITIONS, store=folder, progress=lambda done, _: first.append(done))
+    assert first[0] >= 0.3 * result["roll"].size  # it goes on from what was there
+    assert {name: (folder / "blocks" / name).stat().st_mtime_ns for name in kept} == stamps
+    assert _blocks(folder) == _blocks(stored)
+    xr.testing.assert_identical(result.load(), uninterrupted)
+
+
+CHILD = textwrap.dedent(
+    """
+    import sys, time
+    import numpy as np, quartering as qt
+    from tests.study.test_store import SHIP, CONDITIONS
+    qt.sweep(SHIP, **CONDITIONS, store=sys.argv[1], progress=lambda done, of: time.sleep(0.05))
+    """
+)
+
+
+def test_a_sweep_killed_five_times_at_random_equals_an_uninterrupted_one(stored, tmp_path):
+    """Real SIGKILL on a real process; the block files are compared byte for byte."""
+    folder, random = tmp_path / "s", np.random.default_rng(6)
+    seen = []
+    for _ in range(5):
+        process = subprocess.Popen([sys.executable, "-W", "ignore", "-c", CHILD, str(folder)], cwd=os.getcwd())
+        wanted = len(seen and _blocks(folder)) + int(random.integers(1, 3))
+        limit = time.monotonic() + 60
+        while process.poll() is None and time.monotonic() < limit:
+            if (folder / "blocks").is_dir() and len(list((folder / "blocks").glob("[0-9]*.nc"))) >= wanted:
+                time.sleep(float(random.uniform(0, 0.05)))
+                process.send_signal(signal.SIGKILL)
+                break
+            time.sleep(0.002)
+        process.wait(60)
+        seen.append(len(list((folder / "blocks").glob("[0-9]*.nc"))))
+    assert seen == sorted(seen)
+    assert seen[0] < len(_blocks(stored))
+    qt.sweep(SHIP, **CONDITIONS, store=folder)
+    whole = {name: data for name, data in _blocks(folder).items() if not name.startswith(".")}
+    assert whole == _blocks(stored)
+
+
+def test_a_full_disk_loses_nothing_and_says_what_to_do(stored, tmp_path, monkeypatch):
+    folder, written = tmp_path / "s", []
+    replace = os.replace
+
+    def filling(source, target):
+        if len(written) >= 3:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        written.append(target)
+        replace(source, target)
+
+    monkeypatch.setattr(stores.os, "replace", filling)
+    with pytest.raises(qt.InputError, match=r"No space left on device.*finished blocks are kept.*free"):
+        qt.sweep(SHIP, **CONDITIONS, store=folder)
+    monkeypatch.undo()
+    assert len(_blocks(folder)) == 2  # the third name went to the description of the case
+    qt.sweep(SHIP, **CONDITIONS, store=folder)
+    assert _blocks(folder) == _blocks(stored)
+
+
+def test_a_damaged_block_is_computed_again(stored, tmp_path):
+    folder = tmp_path / "s"
+    qt.sweep(SHIP, **CONDITIONS, store=folder)
+    block = folder / "blocks" / "0000003.nc"
+    block.write_bytes(block.read_bytes()[:2000])
+    (folder / "blocks" / "0000004.nc").write_bytes(b"")
+    with pytest.raises(qt.InputError, match="2 of"):
+        open_result(folder)
+    qt.sweep(SHIP, **CONDITIONS, store=folder)
+    assert _blocks(folder) == _blocks(stored)
+
+
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"heading": [0.0, 90.0]}, "another case: heading there 10 values from 0 to 180, here 2 values"),
+        ({"gm": [0.6, 0.9, 1.3]}, "another case: loadings"),
+        ({"harmonics": 3}, "another case: harmonics there 1, here 3"),
+    ],
+)
+def test_a_changed_case_is_not_mixed_in(stored, changes, message):
+    before = _blocks(stored)
+    with pytest.raises(qt.InputError, match=message):
+        qt.sweep(SHIP, **(CONDITIONS | changes), store=stored)
+    with pytest.raises(qt.InputError, match="another case: ship"):
+        qt.sweep(SHIP.with_(gyradius_roll=6.0), **CONDITIONS, store=stored)
+    assert _blocks(stored) == before
+
+
+def test_another_version_and_a_foreign_or_broken_folder_are_refused(tmp_path):
+    conditions = {"speed": 5.0, "heading": 60.0, "wave_length": LENGTH, "wave_height": 1.0}
+    folder = tmp_path / "s"
+    qt.sweep(SHIP, **conditions, store=folder)
+    manifest = folder / "case.json"
+    content = json.loads(manifest.read_text())
+    manifest.write_text(json.dumps(content | {"version": "0.0.1"}))
+    with pytest.raises(qt.InputError, match=r"begun by quartering 0\.0\.1"):
+        qt.sweep(SHIP, **conditions, store=folder)
+    manifest.write_text(json.dumps(content | {"code": "changed"}))
+    with pytest.raises(qt.InputError, match="other source files"):
+        qt.sweep(SHIP, **conditions, store=folder)
+    manifest.write_text(json.dumps(content | {"layout": 99}))
+    with pytest.raises(qt.InputError, match="layout 99"):
+        open_result(folder)
+    manifest.write_text("{half")
+    with pytest.raises(qt.InputError, match="cannot be read"):
+        qt.sweep(SHIP, **conditions, store=folder)
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "thesis.txt").write_text("mine")
+    with pytest.raises(qt.InputError, match="holds other files"):
+        qt.sweep(SHIP, **conditions, store=tmp_path / "other")
+    with pytest.raises(qt.InputError, match="is a file"):
+        qt.sweep(SHIP, **conditions, store=tmp_path / "other" / "thesis.txt")
+    with pytest.raises(qt.InputError, match="not the result of a sweep"):
+        open_result(tmp_path / "other")
+    with pytest.raises(qt.InputError, match="cannot be written"):
+        qt.sweep(SHIP, **conditions, store="/proc/none/s")
+
+
+def test_conflicting_axes_are_refused():
+    with pytest.raises(qt.InputError, match="gm and kg"):
+        qt.sweep(SHIP, 5.0, 60.0, LENGTH, 1.0, gm=[0.8], kg=[6.0])
+
+
+def test_heights_of_g_share_the_wave_forces(monkeypatch):
+    """Closed form: moving G by dz moves the roll moment by -dz Y; so 3 GM values cost one computation of forces."""
+    from quartering.study import shared
+
+    asked = []
+    find = shared.excitation
+    monkeypatch.setattr(shared, "excitation", lambda *a, **k: asked.append(1) or find(*a, **k))
+    wanted = grid(SHIP, [5.0], [30.0, 60.0], [LENGTH], [1.0], gm=[0.6, 0.9, 1.2])
+    ships = [wanted.loaded(i) for i in range(3)]
+    one = (np.full(2, 2 * np.pi / LENGTH), np.full(2, 5.0), np.array([30.0, 60.0]))
+    for ship, together in zip(ships, shared.systems(ships, *one), strict=True):
+        from quartering.motion.of_ship import ship_system
+
+        alone = ship_system(ship, *one)
+        np.testing.assert_allclose(together.system.cos, alone.system.cos, rtol=1e-11, atol=1e-14)
+        np.testing.assert_allclose(together.system.sin, alone.system.sin, rtol=1e-11, atol=1e-14)
+    assert len(asked) == 1
+    asked.clear()
+    list(shared.systems(ships, *one, form="relative-motion"))  # its forces depend on the height of G in another way
+    assert len(asked) == 3
+
+
+def test_blocks_follow_from_the_grid_alone_and_cover_it_once():
+    for heights, gms, points in ((1, 1, 5), (10, 9, 300), (3, 2000, 2), (1, 1, 40_000)):
+        wanted = grid(
+            SHIP, 5.0, np.linspace(0, 180, points), LENGTH, np.linspace(0.5, 3, heights), K_ppp=np.linspace(0.5, 2, gms)
+        )
+        seen = np.zeros((gms, points), int)
+        for block in wanted.blocks:
+            seen[block.loadings, block.points] += 1
+            assert seen[block.loadings, block.points].size * heights <= max(16_384, heights)
+        assert (seen == 1).all()
+
+
+def test_fill_counts_old_and_new_blocks_alike(tmp_path):
+    wanted = grid(SHIP, 5.0, [30.0, 60.0], LENGTH, [1.0, 2.0])
+    first, again = fill(wanted, tmp_path / "s"), fill(wanted, tmp_path / "s")
+    assert first == again
+    assert sum(n for key, n in first.items() if key.startswith("verdict")) == 4
+
+
+MEASURE = textwrap.dedent(
+    """
+    import resource, sys, tempfile, warnings
+    import numpy as np
+    warnings.simplefilter("ignore")
+    from tests.study.test_store import SHIP, LENGTH
+    import quartering as qt
+    lengths = int(sys.argv[1])
+    with tempfile.TemporaryDirectory() as folder:
+        ds = qt.sweep(
+            SHIP, np.linspace(0.0, 8.0, 8), np.linspace(0.0, 180.0, 19), LENGTH * np.linspace(0.4, 2.3, lengths),
+            np.linspace(0.3, 3.0, 10), gm=[0.6, 0.9, 1.2], store=folder + "/s",
+        )
+        print(ds["roll"].size, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+    """
+)
+
+
+@pytest.mark.slow
+def test_memory_does_not_grow_with_the_number_of_conditions():
+    """Measured in processes of their own: 365,000 conditions are 70 MB of results, 18,000 are 4 MB."""
+    resource = pytest.importorskip("resource")
+    assert resource
+    peak = {}
+    for lengths in (4, 80):
+        command = [sys.executable, "-c", MEASURE, str(lengths)]
+        count, kilobytes = subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()
+        peak[int(count)] = int(kilobytes) / 1024
+    small, large = sorted(peak)
+    assert large == 20 * small
+    results = large * 194 / 1e6
+    assert peak[large] - peak[small] < 0.5 * results
+    assert peak[large] < 1000
+
+
+def test_a_stored_sweep_goes_to_zarr(stored, uninterrupted, tmp_path):
+    pytest.importorskip("zarr")
+    open_result(stored).to_zarr(tmp_path / "all.zarr", consolidated=False)
+    with xr.open_zarr(tmp_path / "all.zarr", chunks=None, consolidated=False) as back:
+        np.testing.assert_array_equal(back["exponent"], uninterrupted["exponent"])
