@@ -177,8 +177,11 @@ def floquet(
     values, share = _modes(np.where(found[:, None, None], phi, np.eye(4)), detail)
     full = values**2 if symmetric else values
     frequency = np.where(found, system.frequency, 1.0)
-    with np.errstate(divide="ignore"):
-        exponents = np.asarray(np.log(full) * (frequency / (2 * np.pi))[:, None], dtype=complex)
+    turns = (frequency / (2 * np.pi))[:, None]
+    exponents = np.empty_like(full)
+    with np.errstate(divide="ignore"):  # a multiplier too small for the number range is zero: its exponent is -inf
+        exponents.real = np.log(np.abs(full)) * turns
+    exponents.imag = np.angle(full) * turns
     expected = np.exp(np.where(found, trace, 0.0) * 2 * np.pi / frequency)
     product = np.prod(full, axis=1).real
     liouville = np.where(
