@@ -126,6 +126,7 @@ def test_ctrl_c_keeps_what_is_finished(tmp_path):
     process = subprocess.Popen(
         [sys.executable, "-c", "from quartering.view.cli import main; main()", "sweep", "big.yaml"],
         cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, env=os.environ,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a job in the background is started deaf to it
     )  # fmt: skip
     blocks, limit = tmp_path / "big" / "blocks", time.monotonic() + 60
     while process.poll() is None and time.monotonic() < limit and not list(blocks.glob("0*.nc")):
