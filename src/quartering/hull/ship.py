@@ -238,7 +238,12 @@ def reloaded(
 
 
 def checked_sections(name: str, sections: str) -> Sections:
-    """The way section coefficients are found, refused when it is none of the three."""
+    """The way section coefficients are found, refused when it is none of the three.
+
+    Notes
+    -----
+    Source: [Lewis29], [Frank67]: the ways there are.
+    """
     if sections not in get_args(Sections):
         raise InputError(f'{name}: sections = "{sections}"; allowed are {", ".join(get_args(Sections))}; try "auto"')
     return cast(Sections, sections)

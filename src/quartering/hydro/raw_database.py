@@ -85,6 +85,10 @@ def lateral_dofs(path: str | Path, found: Sequence[str], needed: Sequence[str]) 
     Raises
     ------
     InputError    a mode is missing
+
+    Notes
+    -----
+    Source: a check of names.
     """
     missing = [name for name in needed if name not in found]
     if missing:

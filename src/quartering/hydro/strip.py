@@ -292,6 +292,6 @@ def _attributes(ship: Ship, speed: float, low_frequency: LowFrequency) -> dict[s
         "axes": "body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         "reference_point": REFERENCE_POINT,
         "density": ship.loading.density,
-        "method": f"strip theory, Lewis sections; low frequencies: {low_frequency}",
-        "references": "STF70, Tasai61, Lewis29" + (", Clarke83" if low_frequency == "manoeuvring" else ""),
+        "method": f"strip theory, sections by the hull's choice (Lewis form or true contour); low frequencies: {low_frequency}",
+        "references": "STF70, Tasai61, Lewis29, Frank67" + (", Clarke83" if low_frequency == "manoeuvring" else ""),
     }
