@@ -191,7 +191,7 @@ def vanishing_angle(ship: Ship) -> float:
 
     Returns
     -------
-    float    [deg], to half a degree; infinite when both are positive up to 90
+    float    [deg], interpolated between steps of 2.5; infinite when both are positive up to 87.5
 
     Notes
     -----
@@ -203,8 +203,14 @@ def vanishing_angle(ship: Ship) -> float:
     >>> 60.0 < vanishing_angle(ship("series60-cb60")) < 90.0
     True
     """
-    angles = np.linspace(0.5, 89.5, 179)
+    angles = np.arange(2.5, 90.0, 2.5)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)  # the closed deck is what is asked for
         arms = np.minimum(righting_arm(ship, angles), righting_polynomial(ship).arm(angles))
-    return float(angles[(arms <= 0).argmax()]) if (arms <= 0).any() else float("inf")
+    if not (arms <= 0).any():
+        return float("inf")
+    after = int((arms <= 0).argmax())
+    if after == 0:
+        return float(angles[0])
+    before = after - 1
+    return float(angles[before] + 2.5 * arms[before] / (arms[before] - arms[after]))

@@ -20,8 +20,9 @@ STEPS = (
 """Numbers of steps there are tables for."""
 FINEST = 1e-7
 """Smallest error of the multipliers the exponential is computed well enough for."""
-_USUAL = 14
-"""Of `STEPS`, those that nearly every motion is content with: up to 48."""
+_TIERS = (14, 18, 22, 24, 26, 28)
+"""How many of `STEPS` a set of tables holds: nearly every motion is content with the first 14, up to 48 steps; the last sets
+take tens of megabytes."""
 _CONSTANT = 40.0
 _NODE = math.sqrt(15.0) / 10.0
 
@@ -230,7 +231,7 @@ def magnus_transition(along: Floats, cycle: Floats, steps: NDArray[np.int64], sc
     """
     samples = along.shape[1]
     where = np.searchsorted(STEPS, np.maximum(steps, STEPS[0]))
-    kinds = _USUAL if where.max(initial=0) < _USUAL else len(STEPS)
+    kinds = next(tier for tier in _TIERS if where.max(initial=0) < tier)
     weights, starts = _tables(samples, kinds)
     transition = np.full((along.shape[0], 4, 4), np.nan)
     in_threads(
