@@ -22,7 +22,7 @@ from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
 from quartering.hydro.moments import hull_moments
-from quartering.hydro.rolldamping import fraction_of_critical, natural_roll_frequency
+from quartering.hydro.rolldamping import fraction_of_critical, free_roll
 from quartering.hydro.strip import derivatives_from_moments, frequency_floor
 from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, canonical, unit
 
@@ -228,7 +228,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     if measured is not None:
         sources |= {name: ("measured", said) for name, said in measured_sources(ship, measured, sources).items()}
     given = _Given(ship, sources)
-    n2, roll_inertia = _free_roll(ship, _body(ship))
+    n2, roll_inertia = free_roll(ship)
     body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
     linear, added = _velocity_and_added_mass(ship, omega, u, lift)
     viscous = fraction_of_critical(ship.loading.roll_damping, n2, roll_inertia)
@@ -261,21 +261,6 @@ def _body(ship: Ship) -> dict[str, float]:
     """Rigid-body values of the loading."""
     mass, loading = hydrostatics(ship).mass, ship.loading
     return {"m": mass, "I_x": mass * loading.gyradius_roll**2, "I_z": mass * loading.gyradius_yaw**2, "I_xz": 0.0}
-
-
-def _free_roll(ship: Ship, body: Mapping[str, float]) -> tuple[float, float]:
-    """Natural roll frequency n2 of the ship as loaded, sway and yaw free, and I_x + a44 at it about G."""
-    loading, floating = ship.loading, hydrostatics(ship)
-    moments, z0 = hull_moments(ship.hull, loading.density), loading.kg - ship.hull.draught
-
-    def total(frequency: float) -> Floats:
-        return rigid_inertia(body) + moment_matrix(moments.at(frequency).about(floating.lcb, z0).a)
-
-    def felt_in_roll(frequency: float) -> float:
-        return float(1 / np.linalg.inv(total(frequency))[1, 1])
-
-    n2 = natural_roll_frequency(floating.mass * GRAVITY * loading.gm, felt_in_roll, 2 * moments.highest)
-    return n2, float(total(n2)[1, 1])
 
 
 def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:

@@ -84,9 +84,8 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
     """
     finite = system.finite
     linear = np.where(finite[:, None, None], system.linear, 0.0)
-    fresh = np.ones(
-        system.count, dtype=bool
-    )  # the heights of one condition stand together and share their coefficients
+    # The heights of one condition stand together and share their coefficients.
+    fresh = np.ones(system.count, dtype=bool)
     fresh[1:] = (linear[1:] != linear[:-1]).any(axis=(1, 2))
     different = linear[fresh]
     matrix = np.zeros((different.shape[0], 4, 4))

@@ -18,7 +18,7 @@ from quartering.motion.steady import peaks
 from quartering.motion.terms import parse
 from quartering.stability.assessment import Assessment, assess
 from quartering.study.dataset import attributes
-from quartering.study.sweep import LOADING_AXES
+from quartering.study.grid import LOADING_AXES, loaded
 
 _OF_CONDITION = ("speed", "heading", "wave_length", "wave_height")
 _NODES = 65
@@ -172,10 +172,7 @@ def _splined(ship: Ship, over: str, low: float, high: float, wave: Wave, speed: 
             )
         systems = at.at_amplitude(0.5 * height[:, None])
     else:
-        each = [
-            equations(ship.with_(**{over: float(v)}), wave, speed, heading).system  # type: ignore[arg-type]
-            for v in values[:: _NODES // 16]
-        ]
+        each = [equations(loaded(ship, {over: float(v)}), wave, speed, heading).system for v in values[:: _NODES // 16]]
         share = share[:: _NODES // 16]
         systems = replace(each[0], **{name: np.concatenate([getattr(s, name) for s in each]) for name in _ARRAYS})
     splines = {name: CubicSpline(share, getattr(systems, name), axis=0) for name in _ARRAYS}

@@ -13,6 +13,7 @@ from quartering.conventions import SYMBOLS, InputError, RangeWarning
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
 from quartering.study.conditions import evaluate
+from quartering.study.grid import LOADING_AXES, loaded
 
 CURES = ("roll_damping", "gm", "gyradius_roll", "speed", "wave_height", "K_ppp", "K_prr")
 """Values tried when none are named: loading, condition, and the coefficients the paper finds decisive (as multipliers)."""
@@ -133,19 +134,10 @@ def _handle(
         return speed, "m/s", lambda value: exponent(ship, value, wave.height)
     if name == "wave_height":
         return wave.height, "m", lambda value: exponent(ship, speed, value)
-    if name in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping"):
-        now = float(getattr(ship.loading, name))
-        unit = "1" if name == "roll_damping" else "m"
-
-        def loaded(value: float) -> float:
-            return exponent(ship.with_(**{name: value}), speed, wave.height)  # type: ignore[arg-type]
-
-        return now, unit, loaded
-
-    def multiplied(value: float) -> float:
-        return exponent(ship.with_(coefficients={name: value}), speed, wave.height)
-
-    return 1.0, "1", multiplied
+    of_loading = name in LOADING_AXES
+    now = float(getattr(ship.hull if name == "draught" else ship.loading, name)) if of_loading else 1.0
+    unit = "m" if of_loading and name != "roll_damping" else "1"
+    return now, unit, lambda value: exponent(loaded(ship, {name: value}), speed, wave.height)
 
 
 def _nearest(excess: Callable[[float], float]) -> float | None:

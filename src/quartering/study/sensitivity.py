@@ -15,6 +15,7 @@ from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.of_ship import equations
 from quartering.names import unit
 from quartering.stability.assessment import assess
+from quartering.study.grid import loaded
 
 _STEP = 1e-3
 _OFFSETS = np.array([-2.0, -1.0, 1.0, 2.0])
@@ -115,7 +116,7 @@ def _neighbours(
             other = value * (1 + _STEP * offset)
             at_speed = other if name == "speed" else speed
             at_wave = Wave(wave.length, other) if name == "wave_height" else wave
-            changed_ship = ship if name in ("speed", "wave_height") else ship.with_(**{name: other})
+            changed_ship = ship if name in ("speed", "wave_height") else loaded(ship, {name: other})
             systems.append(equations(changed_ship, at_wave, at_speed, heading).system)
     return names, units, values, systems
 
