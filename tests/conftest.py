@@ -6,7 +6,13 @@ The compiler's cache looks at a kernel's own file only; a kernel whose callee in
 import hashlib
 from pathlib import Path
 
+from hypothesis import settings
+
 SOURCES = Path(__file__).parents[1] / "src" / "quartering"
+
+# Seeds are explicit: the same examples every time, so that a red run means a change.
+settings.register_profile("same", derandomize=True)
+settings.load_profile("same")
 
 
 def pytest_configure(config):
