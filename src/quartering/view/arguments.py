@@ -1,0 +1,17 @@
+"""Arguments and options that several commands share, with their help."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+Ship = Annotated[str, typer.Argument(help="Built-in ship (see `quartering ships`) or path of a ship file.")]
+Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of tables.")]
+Picture = Annotated[str | None, typer.Option("-o", "--output", help="Picture to write: .png, .svg or .pdf.")]
+Heading = Annotated[str, typer.Option(help="Heading [deg]: 0 following, 90 beam, 180 head sea.")]
+Speed = Annotated[str, typer.Option(help="Speed: 7.5 [m/s], 15kn or 0.25Fn.")]
+WaveLength = Annotated[str, typer.Option(help="Wave length: 150 [m] or 1.0L.")]
+WaveHeight = Annotated[str, typer.Option(help="Wave height, crest to trough: 4 [m].")]
+Harmonics = Annotated[int, typer.Option(help="1: the paper's method; 3, 5, 7, ..: harmonic balance to that order.")]
+Form = Annotated[str, typer.Option(help="Diffraction force: stf, relative-motion, paper-corrected or paper.")]

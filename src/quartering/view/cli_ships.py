@@ -1,0 +1,76 @@
+"""Commands about a ship: what is built in, its lines, coefficients and wave forces."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from quartering.view.arguments import Json, Picture, Ship, Speed
+from quartering.view.outcome import answering
+
+
+def ships(json: Json = False) -> None:
+    """List the built-in ships."""
+    with answering():
+        from quartering.view.commands.ships import list_ships
+
+        list_ships(json)
+
+
+def new(
+    ship: Annotated[str, typer.Argument(help="Built-in ship to start from.")],
+    file: Annotated[str, typer.Argument(help="Ship file to write, such as my.yaml.")],
+    case: Annotated[
+        bool, typer.Option("--case", help="Write the case file of a study with this ship instead.")
+    ] = False,
+    json: Json = False,
+) -> None:
+    """Write a commented ship file that starts from a built-in ship, or the case file of a study."""
+    with answering():
+        if case:
+            from quartering.view.commands.sweep import new_case
+
+            new_case(ship, file, json)
+            return
+        from quartering.view.commands.ships import new_file
+
+        new_file(ship, file, json)
+
+
+def hull(ship: Ship, output: Picture = None, json: Json = False) -> None:
+    """Body plan, hydrostatics, righting arm, and course stability in calm water."""
+    with answering():
+        from quartering.view.commands.hull import describe_hull
+
+        describe_hull(ship, output, json)
+
+
+def coefficients(
+    ship: Ship,
+    speed: Speed = "0.2Fn",
+    frequency: Annotated[str | None, typer.Option(help="Encounter frequency [rad/s]; by default that of roll.")] = None,
+    json: Json = False,
+) -> None:
+    """Every coefficient of the equations with value, unit and source."""
+    with answering():
+        from quartering.view.commands.coefficients import list_coefficients
+
+        list_coefficients(ship, speed, frequency, json)
+
+
+def forces(
+    ship: Ship,
+    speed: Speed = "0.2Fn",
+    wave_lengths: Annotated[str, typer.Option(help="Wave lengths: 0.5L,1L,2L or from:to:count.")] = "0.5L,1L,1.5L,2L",
+    form: Annotated[
+        list[str] | None, typer.Option(help="Diffraction form, repeatable; by default stf and paper.")
+    ] = None,
+    output: Picture = None,
+    json: Json = False,
+) -> None:
+    """Wave force and moments over heading, for several wave lengths and forms of the diffraction force."""
+    with answering():
+        from quartering.view.commands.forces import compare_forms
+
+        compare_forms(ship, speed, wave_lengths, form or ["stf", "paper"], output, json)

@@ -1,0 +1,84 @@
+"""Commands about many conditions: maps, sweeps and their stored results."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from quartering.view.arguments import Form, Harmonics, Json, Picture, Ship
+from quartering.view.outcome import answering
+
+
+def polar(
+    ship: Ship,
+    speed: Annotated[list[str] | None, typer.Option(help="Speeds: 5,7.5 [m/s], 15kn, 0.25Fn; repeatable.")] = None,
+    headings: Annotated[str, typer.Option(help="Headings [deg]: from:to:count or a list.")] = "0:180:37",
+    wave_lengths: Annotated[str, typer.Option(help="Wave lengths: from:to:count or a list, m or L.")] = "0.4L:2.3L:20",
+    steepness: Annotated[str, typer.Option(help="Wave height over wave length.")] = "1/50",
+    wave_height: Annotated[
+        str | None, typer.Option(help="One wave height for all lengths [m], instead of a steepness.")
+    ] = None,
+    harmonics: Harmonics = 1,
+    form: Form = "stf",
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
+    ] = None,
+    json: Json = False,
+) -> None:
+    """Map of roll and stability over headings, wave lengths and speeds."""
+    with answering():
+        from quartering.view.commands.polar import draw_map
+
+        waves = (wave_lengths, steepness, wave_height)
+        draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, output, json)
+
+
+def sweep(
+    case: Annotated[str, typer.Argument(help="Case file, see `quartering new --case`.")],
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Folder of the results; by default the case's name.")
+    ] = None,
+    cluster: Annotated[str | None, typer.Option(help="local:4, or tcp://host:8786 of a dask scheduler.")] = None,
+    yes: Annotated[bool, typer.Option("--yes", help="Run it however large it is.")] = False,
+    uncertainty: Annotated[
+        str | None, typer.Option(help="K_ppp=20%,gm=5%: probability of instability instead of one verdict.")
+    ] = None,
+    draws: Annotated[int, typer.Option(help="Random draws with --uncertainty, a multiple of 8.")] = 256,
+    json: Json = False,
+) -> None:
+    """Every condition of a case file; interrupted, it goes on where it was when it is called again."""
+    with answering():
+        from quartering.view.commands.sweep import run_sweep, run_uncertain
+
+        if uncertainty is not None:
+            run_uncertain(case, uncertainty, draws, output, yes, json)
+        else:
+            run_sweep(case, output, cluster, yes, json)
+
+
+def worst(
+    result: Annotated[str, typer.Argument(help="Folder of a sweep, or a .nc file.")],
+    by: Annotated[str, typer.Option(help="roll: largest roll; margin: least stable.")] = "roll",
+    count: Annotated[int, typer.Option(help="How many conditions.")] = 10,
+    json: Json = False,
+) -> None:
+    """The worst conditions of a stored result."""
+    with answering():
+        from quartering.view.commands.result import show_worst
+
+        show_worst(result, by, count, json)
+
+
+def show(
+    result: Annotated[str, typer.Argument(help="Folder of a sweep, or a .nc file.")],
+    at: Annotated[list[str] | None, typer.Option(help="Cut at wave_height=4, repeatable.")] = None,
+    output: Picture = None,
+    csv: Annotated[str | None, typer.Option(help="Table of the cut to write (.csv).")] = None,
+    json: Json = False,
+) -> None:
+    """What a stored result holds: the worst of every speed and heading; its map, or a table, without computing again."""
+    with answering():
+        from quartering.view.commands.result import show_result
+
+        show_result(result, at or [], output, csv, json)
