@@ -12,6 +12,7 @@ from quartering.motion.balance import balance, copy_motion, newton
 from quartering.motion.basis import basis
 from quartering.motion.equations import Floats, System
 from quartering.motion.follow import follow
+from quartering.motion.lockstep import in_step
 from quartering.motion.status import Status
 from quartering.threads import in_threads
 
@@ -31,8 +32,8 @@ def _changed(before, after):
 
 @kernel
 def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-           values, rates, factors, weights, given_start, from_rest, u, status, error):  # fmt: skip
-    """Periodic motions of conditions first..last; u (n, 3, b) holds the start when `given_start`, then the result."""
+           values, rates, factors, weights, given_start, from_rest, u, waiting, status, error):  # fmt: skip
+    """Periodic motions of the waiting ones of first..last; u (n, 3, b) holds the start when `given_start`, then the result."""
     nb = values.shape[0]
     size = 3 * nb
     scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)),
@@ -45,7 +46,7 @@ def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, f
     linear_motion, kept = np.zeros((3, nb)), np.zeros((3, nb))
     for i in range(first, last):
         system = (linear[i], coefficients[i], powers, modulus, mean[i], cos[i], sin[i], frequency[i])
-        if status[i] != _CONVERGED:
+        if waiting[i] == 0:
             continue
         if given_start:
             outcome, _ = newton(system, tables, u[i], 1.0, work)
@@ -149,7 +150,11 @@ def harmonic_balance(
     n = system.count
     u = np.zeros((n, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
     status, residual = np.where(system.finite, _CONVERGED, _NOT_FINITE).astype(np.int8), np.zeros(n)
-    in_threads(_solve, n, *system.kernel_arrays(), *table.arrays, start is not None, from_rest, u, status, residual)
+    waiting = system.finite.astype(np.int8)
+    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest, u, waiting)
+    in_threads(in_step, n, *given, residual)
+    if waiting.any():
+        in_threads(_solve, n, *given, status, residual)
     failed = (status != _CONVERGED) & (status != _BY_FOLLOWING)
     u[failed], residual[failed] = np.nan, np.nan
     return u, status, residual
