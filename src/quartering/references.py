@@ -23,6 +23,7 @@ REFERENCES: Final[dict[str, str]] = {
     "Blanes09": "Blanes, S., Casas, F., Oteo, J. A., Ros, J. (2009). The Magnus expansion and some of its applications. "
     "Physics Reports 470.",
     "Owen97": "Owen, A. B. (1997). Scrambled net variance for integrals of smooth functions. Annals of Statistics 25.",
+    "Francis61": "Francis, J. G. F. (1961). The QR transformation. Computer Journal 4.",
     "Krack19": "Krack, M., Gross, J. (2019). Harmonic balance for nonlinear vibration problems. Springer.",
     "Thompson89": "Thompson, J. M. T. (1989). Chaotic phenomena triggering the escape from a potential well. "
     "Proceedings of the Royal Society A 421.",

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
+from quartering.stability.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
 Detail = Literal["full", "map"]
@@ -122,7 +123,7 @@ def _mean_spectrum(phasors: Complex) -> Complex:
     jacobian = np.zeros((phasors.shape[0], 4, 4))
     jacobian[:, [0, 2, 3]] = phasors[:, 0].real
     jacobian[:, 1, 2] = 1.0
-    return np.asarray(np.linalg.eigvals(jacobian).astype(complex))
+    return eigenvalues(jacobian)
 
 
 def _averaged_roll_pair(frequency: Floats, phasors: Complex, detail: Detail) -> Complex:
@@ -148,7 +149,7 @@ def _averaged_roll_pair(frequency: Floats, phasors: Complex, detail: Detail) -> 
         matrix[:, 3:, column] = -error.real / (2 * w)
     if detail == "full":
         return _in_roll(matrix)
-    values = np.linalg.eigvals(matrix).astype(complex)
+    values = eigenvalues(matrix)
     own = matrix[:, [[1, 1], [4, 4]], [[1, 4], [1, 4]]]  # roll alone, sway and yaw at rest
     middle, apart = 0.5 * (own[:, 0, 0] + own[:, 1, 1]), 0.25 * (own[:, 0, 0] - own[:, 1, 1]) ** 2
     root = np.sqrt((apart + own[:, 0, 1] * own[:, 1, 0]).astype(complex))
@@ -190,7 +191,7 @@ def _combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Fl
     matrix[:, 0, 2:], matrix[:, 1, 2:] = into_roll.real, into_roll.imag
     matrix[:, 2:, 0], matrix[:, 2:, 1] = drive.real, -drive.imag
     matrix[:, 2:, 2:] = slow
-    return np.asarray(np.linalg.eigvals(matrix).real.max(axis=1))
+    return np.asarray(eigenvalues(matrix).real.max(axis=1))
 
 
 def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Detail = "full") -> FirstOrder:

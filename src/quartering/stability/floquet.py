@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
+from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
 from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
 from quartering.stability.variation import transition_matrices
@@ -227,7 +228,7 @@ def _modes(phi: Floats, detail: Detail) -> tuple[Complex, Floats]:
         wanted = np.arange(phi.shape[0])
         values, share = np.empty(phi.shape[:2], complex), np.empty(phi.shape)
     else:
-        values = np.linalg.eigvals(phi).astype(complex)
+        values = eigenvalues(phi)
         order = np.argsort(-np.abs(values), axis=1, kind="stable")
         values = np.take_along_axis(values, order, axis=1)
         share = np.full(phi.shape, np.nan)

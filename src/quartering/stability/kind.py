@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import System
+from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.floquet import Floquet
 
 _MOSTLY_ROLL, _HARDLY_ROLL = 0.6, 0.25
@@ -91,7 +92,7 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
     matrix = np.zeros((different.shape[0], 4, 4))
     matrix[:, [0, 2, 3]] = different
     matrix[:, 1, 2] = 1.0
-    values = np.linalg.eigvals(matrix).astype(complex)
+    values = eigenvalues(matrix)
     values = np.take_along_axis(values, np.argsort(-values.real, axis=1, kind="stable"), axis=1)
     values = values[np.cumsum(fresh) - 1]
     values[~finite] = np.nan
