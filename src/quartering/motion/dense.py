@@ -3,7 +3,8 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import inner
+from quartering.compiled import abreast, inner
+from quartering.motion.abreast import WIDTH
 
 
 @inner
@@ -59,3 +60,66 @@ def lu_solve(a, pivots, b):
         for k in range(i + 1, n):
             b[i] -= a[i, k] * b[k]
         b[i] /= a[i, i]
+
+
+@abreast
+def factor_abreast(a, pivots, inverse, sign):
+    """Factor the matrices ``a`` (m, m, W) in place; ``sign`` (W,) is that of each determinant, 0 where it is singular.
+
+    Notes
+    -----
+    Source: closed form (Gaussian elimination with partial pivoting), conditions abreast.
+    """
+    m = a.shape[0]
+    for l in range(WIDTH):
+        sign[l] = 1.0
+    for j in range(m):
+        for l in range(WIDTH):
+            best, size = j, abs(a[j, j, l])
+            for i in range(j + 1, m):
+                if abs(a[i, j, l]) > size:
+                    best, size = i, abs(a[i, j, l])
+            pivots[j, l] = best
+            if best != j:
+                sign[l] = -sign[l]
+                for k in range(m):
+                    a[j, k, l], a[best, k, l] = a[best, k, l], a[j, k, l]
+            if a[j, j, l] < 0.0:
+                sign[l] = -sign[l]
+            if not (size > 0.0 and size < 1e300):
+                sign[l] = 0.0
+                a[j, j, l] = 1.0
+            inverse[j, l] = 1.0 / a[j, j, l]
+        for i in range(j + 1, m):
+            for l in range(WIDTH):
+                a[i, j, l] *= inverse[j, l]
+            for k in range(j + 1, m):
+                for l in range(WIDTH):
+                    a[i, k, l] -= a[i, j, l] * a[j, k, l]
+
+
+@abreast
+def solve_abreast(a, pivots, inverse, b):
+    """Solve in place for right-hand sides minus ``b`` (m, W) with what `factor_abreast` left.
+
+    Notes
+    -----
+    Source: closed form (forward and back substitution), conditions abreast.
+    """
+    m = a.shape[0]
+    for j in range(m):
+        for l in range(WIDTH):
+            best = pivots[j, l]
+            swapped = b[best, l]
+            b[best, l] = b[j, l]
+            b[j, l] = -swapped
+    for j in range(m):
+        for i in range(j + 1, m):
+            for l in range(WIDTH):
+                b[i, l] -= a[i, j, l] * b[j, l]
+    for i in range(m - 1, -1, -1):
+        for k in range(i + 1, m):
+            for l in range(WIDTH):
+                b[i, l] -= a[i, k, l] * b[k, l]
+        for l in range(WIDTH):
+            b[i, l] *= inverse[i, l]

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import kernel
+from quartering.compiled import abreast, kernel
 from quartering.motion.equations import Floats
 from quartering.threads import in_threads
 
@@ -25,127 +25,178 @@ _TIERS = (14, 18, 22, 24, 26, 28)
 take tens of megabytes."""
 _CONSTANT = 40.0
 _NODE = math.sqrt(15.0) / 10.0
+_ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
+ROW = 32
+"""Conditions abreast: their matrices stay in the processor's fastest memory."""
 
 
-@kernel
+@abreast
 def _product(a, b, out):
     for i in range(4):
         for j in range(4):
-            out[i, j] = a[i, 0] * b[0, j] + a[i, 1] * b[1, j] + a[i, 2] * b[2, j] + a[i, 3] * b[3, j]
+            for l in range(ROW):
+                out[i, j, l] = (
+                    a[i, 0, l] * b[0, j, l]
+                    + a[i, 1, l] * b[1, j, l]
+                    + a[i, 2, l] * b[2, j, l]
+                    + a[i, 3, l] * b[3, j, l]
+                )
 
 
-@kernel
+@abreast
 def _commutator(a, b, scratch, out):
     _product(a, b, out)
     _product(b, a, scratch)
     for i in range(4):
         for j in range(4):
-            out[i, j] -= scratch[i, j]
+            for l in range(ROW):
+                out[i, j, l] -= scratch[i, j, l]
 
 
-@kernel
-def _exponential(x, square, cube, part, out):
-    """out = exp(x) by its series to x^8 after halving x until its norm is below 1/2; x is lost."""
-    norm = 0.0
+@abreast
+def _halve(x, norm, halvings):
+    """Halve each matrix until its norm is below 1/2; returns the largest number of ``halvings`` (W,)."""
+    for l in range(ROW):
+        norm[l] = 0.0
     for i in range(4):
-        row = abs(x[i, 0]) + abs(x[i, 1]) + abs(x[i, 2]) + abs(x[i, 3])
-        norm = max(norm, row)
-    halvings, scale = 0, 1.0
-    while norm > 0.5 and halvings < 60:
-        norm *= 0.5
-        scale *= 0.5
-        halvings += 1
+        for l in range(ROW):
+            row = abs(x[i, 0, l]) + abs(x[i, 1, l]) + abs(x[i, 2, l]) + abs(x[i, 3, l])
+            norm[l] = max(norm[l], row)
+    most = 0
+    for l in range(ROW):
+        halvings[l], scale = 0, 1.0
+        while norm[l] * scale > 0.5 and halvings[l] < 60:
+            scale *= 0.5
+            halvings[l] += 1
+        most = max(most, halvings[l])
+        norm[l] = scale
     for i in range(4):
         for j in range(4):
-            x[i, j] *= scale
+            for l in range(ROW):
+                x[i, j, l] *= norm[l]
+    return most
+
+
+@abreast
+def _exponential(x, square, cube, part, norm, halvings, out):
+    """out = exp(x) by its series to x^8 after halving x, and squaring as often; x is lost."""
+    most = _halve(x, norm, halvings)
     _product(x, x, square)
     _product(square, x, cube)
     for i in range(4):
         for j in range(4):
-            part[i, j] = (1.0 / 720.0 if i == j else 0.0) + x[i, j] / 5040.0 + square[i, j] / 40320.0
+            one = 1.0 / 720.0 if i == j else 0.0
+            for l in range(ROW):
+                part[i, j, l] = one + x[i, j, l] * (1.0 / 5040.0) + square[i, j, l] * (1.0 / 40320.0)
     _product(cube, part, out)
     for i in range(4):
         for j in range(4):
-            part[i, j] = out[i, j] + (1.0 / 6.0 if i == j else 0.0) + x[i, j] / 24.0 + square[i, j] / 120.0
+            one = 1.0 / 6.0 if i == j else 0.0
+            for l in range(ROW):
+                part[i, j, l] = out[i, j, l] + one + x[i, j, l] * (1.0 / 24.0) + square[i, j, l] * (1.0 / 120.0)
     _product(cube, part, out)
     for i in range(4):
         for j in range(4):
-            out[i, j] += (1.0 if i == j else 0.0) + x[i, j] + 0.5 * square[i, j]
-    for _ in range(halvings):
+            one = 1.0 if i == j else 0.0
+            for l in range(ROW):
+                out[i, j, l] += one + x[i, j, l] + 0.5 * square[i, j, l]
+    for n in range(most):
         _product(out, out, part)
         for i in range(4):
             for j in range(4):
-                out[i, j] = part[i, j]
+                for l in range(ROW):
+                    out[i, j, l] = part[i, j, l] if n < halvings[l] else out[i, j, l]
 
 
-@kernel
+@abreast
 def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
-    """Magnus' exponent of one step to sixth order from the matrices (3, 4, 4) at Gauss' three nodes."""
+    """Magnus' exponent of one step to sixth order from the matrices (3, 4, 4, W) at Gauss' three nodes."""
     for i in range(4):
         for j in range(4):
-            low, middle, high = a[0, i, j], a[1, i, j], a[2, i, j]
-            a1[i, j] = h * middle
-            a2[i, j] = h * np.sqrt(15.0) / 3.0 * (high - low)
-            a3[i, j] = h * 10.0 / 3.0 * (high - 2.0 * middle + low)
+            for l in range(ROW):
+                low, middle, high = a[0, i, j, l], a[1, i, j, l], a[2, i, j, l]
+                a1[i, j, l] = h[l] * middle
+                a2[i, j, l] = h[l] * _ROOT * (high - low)
+                a3[i, j, l] = _THIRDS * h[l] * (high - 2.0 * middle + low)
     _commutator(a1, a2, scratch, c1)
     for i in range(4):
         for j in range(4):
-            out[i, j] = 2.0 * a3[i, j] + c1[i, j]
+            for l in range(ROW):
+                out[i, j, l] = 2.0 * a3[i, j, l] + c1[i, j, l]
     _commutator(a1, out, scratch, c2)
     for i in range(4):
         for j in range(4):
-            c1[i, j] += -20.0 * a1[i, j] - a3[i, j]
-            c2[i, j] = a2[i, j] - c2[i, j] / 60.0
+            for l in range(ROW):
+                c1[i, j, l] += -20.0 * a1[i, j, l] - a3[i, j, l]
+                c2[i, j, l] = a2[i, j, l] - c2[i, j, l] * (1.0 / 60.0)
     _commutator(c1, c2, scratch, out)
     for i in range(4):
         for j in range(4):
-            out[i, j] = a1[i, j] + a3[i, j] / 12.0 + out[i, j] / 240.0
+            for l in range(ROW):
+                out[i, j, l] = a1[i, j, l] + a3[i, j, l] * (1.0 / 12.0) + out[i, j, l] * (1.0 / 240.0)
+
+
+@abreast
+def _at_nodes(values, weights, node, matrix):
+    """Variational matrices (3, 4, 4, W) at the three nodes from ``node`` on, interpolated from equal intervals (s, 12, W)."""
+    for m in range(3):
+        for e in range(12):
+            i = 0 if e < 4 else e // 4 + 1
+            j = e % 4
+            for l in range(ROW):
+                matrix[m, i, j, l] = 0.0
+            for s in range(0, values.shape[0], 4):
+                a, b, c, d = weights[node + m, s : s + 4]
+                for l in range(ROW):
+                    two = a * values[s, e, l] + b * values[s + 1, e, l]
+                    matrix[m, i, j, l] += two + c * values[s + 2, e, l] + d * values[s + 3, e, l]
 
 
 @kernel
-def _transition(first, last, along, weights, starts, counts, scale, cycle, transition):
-    """Transition matrices (n, 4, 4) of conditions first..last over `cycle` seconds; `counts` of 0 are left alone."""
-    matrix, flat = np.zeros((3, 4, 4)), np.empty(12)
-    a1, a2, a3, c1 = np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4))
-    c2, scratch, exponent, phi = np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4))
-    for i in range(first, last):
-        if counts[i] == 0:
-            continue
-        g = scale[i]
-        for a in range(4):
-            for b in range(4):
-                phi[a, b] = 1.0 if a == b else 0.0
-        for n in range(counts[i]):
-            for m in range(3):
-                node = starts[i] + 3 * n + m
-                for e in range(12):
-                    flat[e] = 0.0
+def _transition(first, last, along, weights, rows, starts, counts, scale, cycle, transition):
+    """Transition matrices (n, 4, 4) of the conditions in rows first..last over `cycle` seconds.
+
+    Row r holds the conditions rows[r], all of counts[r] steps; its last one fills up what is empty.
+    """
+    matrix, values = np.zeros((3, 4, 4, ROW)), np.zeros((weights.shape[1], 12, ROW))
+    a1, a2, a3, c1 = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
+    c2, scratch, exponent = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
+    phi, g, h = np.empty((4, 4, ROW)), np.empty(ROW), np.empty(ROW)
+    norm, halvings = np.empty(ROW), np.empty(ROW, np.int64)
+    for r in range(first, last):
+        for l in range(ROW):
+            i = rows[r, l]
+            g[l], h[l] = scale[i], cycle[i] / counts[r]
+            for e in range(12):  # sway velocity in units of g, so that all entries are of one size
+                unit = (g[l] if e % 4 == 0 else 1.0) / (g[l] if e < 4 else 1.0)
                 for s in range(along.shape[1]):
-                    weight = weights[node, s]
-                    for e in range(12):
-                        flat[e] += weight * along[i, s, e]
-                for s in range(4):  # sway velocity in units of g, so that all entries are of one size
-                    unit = g if s == 0 else 1.0
-                    matrix[m, 0, s] = flat[s] * unit / g
-                    matrix[m, 2, s] = flat[4 + s] * unit
-                    matrix[m, 3, s] = flat[8 + s] * unit
-                matrix[m, 1, 2] = 1.0
-            _exponent(matrix, cycle[i] / counts[i], a1, a2, a3, c1, c2, scratch, exponent)
-            _exponential(exponent, c1, c2, scratch, a1)
+                    values[s, e, l] = along[i, s, e] * unit
+            for a in range(4):
+                for b in range(4):
+                    phi[a, b, l] = 1.0 if a == b else 0.0
+            for m in range(3):
+                matrix[m, 1, 2, l] = 1.0
+        for n in range(counts[r]):
+            _at_nodes(values, weights, starts[r] + 3 * n, matrix)
+            _exponent(matrix, h, a1, a2, a3, c1, c2, scratch, exponent)
+            _exponential(exponent, c1, c2, scratch, norm, halvings, a1)
             _product(a1, phi, a2)
             for a in range(4):
                 for b in range(4):
-                    phi[a, b] = a2[a, b]
-        for a in range(4):
-            for b in range(4):
-                unit = (g if a == 0 else 1.0) / (g if b == 0 else 1.0)
-                transition[i, a, b] = phi[a, b] * unit
+                    for l in range(ROW):
+                        phi[a, b, l] = a2[a, b, l]
+        for l in range(ROW):
+            for a in range(4):
+                for b in range(4):
+                    unit = (g[l] if a == 0 else 1.0) / (g[l] if b == 0 else 1.0)
+                    transition[rows[r, l], a, b] = phi[a, b, l] * unit
 
 
 @lru_cache(maxsize=16)
 def _tables(samples: int, kinds: int) -> tuple[Floats, NDArray[np.int64]]:
-    """Weights (nodes, samples) of a periodic function's equally spaced values at the nodes of the first numbers of steps in
-    turn, and where each begins: trigonometric interpolation, exact for the harmonics the samples can hold.
+    """Weights (nodes, samples, filled up to a multiple of 4) of a periodic function's equally spaced values at the nodes of
+    the first numbers of steps in turn, and where each begins: trigonometric interpolation, exact for the harmonics that
+    the samples can hold.
     """
     nodes = np.concatenate(
         [((np.arange(n)[:, None] + [0.5 - _NODE, 0.5, 0.5 + _NODE]) / n).ravel() for n in STEPS[:kinds]]
@@ -154,6 +205,7 @@ def _tables(samples: int, kinds: int) -> tuple[Floats, NDArray[np.int64]]:
     small = np.abs(np.sin(half)) < 1e-12
     below = np.where(small, 1.0, np.sin(half) if samples % 2 else np.tan(half))
     weights = np.where(small, 1.0, np.sin(samples * half) / (samples * below))
+    weights = np.pad(weights, ((0, 0), (0, -samples % 4)))  # four are taken at a time
     return weights, (3 * np.concatenate([[0], np.cumsum(STEPS[:kinds])[:-1]])).astype(np.int64)
 
 
@@ -234,15 +286,18 @@ def magnus_transition(along: Floats, cycle: Floats, steps: NDArray[np.int64], sc
     kinds = next(tier for tier in _TIERS if where.max(initial=0) < tier)
     weights, starts = _tables(samples, kinds)
     transition = np.full((along.shape[0], 4, 4), np.nan)
+    rows = _rows(steps)
+    of_row = (starts[where[rows[:, 0]]], steps[rows[:, 0]])
     in_threads(
-        _transition,
-        along.shape[0],
-        along.reshape(-1, samples, 12),
-        weights,
-        starts[where],
-        steps,
-        scale,
-        cycle,
-        transition,
+        _transition, rows.shape[0], along.reshape(-1, samples, 12), weights, rows, *of_row, scale, cycle, transition
     )
     return transition
+
+
+def _rows(steps: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Indices (rows, ROW) of conditions of equal numbers of steps, without those of none."""
+    rows = [np.empty((0, ROW), np.int64)]
+    for count in np.unique(steps[steps > 0]):
+        own = np.flatnonzero(steps == count)
+        rows.append(np.pad(own, (0, -own.size % ROW), mode="edge").reshape(-1, ROW))
+    return np.concatenate(rows)

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import kernel
-from quartering.motion.balance import orbit_state
+from quartering.motion.abreast import WIDTH, gather, gather_motions, raise_powers, rows_abreast, slopes, states
 from quartering.motion.basis import basis
 from quartering.motion.equations import Floats, System
 from quartering.motion.polynomial import accelerations
@@ -18,22 +18,37 @@ EVEN_HARMONICS = (0, 2, 4, 6)
 
 
 @kernel
-def _harmonics(first, last, linear, coefficients, powers, modulus, frequency,
-               values, rates, factors, u, project, out, along):  # fmt: skip
+def _harmonics(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
+               values, rates, factors, weights, u, project, out, along):  # fmt: skip
     """d(acceleration)/d(state) along each motion (n, samples, 3, 4), and its projections (m, samples) in out (n, m, 3, 4)."""
-    power_table, state = np.empty((4, 8)), np.empty(4)
-    force, jacobian = np.empty(3), np.empty((3, 4))
-    for i in range(first, last):
+    nb, wanted = values.shape[0], project.shape[0]
+    own, room, degrees = rows_abreast(powers, nb)
+    source = (linear, coefficients, powers, modulus, mean, cos, sin, frequency)
+    system = (own[0], own[1], powers, modulus, own[2], own[3], own[4], own[5])
+    tables = (values, rates, factors, weights)
+    state, table, _, jacobian, _ = room
+    motion, sums = np.empty((3, nb, WIDTH)), np.empty((wanted, 3, 4, WIDTH))
+    for begin in range(first, last, WIDTH):
+        gather(begin, last, source, system)
+        gather_motions(begin, last, u, motion)
+        count = min(WIDTH, last - begin)
         for n in range(values.shape[1]):
-            orbit_state(values, rates, factors, frequency[i], u[i], n, state)
-            accelerations(linear[i], coefficients[i], powers, modulus, 1.0, state, power_table, force, jacobian)
+            states(tables, n, motion, own[5], state)
+            raise_powers(state, degrees, table)
+            slopes(own[0], own[1], powers, modulus, state, table, jacobian)
             for k in range(3):
                 for s in range(4):
-                    along[i, n, k, s] = jacobian[k, s]
-            for m in range(project.shape[0]):
+                    for l in range(count):
+                        along[begin + l, n, k, s] = jacobian[k, s, l]
+                    for m in range(wanted):
+                        for l in range(WIDTH):
+                            before = sums[m, k, s, l] if n > 0 else 0.0
+                            sums[m, k, s, l] = before + project[m, n] * jacobian[k, s, l]
+        for l in range(count):
+            for m in range(wanted):
                 for k in range(3):
                     for s in range(4):
-                        out[i, m, k, s] += project[m, n] * jacobian[k, s]
+                        out[begin + l, m, k, s] = sums[m, k, s, l]
 
 
 def variational_harmonics(
@@ -103,15 +118,14 @@ def variation_along(
     rows = [np.full(samples, 1.0 / samples)]
     for m in harmonics[1:]:
         rows += [2.0 / samples * np.cos(m * phases), 2.0 / samples * np.sin(m * phases)]
-    out = np.zeros((system.count, len(rows), 3, 4))
+    out = np.empty((system.count, len(rows), 3, 4))
     along = np.empty((system.count, samples, 3, 4))
     in_threads(
         _harmonics,
         system.count,
-        *system.kernel_arrays()[:4],
-        system.frequency,
-        *table.arrays[:3],
-        u,
+        *system.kernel_arrays(),
+        *table.arrays,
+        np.require(u, requirements=("C", "W")),
         np.array(rows),
         out,
         along,
