@@ -3,6 +3,8 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -146,15 +148,50 @@ def harmonic_balance(
     >>> bool(np.allclose(u[0, 1], [0.0, 0.1])), int(status[0])
     (True, 0)
     """
-    table = basis(orders, system.degree, system.has_modulus)
-    n = system.count
-    u = np.zeros((n, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
-    status, residual = np.where(system.finite, _CONVERGED, _NOT_FINITE).astype(np.int8), np.zeros(n)
     waiting = system.finite.astype(np.int8)
-    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest, u, waiting)
-    in_threads(in_step, n, *given, residual)
+    u = _begun(system, orders, start)
+    residual, table = np.zeros(system.count), basis(orders, system.degree, system.has_modulus)
+    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest)
+    in_threads(in_step, system.count, *given, u, waiting, residual)
+    return _finished(system, given, u, waiting, residual)
+
+
+def solve_with_care(
+    system: System, orders: tuple[int, ...], start: Floats | None = None, *, from_rest: bool = False
+) -> tuple[Floats, NDArray[np.int8], Floats]:
+    """Periodic motions of a batch of conditions by damped steps and following alone, without the fast attempt.
+
+    Parameters
+    ----------
+    system, orders, start, from_rest    as in `harmonic_balance`
+
+    Returns
+    -------
+    u, status, residual                 as from `harmonic_balance`, which is this but for speed
+
+    Notes
+    -----
+    Source: [Krack19].
+    """
+    table = basis(orders, system.degree, system.has_modulus)
+    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest)
+    return _finished(
+        system, given, _begun(system, orders, start), system.finite.astype(np.int8), np.zeros(system.count)
+    )
+
+
+def _begun(system: System, orders: tuple[int, ...], start: Floats | None) -> Floats:
+    width = 2 * len(orders) - (orders[0] == 0)
+    return np.zeros((system.count, 3, width)) if start is None else np.array(start, dtype=float)
+
+
+def _finished(
+    system: System, given: tuple[Any, ...], u: Floats, waiting: NDArray[np.int8], residual: Floats
+) -> tuple[Floats, NDArray[np.int8], Floats]:
+    """Solve with care what still waits, and mark what has no motion."""
+    status = np.where(system.finite, _CONVERGED, _NOT_FINITE).astype(np.int8)
     if waiting.any():
-        in_threads(_solve, n, *given, status, residual)
+        in_threads(_solve, system.count, *given, u, waiting, status, residual)
     failed = (status != _CONVERGED) & (status != _BY_FOLLOWING)
     u[failed], residual[failed] = np.nan, np.nan
     return u, status, residual
