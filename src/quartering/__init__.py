@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from quartering.loads.waves import Wave, encounter_frequency
     from quartering.motion.branch import all_motions
     from quartering.motion.equations import Model
+    from quartering.motion.irregular import irregular
     from quartering.motion.of_ship import equations
     from quartering.motion.simulate import simulate
     from quartering.motion.steady import Motion, steady_motion
@@ -59,6 +60,7 @@ _HOMES = {
     "branch": "study.branch",
     "Model": "motion.equations",
     "equations": "motion.of_ship",
+    "irregular": "motion.irregular",
     "simulate": "motion.simulate",
     "Motion": "motion.steady",
     "steady_motion": "motion.steady",
@@ -86,6 +88,7 @@ __all__ = [
     "equations",
     "hydrodynamics",
     "hydrostatics",
+    "irregular",
     "polar",
     "righting_arm",
     "section_coefficients",
