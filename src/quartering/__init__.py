@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from quartering.conventions import InputError, RangeWarning
+    from quartering.hull.autopilot import Autopilot
     from quartering.hull.hydrostatics import hydrostatics
     from quartering.hull.righting import righting_arm
     from quartering.hull.section import Section
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from quartering.study.sweep import sweep
 
 _HOMES = {
+    "Autopilot": "hull.autopilot",
     "InputError": "conventions",
     "RangeWarning": "conventions",
     "hydrostatics": "hull.hydrostatics",
@@ -71,6 +73,7 @@ _HOMES = {
     "sweep": "study.sweep",
 }
 __all__ = [
+    "Autopilot",
     "InputError",
     "Loading",
     "Model",

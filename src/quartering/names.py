@@ -19,18 +19,19 @@ ROWS: Final = ("Y", "K", "N")
 LINEAR_NAMES: Final = tuple(tuple(f"{row}_{factor}" for factor in "vpr") for row in ROWS)
 INERTIA_NAMES: Final = tuple(tuple(f"{row}_{factor}dot" for factor in "vpr") for row in ROWS)
 CUBIC_NAMES: Final = tuple(tuple(f"{row}_{monomial}" for monomial in CUBIC_MONOMIALS) for row in ROWS)
+RUDDER_NAMES: Final = tuple(f"{row}_delta" for row in ROWS)
 RESTORING_POWERS: Final = (1, 3, 5, 7)
 RESTORING_NAMES: Final = tuple(tuple(f"{row}_{phi}" for phi in ("phi", "phiphiphi", "phi5", "phi7")) for row in ROWS)
 
 _TAILS: Final = (
     *"vpr", "vdot", "pdot", "rdot", "phi", "phiphiphi", "phi5", "phi7", *CUBIC_MONOMIALS,
-    "v|v|", "v|r|", "r|v|", "r|r|", "p|p|", "vvphi", "vphiphi", "rrphi", "rphiphi",
+    "delta", "v|v|", "v|r|", "r|v|", "r|r|", "p|p|", "vvphi", "vphiphi", "rrphi", "rphiphi",
 )  # fmt: skip
 KNOWN: Final = (*(f"{row}_{tail}" for row in ROWS for tail in _TAILS), "m", "I_x", "I_z", "I_xz")
 """Names a misspelt one is compared with."""
 
-_FACTOR: Final = re.compile(r"[vpr]dot|phi[2-9]?|[vpr]")
-_FACTORS: Final = re.compile(r"(?:[vpr]dot|(?:phi[2-9]?|[vpr])+)")
+_FACTOR: Final = re.compile(r"[vpr]dot|delta|phi[2-9]?|[vpr]")
+_FACTORS: Final = re.compile(r"(?:[vpr]dot|delta|(?:phi[2-9]?|[vpr])+)")
 _SORTED_CUBICS: Final = {"".join(sorted(monomial)): monomial for monomial in CUBIC_MONOMIALS}
 _BODY: Final = {"m": ("Y", "vdot"), "I_x": ("K", "pdot"), "I_z": ("N", "rdot"), "I_xz": ("K", "rdot")}
 
@@ -41,7 +42,8 @@ class Term(NamedTuple):
     Parameters
     ----------
     row : str        "Y", "K" or "N"
-    factors : tuple  "v", "p", "r", "phi", "vdot", "pdot" or "rdot", each as often as it stands in the product
+    factors : tuple  "v", "p", "r", "phi", "delta" (rudder angle), "vdot", "pdot" or "rdot", each as often as it stands
+                     in the product
     """
 
     row: str
@@ -148,7 +150,7 @@ def dimension(name: str) -> tuple[int, int, int]:
     """
     row, factors = term(name)
     metre = (1 if row == "Y" else 2) - sum(factor in ("v", "vdot") for factor in factors)
-    second = -2 + sum({"phi": 0, "v": 1, "p": 1, "r": 1}.get(factor, 2) for factor in factors)
+    second = -2 + sum({"phi": 0, "delta": 0, "v": 1, "p": 1, "r": 1}.get(factor, 2) for factor in factors)
     return 1, metre, second
 
 

@@ -41,6 +41,10 @@ REFERENCES: Final[dict[str, str]] = {
     "Abramowitz64": "Abramowitz, M., Stegun, I. A. (1964). Handbook of mathematical functions. National Bureau of "
     "Standards.",
     "Lewis88": "Lewis, E. V., ed. (1988). Principles of naval architecture, volume I: stability and strength. SNAME.",
+    "Lewis89": "Lewis, E. V., ed. (1989). Principles of naval architecture, volume III: motions in waves and "
+    "controllability. SNAME.",
+    "Yasukawa15": "Yasukawa, H., Yoshimura, Y. (2015). Introduction of MMG standard method for ship maneuvering "
+    "predictions. Journal of Marine Science and Technology 20.",
     "Journee92": "Journée, J. M. J. (1992). Experiments and calculations on 4 Wigley hull forms in head waves. "
     "Delft University of Technology, Report 0909.",
     "Chislett65": "Chislett, M. S., Strøm-Tejsen, J. (1965). Planar motion mechanism tests and full-scale steering and "

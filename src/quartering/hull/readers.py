@@ -12,6 +12,7 @@ from typing import NamedTuple
 import yaml
 
 from quartering.conventions import WATER_DENSITY, InputError
+from quartering.hull.autopilot import ASPECT, Autopilot, Rudder
 from quartering.hull.lines import hull_of
 from quartering.hull.offsets import Hull
 from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
@@ -149,7 +150,35 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         velocity_scale=_velocity_scale(where, keys, base, hull),
         provenance=notes,
         measured=_measured(where, keys, base),
+        autopilot=_autopilot(where, keys, base),
+        rudder=_rudder(where, keys, base),
     )
+
+
+def _autopilot(where: str, keys: ShipKeys, base: Ship | None) -> Autopilot | None:
+    """Autopilot of a ship: the file's own, or its base's."""
+    own = keys.autopilot
+    if own is None:
+        return base.autopilot if base else None
+    kinds: dict[str, Kind] = {"gain": "ratio", "rate_gain": "time", "lag": "time"}
+    values = {key: quantity(getattr(own, key), kind, what=f"{where}: autopilot, {key}") for key, kind in kinds.items()}
+    try:
+        return Autopilot(**values)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
+
+
+def _rudder(where: str, keys: ShipKeys, base: Ship | None) -> Rudder | None:
+    """Rudder of a ship: the file's own, or its base's in proportion to the side of the hull."""
+    own = keys.rudder
+    if own is None:
+        return base.rudder if base else None
+    area = quantity(own.area.value, "area", what=f"{where}: rudder, area")
+    aspect = ASPECT if own.aspect is None else quantity(own.aspect.value, "ratio", what=f"{where}: rudder, aspect")
+    try:
+        return Rudder(area, aspect)
+    except InputError as error:
+        raise InputError(f"{where}: {error}") from None
 
 
 def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:
@@ -244,6 +273,7 @@ def _notes(keys: ShipKeys, base: Ship | None, hull: Hull, entries: dict[str, Ent
     described |= {
         key: entry for key in ("drag_coefficient", "velocity_scale") if (entry := getattr(keys, key)) is not None
     }
+    described |= {"rudder": keys.rudder.area} if keys.rudder else {}
     notes = {
         "lines": hull.source,
         "drag_coefficient": f"assumed: {DRAG_COEFFICIENT}; usual for ship sections in cross-flow",

@@ -89,6 +89,21 @@ def _lines(given: Any) -> Any:
     return {"file": given} if isinstance(given, str) else given
 
 
+class AutopilotKeys(_Strict):
+    """`autopilot:` gain, rudder angle per angle off course [1]; rate_gain, per rate of turn [s]; lag of the gear [s]."""
+
+    gain: Value
+    rate_gain: Value = 0.0
+    lag: Value = 0.0
+
+
+class RudderKeys(_Strict):
+    """`rudder:` area of the blade [m2] and its aspect ratio, height over chord [1]."""
+
+    area: Given
+    aspect: Given | None = None
+
+
 class ShipKeys(_Strict):
     """A ship file."""
 
@@ -109,6 +124,8 @@ class ShipKeys(_Strict):
     linear: Literal["default", "strip"] | None = None
     sections: Literal["auto", "lewis", "close-fit"] | None = None
     measured: str | None = None
+    autopilot: AutopilotKeys | None = None
+    rudder: RudderKeys | None = None
     drag_coefficient: Given | None = None
     velocity_scale: Given | None = None
     provenance: dict[str, str] = {}
@@ -200,6 +217,8 @@ def _keys_at(location: list[Any]) -> list[str]:
         "offsets": OffsetKeys,
         "stations": StationKeys,
         "lines": LinesKeys,
+        "autopilot": AutopilotKeys,
+        "rudder": RudderKeys,
     }
     parents = [part for part in location[:-1] if isinstance(part, str)]
     model: type[_Strict] = ShipKeys

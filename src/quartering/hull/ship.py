@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Literal, cast, get_args
 
 from quartering.conventions import WATER_DENSITY, InputError
+from quartering.hull.autopilot import Autopilot, Rudder
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull, Sections, at_draught
 from quartering.hull.units import quantity
@@ -58,6 +59,8 @@ class Ship:
     velocity_scale : float or None           velocity at which the cross-flow drag is made cubic [m/s]; None: as documented
     provenance : mapping of str to str       for each value: published, derived, assumed or given, and its source
     measured : str or None                   measured manoeuvring set that replaces regression and cross-flow: name or file
+    autopilot : Autopilot or None            what keeps the course; None: the rudder amidships, as in the paper
+    rudder : Rudder or None                  what its lift is estimated from; None: measured with the set, or least by rule
     """
 
     name: str
@@ -70,6 +73,8 @@ class Ship:
     velocity_scale: float | None = None
     provenance: Mapping[str, str] = field(default_factory=dict)
     measured: str | None = None
+    autopilot: Autopilot | None = None
+    rudder: Rudder | None = None
 
     def __post_init__(self) -> None:
         for mapping in ("overrides", "multipliers", "provenance"):
@@ -88,6 +93,7 @@ class Ship:
         sections: Sections | None = None,
         coefficients: Mapping[str, float] | None = None,
         measured: str | None = None,
+        autopilot: Autopilot | Literal["none"] | None = None,
     ) -> Ship:
         """The same ship with some values changed.
 
@@ -101,6 +107,7 @@ class Ship:
         sections : str                                 how section coefficients are found: "auto", "lewis" or "close-fit"
         coefficients : mapping of str to float         factors by name, times those already there
         measured : str                                 measured manoeuvring set, by name or file; "none" goes without
+        autopilot : Autopilot                          that keeps the course; "none" goes without
 
         Returns
         -------
@@ -140,6 +147,7 @@ class Ship:
             multipliers=_multiplied(self.multipliers, checked_values(self.name, coefficients or {})),
             provenance={**self.provenance, **notes},
             measured=self.measured if measured is None else None if measured == "none" else measured,
+            autopilot=self.autopilot if autopilot is None else None if autopilot == "none" else autopilot,
         )
 
     def _length(self, key: str, value: float | str) -> float:

@@ -33,6 +33,10 @@ linear: {linear:<22} # sway-yaw derivatives: default (lift from regression) or s
 sections: {sections:<20} # section coefficients: auto, lewis (ship-like sections, fast) or close-fit (any section)
 drag_coefficient: {drag:<12} # cross-flow drag of the sections, 1; gives the cubic coefficients; {drag_note}
 
+# What keeps the course (off when left out): rudder angle = gain x heading off course + rate_gain x rate of turn.
+# autopilot: {{gain: 1.0, rate_gain: 10 s, lag: 2 s}}
+# rudder: {{area: 20 m2, aspect: 1.8}}    # its lift is estimated from these; by rule when left out
+
 # Coefficients you know, in SI about G, by their SNAME names; they replace the estimates (remove the # to use them).
 # coefficients:
 #   K_ppp: -2.0e8               # kg m2 s

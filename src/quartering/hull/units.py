@@ -9,7 +9,7 @@ from typing import Final, Literal
 
 from quartering.conventions import GRAVITY, InputError
 
-Kind = Literal["length", "speed", "mass", "angle", "time", "density", "ratio"]
+Kind = Literal["length", "speed", "mass", "angle", "time", "density", "area", "ratio"]
 
 _UNITS: Final[dict[str, dict[str, float]]] = {
     "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048},
@@ -18,9 +18,10 @@ _UNITS: Final[dict[str, dict[str, float]]] = {
     "angle": {"deg": 1.0, "rad": 180.0 / math.pi},
     "time": {"s": 1.0, "min": 60.0, "h": 3600.0},
     "density": {"kg/m3": 1.0, "t/m3": 1e3},
+    "area": {"m2": 1.0},
     "ratio": {"": 1.0, "%": 0.01},
 }
-"""Kind -> unit -> factor to the unit a bare number has: m, m/s, kg, deg, s, kg/m3."""
+"""Kind -> unit -> factor to the unit a bare number has: m, m/s, kg, deg, s, kg/m3, m2."""
 
 _SHIP_UNITS: Final = ("L", "B", "T")
 _PATTERN: Final = re.compile(
@@ -81,13 +82,13 @@ def quantity(
     Parameters
     ----------
     value : float or str              4.5, "4.5 m", "18 kn", "0.38 B", "1.2L", "0.25 Fn", "5 %"
-    kind : str                        "length", "speed", "mass", "angle", "time", "density" or "ratio"
+    kind : str                        "length", "speed", "mass", "angle", "time", "density", "area" or "ratio"
     length, beam, draught : float     what L, B and T stand for [m]; left out, those units are refused
     what : str                        name used in messages; the kind when left out
 
     Returns
     -------
-    float    in m, m/s, kg, deg, s, kg/m3 or 1
+    float    in m, m/s, kg, deg, s, kg/m3, m2 or 1
 
     Raises
     ------

@@ -23,8 +23,9 @@ from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
 from quartering.hydro.moments import hull_moments
 from quartering.hydro.rolldamping import fraction_of_critical, free_roll
+from quartering.hydro.rudder import rudder_derivatives
 from quartering.hydro.strip import derivatives_from_moments, frequency_floor
-from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, canonical, unit
+from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES, canonical, unit
 
 Kind = Literal["measured", "regression", "strip", "cross-flow", "derived", "given"]
 BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
@@ -62,6 +63,7 @@ class Coefficients:
     sources : mapping                name -> (kind, source)
     references : tuple of str        keys of the papers behind the numbers
     varying : mapping of str to (n,) measured terms that vary with the speed; they add to restoring, cubic and extra
+    rudder : (n, 3) float            Y_delta, K_delta, N_delta of a ship with an autopilot; None without one
     """
 
     ship: str
@@ -77,6 +79,7 @@ class Coefficients:
     sources: Mapping[str, tuple[Kind, str]]
     references: tuple[str, ...]
     varying: Mapping[str, Floats] = field(default_factory=dict)
+    rudder: Floats | None = None
 
     def table(self, condition: int = 0) -> tuple[Entry, ...]:
         """Every coefficient of one condition with unit, source and kind, in a fixed order.
@@ -88,7 +91,7 @@ class Coefficients:
         Returns
         -------
         tuple of Entry    rigid body; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r without its -m U); restoring;
-                          cubic; further terms. What is estimated says so in its source.
+                          cubic; further terms; rudder, beside an autopilot. What is estimated says so in its source.
 
         Notes
         -----
@@ -106,6 +109,8 @@ class Coefficients:
             values |= {name: float(matrix[i, j]) for i, row in enumerate(names) for j, name in enumerate(row)}
         values |= self.extra
         values |= {name: values.get(name, 0.0) + float(value[condition]) for name, value in self.varying.items()}
+        if self.rudder is not None:
+            values |= dict(zip(RUDDER_NAMES, self.rudder[condition].tolist(), strict=True))
         return tuple(
             Entry(name, value, unit(name), self.sources[name][1], self.sources[name][0])
             for name, value in values.items()
@@ -209,7 +214,8 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     A measured set, with linear "default", takes the place of the regression and of the cross-flow; of its added mass the
     value at omega -> 0 counts, where it was measured, and the change with frequency stays that of the strips; of its
     roll damping and the ship's fraction of critical the larger counts, since both describe the same loss.
-    Source: [STF70] strips, [Clarke83] lift, [Hoerner65] cross-flow, [H71] equation (2).  Valid: deep water, no rudder.
+    Source: [STF70] strips, [Clarke83] lift, [Hoerner65] cross-flow, [H71] equation (2).
+    Valid: deep water; a rudder only beside an autopilot.
 
     Examples
     --------
@@ -227,6 +233,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     sources = _sources(ship)
     if measured is not None:
         sources |= {name: ("measured", said) for name, said in measured_sources(ship, measured, sources).items()}
+    rudder = _rudder(ship, u, sources)
     given = _Given(ship, sources)
     n2, roll_inertia = free_roll(ship)
     body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
@@ -235,7 +242,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     linear[:, 1, 1] += viscous if lift is None else np.minimum(0.0, viscous - lift.roll_damping)
     linear = given.matrix(LINEAR_NAMES, linear)
     linear[:, 0, 2] -= body["m"] * u
-    known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES)
+    known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES, RUDDER_NAMES)
     return Coefficients(
         ship=ship.name,
         frequency=omega,
@@ -248,8 +255,9 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         body=MappingProxyType(body),
         roll_frequency=n2,
         sources=MappingProxyType(sources),
-        references=_references(ship, measured),
+        references=_references(ship, measured) + (("Yasukawa15",) if ship.autopilot else ()),
         varying=MappingProxyType(given.varying(measured.further if measured else {})),
+        rudder=None if rudder is None else given.matrix((RUDDER_NAMES,), rudder[:, None])[:, 0],
     )
 
 
@@ -293,6 +301,15 @@ def _restoring(ship: Ship) -> Floats:
     rows = np.zeros((3, 4))
     rows[1] = [-weight * arm for arm in (ship.loading.gm, fit.gz3, fit.gz5, fit.gz7)]
     return rows + 0.0
+
+
+def _rudder(ship: Ship, speed: Floats, sources: dict[str, tuple[Kind, str]]) -> Floats | None:
+    """Rudder derivatives (n, 3) before overrides, their source noted; None without an autopilot to move the rudder."""
+    if ship.autopilot is None:
+        return None
+    derivatives, kind, source = rudder_derivatives(ship, speed)
+    sources |= dict.fromkeys(RUDDER_NAMES, (kind, source))
+    return derivatives
 
 
 def _cross_flow(ship: Ship, measured: MeasuredParts | None) -> Floats:

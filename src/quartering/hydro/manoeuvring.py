@@ -160,7 +160,16 @@ def _prime_divisor(
         )
     area = length * (draught if system == "mmg" and draught is not None else length)
     arm = 1.0 if row == "Y" else length
-    powers = {"phi": (0, 0), "v": (0, 1), "p": (-1, 1), "r": (-1, 1), "vdot": (-1, 2), "pdot": (-2, 2), "rdot": (-2, 2)}
+    powers = {
+        "phi": (0, 0),
+        "delta": (0, 0),
+        "v": (0, 1),
+        "p": (-1, 1),
+        "r": (-1, 1),
+        "vdot": (-1, 2),
+        "pdot": (-2, 2),
+        "rdot": (-2, 2),
+    }
     length_power = sum(powers[factor][0] for factor in factors)
     speed_power = 2 - sum(powers[factor][1] for factor in factors)
     if speed == 0 and speed_power < 0:

@@ -48,7 +48,7 @@ class MeasuredSet:
     condition : mapping           published length, beam, draught [m], speed [m/s], density [kg/m3], volume [m3], gm [m]
     terms : tuple of MeasuredTerm
     body : mapping                "m", "I_x", "I_z" in the set's system, as published
-    rudder : mapping              "Y", "N": derivatives to the rudder angle, prime, where given
+    rudder : mapping              "Y", "K", "N": derivatives to the rudder angle, prime, as printed, where given
     printed : mapping             name -> number as printed, before rigid-body terms or Taylor factors are dealt with
     notes : str                   where it was read and what to know of it
     """

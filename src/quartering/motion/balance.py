@@ -6,6 +6,7 @@ from __future__ import annotations
 from quartering.compiled import inner, kernel
 from quartering.motion.dense import lu_factor, lu_solve
 from quartering.motion.polynomial import accelerations
+from quartering.motion.steering import add_steering, mean_is_heading
 
 
 @inner
@@ -52,8 +53,11 @@ def balance(system, tables, u, strength, residual, matrix, scratch):
     nb, samples = values.shape
     residual[:] = 0.0
     matrix[:] = 0.0
+    held = mean_is_heading(linear, factors)
     for n in range(samples):
         orbit_state(values, rates, factors, w, u, n, state)
+        if held:
+            state[3] -= u[2, 0]
         accelerations(linear, coefficients, powers, modulus, strength, state, power_table, force, jacobian)
         for c in range(nb):
             project = weights[c] * values[c, n]
@@ -68,13 +72,15 @@ def balance(system, tables, u, strength, residual, matrix, scratch):
             for k in range(3):
                 column[k, 0, b] = -jacobian[k, 0] * rate
                 column[k, 1, b] = -jacobian[k, 1] * value - jacobian[k, 2] * roll_rate
-                column[k, 2, b] = -jacobian[k, 3] * rate
+                column[k, 2, b] = 0.0 if held and b == 0 else -jacobian[k, 3] * rate
         for c in range(nb):
             project = weights[c] * values[c, n]
             for k in range(3):
                 for j in range(3):
                     for b in range(nb):
                         matrix[k * nb + c, j * nb + b] += project * column[k, j, b]
+    if linear.shape[1] > 4:
+        add_steering(linear, factors, w, u, residual, matrix)
     first = 1 if factors[0] == 0.0 else 0
     for k in range(3):
         for b in range(nb):

@@ -13,6 +13,7 @@ from quartering.conventions import InputError
 from quartering.motion.equations import Floats, Model
 from quartering.motion.polynomial import accelerations
 from quartering.motion.simulate import CAPSIZE_ANGLE
+from quartering.motion.steering import steer
 from quartering.threads import in_threads
 
 if TYPE_CHECKING:
@@ -26,14 +27,15 @@ def _march(first, last, linear, coefficients, powers, modulus, mean, cos, sin, h
     Row i of `states` goes on until |roll| passes `limit`; `times` is when it did, NaN when it did not.
     """
     table, force, jacobian = np.empty((4, 8)), np.empty(3), np.empty((0, 4))
-    y, stage, k, total = np.empty(4), np.empty(4), np.empty(4), np.empty(4)
+    n_states = states.shape[1]
+    y, stage, k, total = np.empty(n_states), np.empty(n_states), np.empty(n_states), np.empty(n_states)
     per_period = forcing.shape[0] // 2
     for i in range(first, last):
-        for s in range(4):
+        for s in range(n_states):
             y[s] = states[i, s]
         times[i] = np.nan
         for n in range(steps):
-            for s in range(4):
+            for s in range(n_states):
                 stage[s], total[s] = y[s], 0.0
             for j in range(4):
                 accelerations(linear, coefficients, powers, modulus, 1.0, stage, table, force, jacobian)
@@ -43,17 +45,19 @@ def _march(first, last, linear, coefficients, powers, modulus, mean, cos, sin, h
                 k[1] = stage[2]
                 k[2] = force[1] + mean[1] + cos[1] * c + sin[1] * s1
                 k[3] = force[2] + mean[2] + cos[2] * c + sin[2] * s1
+                if n_states > 4:
+                    steer(linear, stage, k)
                 weight = 1.0 if j == 0 or j == 3 else 2.0
                 ahead = 0.5 * h if j < 2 else h
-                for s in range(4):
+                for s in range(n_states):
                     total[s] += weight * k[s]
                     stage[s] = y[s] + ahead * k[s]
-            for s in range(4):
+            for s in range(n_states):
                 y[s] += h / 6.0 * total[s]
             if not abs(y[1]) <= limit:
                 times[i] = (n + 1) * h
                 break
-        for s in range(4):
+        for s in range(n_states):
             states[i, s] = y[s]
 
 
@@ -65,7 +69,7 @@ def capsize_times(
     Parameters
     ----------
     model : Model
-    starts : (n, 4) float    v [m/s], phi [rad], p, r [rad/s] at time 0
+    starts : (n, 4) float    v [m/s], phi [rad], p, r [rad/s] at time 0; an autopilot starts on course, its rudder amidships
     periods : int            of the wave, to go on for
     steps : int              Runge-Kutta steps a period
     limit : float            roll angle that counts as capsize [rad]
@@ -96,6 +100,7 @@ def capsize_times(
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
     if periods < 1 or steps < 4:
         raise InputError(f"periods = {periods} and steps = {steps}: give at least 1 period and 4 steps each")
+    states = np.pad(states, ((0, 0), (0, model.system.states - 4)))
     linear, coefficients, powers, modulus, mean, cos, sin, _ = model.system.kernel_arrays()
     phase = np.pi * np.arange(2 * steps) / steps
     forcing = np.column_stack([np.cos(phase), np.sin(phase)])
@@ -104,7 +109,7 @@ def capsize_times(
         _march, len(states), linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0],
         2 * np.pi / model.frequency / steps, forcing, periods * steps, limit, states, times,
     )  # fmt: skip
-    return times, states
+    return times, states[:, :4]
 
 
 def basin(

@@ -11,7 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
-from quartering.motion.terms import TermTable, term_table
+from quartering.hull.autopilot import Autopilot
+from quartering.motion.steering import steered
+from quartering.motion.terms import TermTable, checked_number, term_table
+from quartering.names import RUDDER_NAMES
 
 Floats = NDArray[np.float64]
 
@@ -21,10 +24,11 @@ class System:
     """The canonical equations of n conditions: accelerations as explicit functions of the state and the time.
 
     ``d/dt (v, p, r) = linear (v, phi, p, r) + coefficients products + mean + cos cos(w t) + sin sin(w t)``, d phi/dt = p.
+    With an autopilot the heading psi (d psi/dt = r), and with a lag the rudder angle delta, stand among the linear columns.
 
     Parameters
     ----------
-    linear : (n, 3, 4) float          rows sway, roll, yaw; columns v, phi, p, r
+    linear : (n, 3, 4) float          rows sway, roll, yaw; columns v, phi, p, r, and as `steered` adds them psi, delta
     coefficients : (n, 3, t) float    of the nonlinear products
     powers : (t, 4) int               powers of (v, phi, p, r) in each product
     modulus : (t,) int                1-4 for the variable between modulus bars, 0 for none
@@ -45,6 +49,16 @@ class System:
     def count(self) -> int:
         """Number of conditions."""
         return int(self.frequency.size)
+
+    @property
+    def states(self) -> int:
+        """Number of state variables: 4, with an autopilot 5, with a rudder that lags 6."""
+        return int(self.linear.shape[2])
+
+    @property
+    def plain(self) -> bool:
+        """Is there nothing but products of (v, phi, p, r)? Then many conditions are solved abreast."""
+        return self.states == 4
 
     @property
     def degree(self) -> int:
@@ -86,6 +100,8 @@ def canonical(
     force_sin: ArrayLike,
     force_mean: ArrayLike = 0.0,
     linear: ArrayLike | None = None,
+    rudder: ArrayLike = 0.0,
+    autopilot: Autopilot | None = None,
 ) -> System:
     """Remove the acceleration coupling: multiply every row by the inverse inertia.
 
@@ -96,6 +112,8 @@ def canonical(
     frequency : (n,) float                 w > 0 [rad/s]
     force_cos, force_sin, force_mean : (n, 3) or (3,) float    excitation [N, N m, N m]
     linear : (n, 3, 4) float, optional     linear terms of each condition in place of the table's
+    rudder : (n, 3) or (3,) float          Y_delta, K_delta, N_delta [N, N m, N m]
+    autopilot : Autopilot, optional        that moves it; without one it stays amidships
 
     Returns
     -------
@@ -135,8 +153,9 @@ def canonical(
         return np.ascontiguousarray(np.broadcast_to(product, (w.size, *product.shape[-2:])))
 
     raw_linear = table.linear if linear is None else np.asarray(linear, dtype=float)
+    accelerations = rows(raw_linear)
     return System(
-        linear=rows(raw_linear),
+        linear=accelerations if autopilot is None else steered(accelerations, row(rudder), autopilot),
         coefficients=rows(table.coefficients),
         powers=table.powers,
         modulus=table.modulus,
@@ -169,6 +188,8 @@ class Model:
     force_cos, force_sin : (3,)    wave excitation [N, N m, N m]
     force_mean : (3,)              steady excitation [N, N m, N m]
     source : mapping               where the model comes from (ship, wave, speed, heading), for the record
+    autopilot : Autopilot          that moves the rudder, whose terms are "Y_delta", "K_delta", "N_delta" [N, N m]; without
+                                   one the rudder stays amidships and those terms do nothing
 
     Raises
     ------
@@ -194,6 +215,7 @@ class Model:
     force_mean: Floats
     source: Mapping[str, object]
     references: tuple[str, ...]
+    autopilot: Autopilot | None
     system: System = field(init=False, repr=False)
 
     def __init__(
@@ -206,6 +228,7 @@ class Model:
         force_mean: ArrayLike = (0.0, 0.0, 0.0),
         source: Mapping[str, object] = MappingProxyType({}),
         references: tuple[str, ...] = ("H71",),
+        autopilot: Autopilot | None = None,
     ) -> None:
         masses = np.array(inertia, dtype=float)
         if masses.shape != (3, 3) or not np.isfinite(masses).all():
@@ -226,9 +249,12 @@ class Model:
             "force_mean": _triple(force_mean, "force_mean"),
             "source": MappingProxyType(dict(source)),
             "references": references,
+            "autopilot": autopilot,
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
-        table = term_table(self.terms)
-        system = canonical(masses, table, frequency, self.force_cos, self.force_sin, self.force_mean)
+        rudder = [checked_number(name, self.terms.get(name, 0.0)) for name in RUDDER_NAMES]
+        table = term_table({name: value for name, value in self.terms.items() if name not in RUDDER_NAMES})
+        forces = (self.force_cos, self.force_sin, self.force_mean)
+        system = canonical(masses, table, frequency, *forces, rudder=rudder, autopilot=autopilot)
         object.__setattr__(self, "system", system)

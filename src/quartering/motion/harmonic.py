@@ -148,6 +148,8 @@ def harmonic_balance(
     >>> bool(np.allclose(u[0, 1], [0.0, 0.1])), int(status[0])
     (True, 0)
     """
+    if not system.plain:
+        return solve_with_care(system, orders, start, from_rest=from_rest)
     waiting = system.finite.astype(np.int8)
     u = _begun(system, orders, start)
     residual, table = np.zeros(system.count), basis(orders, system.degree, system.has_modulus)

@@ -17,7 +17,7 @@ from quartering.loads.stations import stations
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table
-from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES
+from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,7 +189,8 @@ def ship_system(
     table = _term_table(c)
     linear += table.linear
     frequency = np.where(slow, np.nan, np.abs(omega))
-    system = canonical(c.inertia, table, frequency, force.real, -force.imag, linear=linear)
+    steering = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
+    system = canonical(c.inertia, table, frequency, force.real, -force.imag, linear=linear, **steering)  # type: ignore[arg-type]
     return ShipSystem(system, omega, slow, c)
 
 
@@ -234,6 +235,8 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
         )
     c = at.coefficients
     terms = {name: float(c.linear[0, i, j]) for i, row in enumerate(LINEAR_NAMES) for j, name in enumerate(row)}
+    if c.rudder is not None:
+        terms |= dict(zip(RUDDER_NAMES, c.rudder[0].tolist(), strict=True))
     inertia = c.inertia[0]
     source = {"ship": ship.name, "heading": float(heading), "speed": float(speed)}
     source |= {"wave_length": wave.length, "wave_height": wave.height}
@@ -245,4 +248,5 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
         force_sin=wave.amplitude * inertia @ at.system.sin[0],
         source=source,
         references=tuple(dict.fromkeys(("H71", "STF70", *c.references))),
+        autopilot=ship.autopilot,
     )

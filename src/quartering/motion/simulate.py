@@ -9,8 +9,10 @@ import numpy as np
 
 from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
-from quartering.motion.equations import Model
+from quartering.hull.autopilot import Autopilot
+from quartering.motion.equations import Floats, Model
 from quartering.motion.polynomial import accelerations
+from quartering.motion.steering import HEADING, RUDDER, steer
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -52,14 +54,17 @@ def _derivative(system, time, y, scratch, out):
     out[1] = y[2]
     out[2] = force[1] + mean[1] + cos[1] * c + sin[1] * s
     out[3] = force[2] + mean[2] + cos[2] * c + sin[2] * s
+    if y.size > 4:
+        steer(linear, y, out)
 
 
 @kernel
 def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):
     """Dormand-Prince 5(4) with fourth-order dense output at ``times``; returns the number of samples written."""
     scratch = (np.empty((4, 8)), np.empty(3), np.empty((0, 4)))
-    k = np.empty((7, 4))
-    y, stage, new = start.copy(), np.empty(4), np.empty(4)
+    states = start.size
+    k = np.empty((7, states))
+    y, stage, new = start.copy(), np.empty(states), np.empty(states)
     time, written = times[0], 0
     h = 0.01 / system[7]
     _derivative(system, time, y, scratch, k[0])
@@ -67,13 +72,13 @@ def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, err
         if h < 1e-12 * (1.0 + abs(time)):
             return written
         for j in range(1, 7):
-            for s in range(4):
+            for s in range(states):
                 stage[s] = y[s]
                 for i in range(j):
                     stage[s] += h * stages[j, i] * k[i, s]
             _derivative(system, time + nodes[j] * h, stage, scratch, k[j])
         size = 0.0
-        for s in range(4):
+        for s in range(states):
             new[s] = stage[s]
             estimate = 0.0
             for j in range(7):
@@ -85,7 +90,7 @@ def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, err
             continue
         while written < times.size and times[written] <= time + h * (1.0 + 1e-12):
             x = (times[written] - time) / h
-            for s in range(4):
+            for s in range(states):
                 difference = new[s] - y[s]
                 bspl = h * k[0, s] - difference
                 tail = difference - h * k[6, s] - bspl
@@ -95,13 +100,20 @@ def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, err
                 out[written, s] = y[s] + x * (difference + (1 - x) * (bspl + x * (tail + (1 - x) * curve)))
             written += 1
         time += h
-        for s in range(4):
+        for s in range(states):
             y[s] = new[s]
             k[0, s] = k[6, s]
         if abs(y[1]) > limit:
             return written
         h *= min(5.0, max(0.2, 0.9 * (size + 1e-10) ** -0.2))
     return written
+
+
+def _rudder_angle(autopilot: Autopilot, states: Floats) -> Floats:
+    """Rudder angle (t,) along a history (t, 5 or 6) [rad]."""
+    if autopilot.lag > 0:
+        return states[:, RUDDER]
+    return np.asarray(-autopilot.gain * states[:, HEADING] - autopilot.rate_gain * states[:, 3])
 
 
 def simulate(
@@ -117,18 +129,20 @@ def simulate(
     ----------
     model : Model
     duration : float       [s]
-    state0 : (4,) float    v [m/s], phi [rad], p, r [rad/s] at time 0
+    state0 : (4,) float    v [m/s], phi [rad], p, r [rad/s] at time 0; with an autopilot psi and, with a lag, delta may follow
+                           [rad], 0 when left out
     step : float           between output samples [s]; by default 1/60 of the wave's period
     tolerance : float      relative error allowed in one step
 
     Returns
     -------
-    xarray.Dataset         sway_velocity [m/s], roll [deg], roll_rate, yaw_rate [deg/s] over time [s]; NaN after a capsize,
+    xarray.Dataset         sway_velocity [m/s], roll [deg], roll_rate, yaw_rate [deg/s] over time [s], with an
+                           autopilot heading and rudder [deg] off course and amidships; NaN after a capsize,
                            whose time is in the attribute ``capsize_time`` [s]
 
     Raises
     ------
-    InputError             a duration, step or tolerance that is not positive, a start that is not four finite numbers
+    InputError             a duration, step or tolerance that is not positive, a start of finite numbers too few or many
 
     Notes
     -----
@@ -150,14 +164,17 @@ def simulate(
         raise InputError(
             f"duration {duration} s, step {interval} s and tolerance {tolerance} must all be greater than zero"
         )
-    if start.shape != (4,) or not np.isfinite(start).all():
-        raise InputError(f"state0 needs four finite numbers (v m/s, phi rad, p rad/s, r rad/s); given {state0!r}")
+    states = model.system.states
+    if start.ndim != 1 or start.size not in {4, states} or not np.isfinite(start).all():
+        more = f", or {states} with the autopilot's (psi rad, delta rad)" if states > 4 else ""
+        raise InputError(f"state0 needs four finite numbers (v m/s, phi rad, p rad/s, r rad/s){more}; given {state0!r}")
+    start = np.append(start, np.zeros(states - start.size))
     times = np.arange(0.0, duration * (1 + 1e-12), interval)
-    out = np.full((times.size, 4), np.nan)
+    out = np.full((times.size, states), np.nan)
     linear, coefficients, powers, modulus, mean, cos, sin, frequency = model.system.kernel_arrays()
     arrays = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
     # Rates in the scale of one degree; sway velocity in that of a slow walk.
-    scale = np.array([0.1, 0.01, 0.01, 0.01])
+    scale = np.array([0.1, 0.01, 0.01, 0.01, 0.01, 0.01])[:states]
     written = _integrate(arrays, times, start, tolerance, scale, CAPSIZE_ANGLE, _NODES, _STAGES, _ERROR, _DENSE, out)
     columns = {
         "sway_velocity": (out[:, 0], "m/s", "sway velocity, positive to starboard", "v"),
@@ -165,6 +182,10 @@ def simulate(
         "roll_rate": (np.degrees(out[:, 2]), "deg/s", "roll rate", "p"),
         "yaw_rate": (np.degrees(out[:, 3]), "deg/s", "yaw rate, positive bow to starboard", "r"),
     }
+    if model.autopilot is not None:
+        angle = _rudder_angle(model.autopilot, out)
+        columns["heading"] = (np.degrees(out[:, 4]), "deg", "heading off course, positive bow to starboard", "psi")
+        columns["rudder"] = (np.degrees(angle), "deg", "rudder angle, positive turns bow to starboard", "delta")
     data = {
         name: ("time", values, {"units": unit, "long_name": long_name, "symbol": symbol})
         for name, (values, unit, long_name, symbol) in columns.items()

@@ -12,6 +12,7 @@ from quartering.conventions import InputError
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
+from quartering.motion.steering import holds_heading
 from quartering.motion.struble import modified_struble
 
 _PEAK_SAMPLES = 256
@@ -33,6 +34,8 @@ class Motion:
     status : Status            how it was found; ``status.advice`` says what to do when it was not
     residual : float           largest imbalance relative to the excitation
     method : str               "modified Struble" or "harmonic balance"
+    heading : float or None    mean heading off course where an autopilot holds it, then the mean yaw rate is 0 [rad]; None
+                               where the heading is free
     """
 
     frequency: float
@@ -44,6 +47,7 @@ class Motion:
     residual: float
     method: str
     references: tuple[str, ...] = ("H71",)
+    heading: float | None = None
 
     @property
     def amplitude(self) -> Floats:
@@ -58,13 +62,14 @@ class Motion:
     @property
     def orders_with_mean(self) -> tuple[int, ...]:
         """Harmonics as the kernels take them: 0 in front when the motion has a mean."""
-        return (0, *self.orders) if self.mean.any() or 2 in self.orders else self.orders
+        return (0, *self.orders) if self.mean.any() or self.heading or 2 in self.orders else self.orders
 
     @property
     def coefficients(self) -> Floats:
         """Coefficients (3, b) as the kernels take them: mean if present, then cos and sin of each harmonic."""
         pairs = np.stack([self.cos, self.sin], axis=1).reshape(-1, 3).T
-        return np.ascontiguousarray(np.column_stack([self.mean, pairs]) if 0 in self.orders_with_mean else pairs)
+        mean = self.mean if self.heading is None else np.append(self.mean[:2], self.heading)
+        return np.ascontiguousarray(np.column_stack([mean, pairs]) if 0 in self.orders_with_mean else pairs)
 
     def state(self, time: ArrayLike) -> Floats:
         """State (v, phi, p, r) at given times.
@@ -217,6 +222,9 @@ def motion_record(
     mean = u[:, 0].copy() if orders[0] == 0 else np.zeros(3)
     pairs = u[:, 1:] if orders[0] == 0 else u
     used = tuple(h for h in orders if h > 0)
+    heading = None
+    if holds_heading(model.system.linear)[0]:
+        heading, mean[2] = float(mean[2]), 0.0
     return Motion(
         frequency=model.frequency,
         orders=used,
@@ -226,6 +234,7 @@ def motion_record(
         status=Status(status),
         residual=float(residual),
         method=method,
+        heading=heading,
         references=(*model.references, *(("Struble62",) if method == "modified Struble" else ("Krack19",))),
     )
 

@@ -1,15 +1,51 @@
 """The paper's modified Struble method: one harmonic in balance, the third (and any second) as a linear correction."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering.compiled import kernel
+from quartering.motion.balance import balance
 from quartering.motion.basis import basis
+from quartering.motion.dense import lu_factor, lu_solve
 from quartering.motion.equations import Floats, System
 from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.lockstep import add_linear_harmonics
 from quartering.threads import in_threads
+
+
+@kernel
+def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
+             values, rates, factors, weights, known, u):  # fmt: skip
+    """Fill the columns of ``u`` (n, 3, b) after the first `known` with their linear response, one condition after another."""
+    nb = values.shape[0]
+    size, free = 3 * nb, nb - known
+    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, nb)))
+    residual, no_matrix, matrix = np.empty(size), np.empty((0, 0)), np.empty((size, size))
+    block, right, pivots = np.empty((3 * free, 3 * free)), np.empty(3 * free), np.empty(3 * free, np.int64)
+    tables = (values, rates, factors, weights)
+    for i in range(first, last):
+        system = (linear[i], coefficients[i], powers, modulus, mean[i], cos[i], sin[i], frequency[i])
+        # Imbalance of the higher harmonics left by the fundamental, then the linear equations' own matrix.
+        balance(system, tables, u[i], 1.0, residual, no_matrix, scratch)
+        for k in range(3):
+            for b in range(free):
+                right[k * free + b] = -residual[k * nb + known + b]
+        balance(system, tables, u[i], 0.0, residual, matrix, scratch)
+        for k in range(3):
+            for b in range(free):
+                for j in range(3):
+                    for c in range(free):
+                        block[k * free + b, j * free + c] = matrix[k * nb + known + b, j * nb + known + c]
+        if lu_factor(block, pivots) == 0:
+            right[:] = np.nan
+        else:
+            lu_solve(block, pivots, right)
+        for k in range(3):
+            for b in range(free):
+                u[i, k, known + b] = right[k * free + b]
 
 
 def modified_struble(
@@ -50,5 +86,6 @@ def modified_struble(
     table = basis(orders, system.degree, system.has_modulus)
     u = np.zeros((system.count, 3, table.factors.size))
     u[:, :, :known] = fundamental
-    in_threads(add_linear_harmonics, system.count, *system.kernel_arrays(), *table.arrays, known, u)
+    add = add_linear_harmonics if system.plain else _correct
+    in_threads(add, system.count, *system.kernel_arrays(), *table.arrays, known, u)
     return u, orders, status, residual

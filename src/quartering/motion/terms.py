@@ -92,6 +92,18 @@ class TermTable:
     coefficients: NDArray[np.float64]
 
 
+def checked_number(name: str, value: float) -> float:
+    """The value of a term, refused when it is not a finite number.
+
+    Raises
+    ------
+    InputError
+    """
+    if not np.isfinite(value):
+        raise InputError(f"term {name!r} is {value}; every coefficient must be a finite number (leave out what is 0)")
+    return value
+
+
 def term_table(terms: Mapping[str, float]) -> TermTable:
     """Arrays of the named terms.
 
@@ -120,10 +132,7 @@ def term_table(terms: Mapping[str, float]) -> TermTable:
     linear = np.zeros((3, 4))
     columns: dict[Factors, NDArray[np.float64]] = {}
     for name, value in terms.items():
-        if not np.isfinite(value):
-            raise InputError(
-                f"term {name!r} is {value}; every coefficient must be a finite number (leave out what is 0)"
-            )
+        checked_number(name, value)
         row, factors = parse(name)
         if factors.degree == 1:
             linear[row, factors.powers.index(1)] += value

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
+from quartering.motion.steering import RUDDER
 from quartering.stability.first_order import Detail, FirstOrder, first_order
 from quartering.stability.floquet import Floquet, fastest_rate, floquet
 from quartering.stability.kind import kinds, linear_exponents
@@ -23,7 +24,7 @@ class Assessment:
     first_order : FirstOrder    the paper's analysis, completed
     floquet : Floquet           what decides
     kind : (n,) int8            `Kind`
-    calm : (n, 4) complex       exponents of the linear motion without waves [1/s]
+    calm : (n, s) complex       exponents of the linear motion without waves [1/s]
     """
 
     first_order: FirstOrder
@@ -67,7 +68,8 @@ def assess(
     first = 1 if orders[0] == 0 else 0
     amplitude = np.hypot(u[:, :, first], u[:, :, first + 1])
     indices = first_order(system, phasors, amplitude, detail)
-    trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
+    trace = system.linear[:, 3, RUDDER] if system.states > RUDDER else np.zeros(system.count)
+    trace = trace + phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
     rate = fastest_rate(phasors, indices.mean_jacobian)
     multipliers = floquet(system, u, orders, rate, trace, accuracy, variation=(phasors, along), detail=detail)
     calm = linear_exponents(system)

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from quartering.motion.equations import Model
 from quartering.motion.steady import Motion
+from quartering.motion.steering import state_matrix
 from quartering.motion.terms import parse
+from quartering.names import RUDDER_NAMES
 
 _ROWS_OF_STATE = (0, 2, 3)
 
@@ -22,8 +26,9 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
 
     Returns
     -------
-    dict of str to float   term name -> part of the growth rate [1/s], the most destabilising first; they add up to the
-                           mode's growth rate by the mean variational matrix
+    dict of str to float   term name -> part of the growth rate [1/s], the most destabilising first; with
+                           the share of phi' = p and psi' = r (none in roll alone) they add up to the mode's growth
+                           rate by the mean variational matrix
 
     Notes
     -----
@@ -44,13 +49,17 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
     states = motion.state(times)
     parts: dict[str, np.ndarray] = {}
     for name, value in model.terms.items():
+        if name in RUDDER_NAMES:
+            continue  # together with the gains, below
         row, factors = parse(name)
         gradient = _mean_gradient(states, np.array(factors.powers), factors.modulus)
         matrix = np.zeros((4, 4))
         matrix[list(_ROWS_OF_STATE)] = value * np.outer(inverse[:, row], gradient)
         parts[name] = matrix
-    kinematic = np.zeros((4, 4))
-    kinematic[1, 2] = 1.0
+    kinematic = state_matrix(np.zeros((1, 3, 4)), np.zeros_like(model.system.linear))[0]
+    if model.autopilot is not None:
+        parts = {name: np.pad(matrix, (0, len(kinematic) - 4)) for name, matrix in parts.items()}
+        parts["autopilot"] = _by_autopilot(model) - kinematic
     values, vectors = np.linalg.eig(sum(parts.values(), kinematic))
     vectors = vectors.astype(complex)
     left = np.linalg.inv(vectors)
@@ -61,6 +70,12 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
     )
     rates = {name: float((left[mode] @ matrix @ vectors[:, mode]).real) for name, matrix in parts.items()}
     return dict(sorted(rates.items(), key=lambda item: -item[1]))
+
+
+def _by_autopilot(model: Model) -> np.ndarray:
+    """What the autopilot adds to the matrix of the state (s, s), kinematics included."""
+    steered, bare = model.system.linear, replace(model, autopilot=None).system.linear
+    return np.asarray(state_matrix(steered[:, :3, :4] - bare, steered)[0])
 
 
 def _mean_gradient(states: np.ndarray, powers: np.ndarray, modulus: int) -> np.ndarray:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
+from quartering.motion.steering import HEADING, RUDDER, feedback, state_matrix
 from quartering.stability.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
@@ -33,10 +34,11 @@ class FirstOrder:
     k2, k2_rho, k2_paper : (n,)    index [1/s2]: full; from I1, I2, I3 with the ship's rho; with the paper's 0.3 and 0.1
     roll_rate : (n,)         growth rate of the roll mode away from resonance, K2/(2 n2) [1/s]
     q_paper, q : (n, 3)      largest growth rate at the resonances m = 2, 4, 6 [1/s]: restoring modulation alone; complete
-    slow : (n, 2)            growth rates of the sway-yaw modes averaged over the wave [1/s], the larger first
+    slow : (n, 2)            growth rates of the sway-yaw modes averaged over the wave [1/s], the larger first; with an
+                             autopilot (n, 3) or (n, 4), heading and rudder among them
     combination : (n,)       largest growth rate when roll and slow modes combine (n2 near 2 omega) [1/s]
     averaged : (n, 2)        roll pair of the averaged equations (A-10), complex [1/s]
-    mean_jacobian : (n, 4)   eigenvalues of the mean variational matrix, complex [1/s]
+    mean_jacobian : (n, s)   eigenvalues of the mean variational matrix, complex [1/s]
     """
 
     n2: Floats
@@ -118,19 +120,35 @@ def _real_parts(matrix: Floats) -> Floats:
     return np.stack([middle + apart, middle - apart], axis=1)
 
 
-def _mean_spectrum(phasors: Complex) -> Complex:
-    """Eigenvalues (n, 4) of the mean variational matrix."""
-    jacobian = np.zeros((phasors.shape[0], 4, 4))
-    jacobian[:, [0, 2, 3]] = phasors[:, 0].real
-    jacobian[:, 1, 2] = 1.0
-    return eigenvalues(jacobian)
+def _course(mean: Floats, rho: Floats, linear: Floats) -> Floats:
+    """Averaged matrix (n, 2, 2) of the sway-yaw modes; with an autopilot the heading and the rudder are added."""
+    sway_yaw = mean[:, [0, 2]][:, :, [0, 2]] - rho[:, [0, 2], None] * mean[:, 1][:, None, [0, 2]]
+    states = linear.shape[2]
+    if states <= HEADING:
+        return np.asarray(sway_yaw)
+    matrix = np.zeros((len(mean), states - 2, states - 2))
+    matrix[:, :2, :2] = sway_yaw
+    matrix[:, :2, 2:] = linear[:, [0, 2], HEADING:] - rho[:, [0, 2], None] * linear[:, [1], HEADING:]
+    matrix[:, 2, 1] = 1.0
+    if states > RUDDER:
+        matrix[:, 3, 1:] = linear[:, 3, 3:]
+    return matrix
 
 
-def _averaged_roll_pair(frequency: Floats, phasors: Complex, detail: Detail) -> Complex:
+def _growth_rates(course: Floats) -> Floats:
+    """Real parts of the eigenvalues of the course matrices, the largest first."""
+    if course.shape[1] == 2:
+        return _real_parts(course)
+    return np.asarray(-np.sort(-eigenvalues(course).real, axis=1))
+
+
+def _averaged_roll_pair(system: System, phasors: Complex, detail: Detail) -> Complex:
     """Roll pair (n, 2) of d(A', B')/d(A, B) from the averaged equations (A-10).
 
     For a map the eigenvalues nearest to those of roll alone are taken where they are clearly the nearest.
     """
+    frequency = np.where(system.finite, system.frequency, 1.0)
+    steering = feedback(system.linear, frequency)
     w = frequency[:, None]
     n = frequency.size
     matrix = np.empty((n, 6, 6))
@@ -143,7 +161,7 @@ def _averaged_roll_pair(frequency: Floats, phasors: Complex, detail: Detail) -> 
         force = np.einsum("nks,ns->nk", phasors[:, 0], state) + 0.5 * np.einsum(
             "nks,ns->nk", phasors[:, 1], state.conj()
         )
-        error = -force
+        error = -force if k < 2 else -force - displacement * steering
         error[:, k] -= frequency**2 * displacement
         matrix[:, :3, column] = -error.imag / (2 * w)
         matrix[:, 3:, column] = -error.real / (2 * w)
@@ -183,13 +201,14 @@ def _combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Fl
     into_roll = d2[:, 1][:, [0, 2]] / (4j * n2)[:, None]
     modulation = np.einsum("nkj,nj->nk", d2, rho)
     drive = 1j * n2[:, None] * np.conj(modulation - rho * modulation[:, [1]])[:, [0, 2]]
-    matrix = np.zeros((n, 4, 4))
+    states = 2 + slow.shape[1]
+    matrix = np.zeros((n, states, states))
     matrix[:, 0, 0] = (diagonal + c).real
     matrix[:, 0, 1] = -(diagonal - c).imag
     matrix[:, 1, 0] = (diagonal + c).imag
     matrix[:, 1, 1] = (diagonal - c).real
-    matrix[:, 0, 2:], matrix[:, 1, 2:] = into_roll.real, into_roll.imag
-    matrix[:, 2:, 0], matrix[:, 2:, 1] = drive.real, -drive.imag
+    matrix[:, 0, 2:4], matrix[:, 1, 2:4] = into_roll.real, into_roll.imag
+    matrix[:, 2:4, 0], matrix[:, 2:4, 1] = drive.real, -drive.imag
     matrix[:, 2:, 2:] = slow
     return np.asarray(eigenvalues(matrix).real.max(axis=1))
 
@@ -235,7 +254,8 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
     oscillates = finite & (stiffness[:, 1] < 0)
     safe = np.where(oscillates, stiffness[:, 1], -1.0)
     n2, rho = np.sqrt(-safe), stiffness / safe[:, None]
-    rate = 0.5 * np.einsum("nj,nj->n", rho, mean[:, 1])
+    steering = np.where(finite, (feedback(system.linear, n2)[:, 1] / (1j * n2)).real, 0.0)  # damping of roll by its yaw
+    rate = 0.5 * (np.einsum("nj,nj->n", rho, mean[:, 1]) + rho[:, 2] * steering)
     detuning = 0.5 * np.array(RESONANCES) * w[:, None] - n2[:, None]
     kappa = phasors[:, 1:, 1, 1]
     damping = np.einsum("nj,nmj->nm", rho, phasors[:, 1:, 1][:, :, _VELOCITIES])
@@ -244,9 +264,12 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
         root = np.abs(modulation) ** 2 / (16 * n2[:, None] ** 2) - detuning**2
         return rate[:, None] + np.sqrt(np.maximum(root, 0.0))
 
-    course = mean[:, [0, 2]][:, :, [0, 2]] - rho[:, [0, 2], None] * mean[:, 1][:, None, [0, 2]]
-    slow = _real_parts(course)
-    spectrum = _mean_spectrum(phasors) if detail == "full" else np.full((w.size, 4), np.nan, dtype=complex)
+    own = np.where(finite[:, None, None], system.linear, 0.0)
+    course = _course(mean, rho, own)
+    slow = _growth_rates(course)
+    spectrum = np.full((w.size, system.states), np.nan, dtype=complex)
+    if detail == "full" or system.states > HEADING:
+        spectrum[:] = eigenvalues(state_matrix(phasors[:, 0].real, own))
     linear = np.einsum("nj,nj->n", rho, system.linear[:, 1][:, _VELOCITIES])
     amplitudes = np.where(finite[:, None], amplitude, 0.0)
     by_rho = _index_from_amplitudes(system, amplitudes, n2, linear, rho[:, 0])
@@ -266,6 +289,6 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
         q=known(growth(kappa - 1j * n2[:, None] * damping)),
         slow=known(slow),
         combination=known(_combination_rate(w, n2, rho, rate, course, phasors)),
-        averaged=known(_averaged_roll_pair(w, phasors, detail), finite),
+        averaged=known(_averaged_roll_pair(system, phasors, detail), finite),
         mean_jacobian=known(spectrum, finite),
     )

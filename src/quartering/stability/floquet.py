@@ -8,9 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
+from quartering.motion.steering import HEADING, RUDDER, holds_heading, turning
 from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
 from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
+from quartering.stability.steered import steered_transitions
 from quartering.stability.variation import transition_matrices
 
 Complex = NDArray[np.complex128]
@@ -23,13 +25,16 @@ _NEARLY_UNSTABLE = 0.999
 class Floquet:
     """Floquet analysis of n motions, modes ordered by the modulus of their multipliers, the largest first.
 
+    There are s = 4 modes; with an autopilot 5, with a rudder that lags 6. A heading that nothing holds is neutral: its
+    multiplier 1 stands last and decides nothing.
+
     Parameters
     ----------
-    multipliers : (n, 4) complex    of one wave period, states (v, phi, p, r)
-    half : (n, 4) complex           of the half-period map with sign reversal removed: multipliers = half^2 when the motion
+    multipliers : (n, s) complex    of one wave period, states (v, phi, p, r) and, with an autopilot, psi and delta
+    half : (n, s) complex           of the half-period map with sign reversal removed: multipliers = half^2 when the motion
                                     is symmetric; NaN when it is not
-    exponents : (n, 4) complex      w/(2 pi) ln(multiplier) [1/s]
-    share : (n, 4, 4) float         participation of v, phi, p, r (last axis) in each mode, summing to 1; NaN if not asked for
+    exponents : (n, s) complex      w/(2 pi) ln(multiplier) [1/s]
+    share : (n, s, s) float         participation of the states (last axis) in each mode, summing to 1; NaN if not asked for
     liouville : (n,) float          relative difference of the product of multipliers and exp(integral of the trace); NaN
                                     where the product is too small to be told from rounding
     """
@@ -47,7 +52,7 @@ class Floquet:
 
     @property
     def roll_share(self) -> Floats:
-        """Participation (n, 4) of roll angle and roll rate in each mode."""
+        """Participation (n, s) of roll angle and roll rate in each mode."""
         return np.asarray(self.share[:, :, 1] + self.share[:, :, 2])
 
 
@@ -175,7 +180,13 @@ def floquet(
     found = np.isfinite(u).all(axis=(1, 2)) & system.finite
     phi = _transitions(system, np.where(found[:, None, None], u, 0.0), orders, span, found, rate, accuracy, variation)
     found &= np.isfinite(phi).all(axis=(1, 2))
-    values, share = _modes(np.where(found[:, None, None], phi, np.eye(4)), detail)
+    free = system.states > HEADING and ~holds_heading(system.linear)
+    phi = np.where(found[:, None, None], phi, np.eye(system.states))
+    if np.any(free):
+        phi[free, HEADING, HEADING] = 0.0  # its column is empty now: a mode of multiplier 0, which stands last
+    values, share = _modes(phi, detail)
+    if np.any(free):
+        values[free, -1] = 1.0
     full = values**2 if symmetric else values
     frequency = np.where(found, system.frequency, 1.0)
     turns = (frequency / (2 * np.pi))[:, None]
@@ -205,7 +216,12 @@ def _transitions(
     accuracy: float,
     variation: tuple[Complex, Floats] | None,
 ) -> Floats:
-    """State transition matrices (n, 4, 4), each by the method that reaches the accuracy at the least cost."""
+    """State transition matrices (n, s, s), each by the method that reaches the accuracy at the least cost."""
+    if system.states > HEADING:
+        if system.states > RUDDER:
+            rate = np.maximum(rate, -system.linear[:, 3, RUDDER])
+        steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
+        return steered_transitions(system, turning(system.linear, u, orders), orders, span, steps)
     if variation is None or accuracy < FINEST or system.has_modulus:
         steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
         return transition_matrices(system, u, orders, span, steps)
@@ -223,7 +239,7 @@ def _transitions(
 
 
 def _modes(phi: Floats, detail: Detail) -> tuple[Complex, Floats]:
-    """Eigenvalues (n, 4) by falling modulus, and the share (n, 4, 4) of each state in each mode."""
+    """Eigenvalues (n, s) by falling modulus, and the share (n, s, s) of each state in each mode."""
     if detail == "full":
         wanted = np.arange(phi.shape[0])
         values, share = np.empty(phi.shape[:2], complex), np.empty(phi.shape)
@@ -244,7 +260,7 @@ def _modes(phi: Floats, detail: Detail) -> tuple[Complex, Floats]:
 def _participation(vectors: Complex) -> Floats:
     """Share (n, mode, state) of each state in each mode: |right eigenvector x left eigenvector|, free of units."""
     defective = np.abs(np.linalg.det(vectors)) < 1e-13
-    left = np.linalg.inv(np.where(defective[:, None, None], np.eye(4), vectors))
+    left = np.linalg.inv(np.where(defective[:, None, None], np.eye(vectors.shape[1]), vectors))
     share = np.abs(vectors.transpose(0, 2, 1) * left)
     share[defective] = np.abs(vectors[defective].transpose(0, 2, 1)) ** 2
     return np.asarray(share / share.sum(axis=2, keepdims=True))

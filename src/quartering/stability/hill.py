@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
+from quartering.motion.steering import state_matrix
 from quartering.stability.variation import variational_harmonics
 
 _CANDIDATES, _SAME = 16, 1e-7
@@ -25,14 +26,14 @@ def hill_exponents(
 
     Returns
     -------
-    exponents : (n, 4) complex    [1/s], the largest real part first; imaginary parts modulo the frequency
+    exponents : (n, s) complex    [1/s], the largest real part first; imaginary parts modulo the frequency
     defect : (n,) float           |sum of the exponents - mean trace|, relative to the largest exponent: large when a wrong
                                   eigenvalue was taken; then raise `reach` or trust `floquet`
 
     Notes
     -----
     With J(t) = sum_m J_m e^{i m w t} and a disturbance e^{lambda t} sum_m y_m e^{i m w t}, lambda is an eigenvalue of the
-    block matrix J_{m-n} - i m w. Each true exponent appears many times, shifted by multiples of i w; the four whose
+    block matrix J_{m-n} - i m w. Each true exponent appears many times, shifted by multiples of i w; the s whose
     eigenvectors are centred on m = 0 are the converged ones.  Source: Hill (1886), as in [Krack19].
     Valid: smooth products; with a modulus the harmonics fall off slowly.
 
@@ -49,35 +50,36 @@ def hill_exponents(
     stride = 2 if all(h % 2 == 1 for h in orders) else 1
     wanted = tuple(range(0, 2 * reach * stride + 1, stride))
     phasors = variational_harmonics(system, u, orders, wanted)
-    blocks = np.zeros((system.count, len(wanted), 4, 4), dtype=complex)
-    blocks[:, :, [0, 2, 3]] = np.where(np.arange(len(wanted))[:, None, None] > 0, 0.5, 1.0) * phasors
-    blocks[:, 0, 1, 2] = 1.0
+    states = system.states
+    blocks = np.zeros((system.count, len(wanted), states, states), dtype=complex)
+    blocks[:, 1:, [0, 2, 3], :4] = 0.5 * phasors[:, 1:]
+    blocks[:, 0] = state_matrix(phasors[:, 0], system.linear)
     rows = 2 * reach + 1
-    matrix = np.zeros((system.count, rows, 4, rows, 4), dtype=complex)
+    matrix = np.zeros((system.count, rows, states, rows, states), dtype=complex)
     for m in range(rows):
         for n in range(rows):
             block = blocks[:, abs(m - n)]
             matrix[:, m, :, n] = block if m >= n else block.conj()
     orders_kept = stride * np.arange(-reach, reach + 1)
     for m, order in enumerate(orders_kept):
-        matrix[:, m, range(4), m, range(4)] -= 1j * order * system.frequency[:, None]
-    values, vectors = np.linalg.eig(matrix.reshape(system.count, 4 * rows, 4 * rows))
-    weight = (np.abs(vectors.reshape(system.count, rows, 4, -1)) ** 2).sum(axis=2)
+        matrix[:, m, range(states), m, range(states)] -= 1j * order * system.frequency[:, None]
+    values, vectors = np.linalg.eig(matrix.reshape(system.count, states * rows, states * rows))
+    weight = (np.abs(vectors.reshape(system.count, rows, states, -1)) ** 2).sum(axis=2)
     centre = np.abs((orders_kept[:, None] * weight).sum(axis=1) / weight.sum(axis=1))
     best = np.argsort(centre, axis=1, kind="stable")[:, :_CANDIDATES]
-    exponents = _distinct(np.take_along_axis(values, best, axis=1), stride * system.frequency)
+    exponents = _distinct(np.take_along_axis(values, best, axis=1), stride * system.frequency, states)
     exponents = np.take_along_axis(exponents, np.argsort(-exponents.real, axis=1, kind="stable"), axis=1)
     trace = np.einsum("nii->n", blocks[:, 0]).real
     defect = np.abs(exponents.sum(axis=1).real - trace) / np.abs(exponents).max(axis=1)
     return exponents, defect
 
 
-def _distinct(candidates: NDArray[np.complex128], shift: Floats) -> NDArray[np.complex128]:
-    """First four (n, 4) of the candidates (n, c) that are not each other's copies, shifted by multiples of i `shift`."""
+def _distinct(candidates: NDArray[np.complex128], shift: Floats, count: int) -> NDArray[np.complex128]:
+    """First `count` (n, count) of the candidates (n, c) that are no copies of each other, shifted by multiples of i shift."""
     rows = np.arange(len(candidates))
     free = np.ones(candidates.shape, dtype=bool)
-    found = np.empty((len(candidates), 4), dtype=complex)
-    for k in range(4):
+    found = np.empty((len(candidates), count), dtype=complex)
+    for k in range(count):
         pick = free.argmax(axis=1)
         found[:, k] = candidates[rows, pick]
         turns = (candidates - found[:, [k]]) / (1j * shift[:, None])

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import System
+from quartering.motion.steering import state_matrix
 from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.floquet import Floquet
 
@@ -70,11 +71,11 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
 
     Returns
     -------
-    (n, 4) complex      [1/s], the largest real part first; NaN where a coefficient is
+    (n, s) complex      [1/s], the largest real part first; NaN where a coefficient is
 
     Notes
     -----
-    Eigenvalues of the linear part in (v, phi, p, r).  Source: [H71] eq. (3), linear terms.
+    Eigenvalues of the linear part in (v, phi, p, r), psi and delta of an autopilot.  Source: [H71] eq. (3), linear terms.
 
     Examples
     --------
@@ -89,10 +90,7 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
     fresh = np.ones(system.count, dtype=bool)
     fresh[1:] = (linear[1:] != linear[:-1]).any(axis=(1, 2))
     different = linear[fresh]
-    matrix = np.zeros((different.shape[0], 4, 4))
-    matrix[:, [0, 2, 3]] = different
-    matrix[:, 1, 2] = 1.0
-    values = eigenvalues(matrix)
+    values = eigenvalues(state_matrix(different[:, :3, :4], different))
     values = np.take_along_axis(values, np.argsort(-values.real, axis=1, kind="stable"), axis=1)
     values = values[np.cumsum(fresh) - 1]
     values[~finite] = np.nan
@@ -105,7 +103,7 @@ def growing_mode(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.in
     Parameters
     ----------
     result : Floquet
-    calm : (n, 4) complex    calm-water exponents [1/s]
+    calm : (n, s) complex    calm-water exponents [1/s]
 
     Returns
     -------
@@ -127,7 +125,7 @@ def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
     Parameters
     ----------
     result : Floquet         n motions
-    calm : (n, 4) complex    calm-water exponents [1/s]
+    calm : (n, s) complex    calm-water exponents [1/s]
 
     Returns
     -------

@@ -11,6 +11,7 @@ from quartering.motion.abreast import WIDTH, gather, gather_motions, raise_power
 from quartering.motion.basis import basis
 from quartering.motion.equations import Floats, System
 from quartering.motion.polynomial import accelerations
+from quartering.motion.steering import turning
 from quartering.threads import in_threads
 
 EVEN_HARMONICS = (0, 2, 4, 6)
@@ -110,6 +111,7 @@ def variation_along(
     >>> variation_along(system, np.zeros((1, 3, 2)), (1,))[1][0, 0, 1].tolist()
     [0.0, -1.0, -0.1, 0.0]
     """
+    u = turning(system.linear, u, orders)
     # The matrix has degree one less than the equations; a margin of harmonics keeps the last one free of aliases.
     table = basis(orders, system.degree - 2, system.has_modulus, extra=2 * max(harmonics) + 2)
     samples = table.values.shape[1]
@@ -137,8 +139,13 @@ def variation_along(
 
 
 @kernel
-def _jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):
-    """Rows v', p', r' of the variational matrix (3, 4) at the phase whose cosine and sine are given."""
+def jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):
+    """Rows v', p', r' of the variational matrix (3, 4) at the phase whose cosine and sine are given.
+
+    Notes
+    -----
+    Source: [H71] eq. (8).
+    """
     linear, coefficients, powers, modulus, w = system
     power_table, state, force = scratch
     state[:] = 0.0
@@ -193,15 +200,15 @@ def _transition(first, last, linear, coefficients, powers, modulus, frequency,
         for a in range(4):
             for b in range(4):
                 phi[a, b] = 1.0 if a == b else 0.0
-        _jacobian_at(system, orders, u[i], 1.0, 0.0, scratch, end)
+        jacobian_at(system, orders, u[i], 1.0, 0.0, scratch, end)
         for n in range(steps[i]):
             for a in range(3):
                 for b in range(4):
                     begin[a, b] = end[a, b]
             angle = (2 * n + 1) * half_angle
-            _jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, middle)
+            jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, middle)
             angle = (2 * n + 2) * half_angle
-            _jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, end)
+            jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, end)
             _slope(begin, phi, k1)
             for a in range(4):
                 for b in range(4):

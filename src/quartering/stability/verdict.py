@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from quartering.motion.steady import Motion
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.contribution import contributions
 from quartering.stability.first_order import RESONANCES
-from quartering.stability.kind import Kind, growing_mode
+from quartering.stability.kind import Kind, growing_mode, linear_exponents
 
 _ACCURACY = 1e-12
 _NEUTRAL = 1e-12
@@ -37,12 +37,15 @@ class Verdict:
     averaged : (2,) complex    roll pair of the averaged equations (A-10) [1/s]
     combination : float        growth rate of roll and slow modes combined, n2 near 2 omega [1/s]
     mean_jacobian : (4,) complex    eigenvalues of the mean variational matrix [1/s]
-    multipliers : (4,) complex      Floquet multipliers of (v, phi, p, r), the largest first
-    exponents : (4,) complex        Floquet exponents [1/s]
-    calm_water : (4,) complex       exponents without waves [1/s]
+    multipliers : (4,) complex      Floquet multipliers of (v, phi, p, r), the largest first; with an autopilot 5, psi among
+                               them, with a rudder that lags 6
+    exponents : (4,) complex        as many Floquet exponents [1/s]
+    calm_water : (4,) complex       as many exponents without waves [1/s]
     roll_share : float         participation of roll in the deciding mode, 0 to 1
     liouville : float          relative error of the product of the multipliers; NaN when too small to tell
     strongest : (name, rate)   coefficient that adds most to the growth, and how much [1/s]
+    without_autopilot : float  largest exponent without waves and with the rudder amidships; NaN for a ship without an
+                               autopilot [1/s]
     first_order_stable : bool  what the first-order theory alone would say
     """
 
@@ -67,6 +70,7 @@ class Verdict:
     strongest: tuple[str, float]
     first_order_stable: bool
     references: tuple[str, ...] = ("H71",)
+    without_autopilot: float = float("nan")
 
 
 def stability(model: Model, motion: Motion) -> Verdict:
@@ -104,10 +108,14 @@ def stability(model: Model, motion: Motion) -> Verdict:
     if kind is not Kind.NO_ANSWER:
         strongest = _strongest(kind, model, motion, result, share)
     agrees = bool(f.growth[0] < _NEUTRAL)
+    bare = float("nan")
+    if model.autopilot is not None:
+        bare = float(linear_exponents(replace(model, autopilot=None).system)[0, 0].real)
+    steering = "" if kind is Kind.NO_ANSWER else _steering(model, motion, bare, float(result.calm[0, 0].real))
     return Verdict(
         stable=kind is Kind.STABLE,
         kind=kind.label,
-        sentence=_sentence(_condition(model.source), kind, result, motion, strongest, mode),
+        sentence=_sentence(_condition(model.source), kind, result, motion, strongest, mode) + steering,
         k2=float(f.k2[0]),
         k2_rho=float(f.k2_rho[0]),
         k2_paper=float(f.k2_paper[0]),
@@ -126,7 +134,22 @@ def stability(model: Model, motion: Motion) -> Verdict:
         strongest=strongest,
         first_order_stable=agrees,
         references=motion.references,
+        without_autopilot=bare,
     )
+
+
+def _steering(model: Model, motion: Motion, bare: float, calm: float) -> str:
+    """What the autopilot does for the course, in a sentence of its own; nothing without one."""
+    if model.autopilot is None:
+        return ""
+    if motion.heading is None:
+        return " The autopilot does not act on the heading, which drifts."
+    error = f" The mean heading is {np.degrees(motion.heading):+.2g} deg off course." if motion.heading else ""
+    if bare <= 0:
+        return error
+    if calm < 0:
+        return f" The autopilot keeps the course, which without it is lost in calm water ({bare:+.3g} 1/s).{error}"
+    return f" In calm water the course is lost with the autopilot ({calm:+.3g} 1/s) as without it ({bare:+.3g} 1/s).{error}"
 
 
 def _strongest(kind: Kind, model: Model, motion: Motion, result: Assessment, share: float) -> tuple[str, float]:

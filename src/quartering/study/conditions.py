@@ -33,7 +33,7 @@ RESULTS: dict[str, tuple[int, ...]] = {
     "q": (3,), "q_paper": (3,), "slow": (2,), "first_order": (), "exponent": (), "calm_exponent": (),
     "multiplier_modulus": (4,), "verdict": (), "status": (),
 }  # fmt: skip
-"""Name of every result and the shape it adds to the shape of the conditions."""
+"""Name of every result and the shape it adds to the shape of the conditions; of more modes, with an autopilot, the largest."""
 
 FLAGS = ("verdict", "status")
 """Results that are small integers."""
@@ -180,9 +180,9 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
         "sway": sway, "roll": np.degrees(roll), "yaw": np.degrees(yaw),
         "roll_peak": np.where(np.isfinite(roll), largest, np.nan),
         "n2": f.n2, "k2": f.k2, "k2_rho": f.k2_rho, "k2_paper": f.k2_paper, "index": f.index,
-        "q": f.q, "q_paper": f.q_paper, "slow": f.slow, "first_order": growth,
+        "q": f.q, "q_paper": f.q_paper, "slow": f.slow[:, :2], "first_order": growth,
         "exponent": result.floquet.growth, "calm_exponent": result.calm[:, 0].real,
-        "multiplier_modulus": np.abs(result.floquet.multipliers), "verdict": result.kind, "status": status,
+        "multiplier_modulus": np.abs(result.floquet.multipliers[:, :4]), "verdict": result.kind, "status": status,
     }  # fmt: skip
 
 

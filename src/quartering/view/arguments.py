@@ -14,4 +14,10 @@ Speed = Annotated[str, typer.Option(help="Speed: 7.5 [m/s], 15kn or 0.25Fn.")]
 WaveLength = Annotated[str, typer.Option(help="Wave length: 150 [m] or 1.0L.")]
 WaveHeight = Annotated[str, typer.Option(help="Wave height, crest to trough: 4 [m].")]
 Harmonics = Annotated[int, typer.Option(help="1: the paper's method; 3, 5, 7, ..: harmonic balance to that order.")]
+Autopilot = Annotated[
+    str | None,
+    typer.Option(
+        help="Autopilot: gain,rate gain [s],lag [s], such as 1,10s,2s; or none. Otherwise the ship file's own."
+    ),
+]
 Form = Annotated[str, typer.Option(help="Diffraction force: stf, relative-motion, paper-corrected or paper.")]

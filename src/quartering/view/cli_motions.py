@@ -6,7 +6,18 @@ from typing import Annotated
 
 import typer
 
-from quartering.view.arguments import Form, Harmonics, Heading, Json, Picture, Ship, Speed, WaveHeight, WaveLength
+from quartering.view.arguments import (
+    Autopilot,
+    Form,
+    Harmonics,
+    Heading,
+    Json,
+    Picture,
+    Ship,
+    Speed,
+    WaveHeight,
+    WaveLength,
+)
 from quartering.view.outcome import answering
 
 
@@ -18,13 +29,14 @@ def verdict(
     wave_height: WaveHeight,
     harmonics: Harmonics = 1,
     form: Form = "stf",
+    autopilot: Autopilot = None,
     json: Json = False,
 ) -> None:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
     with answering():
         from quartering.view.commands.verdict import judge
 
-        judge(ship, (heading, speed, wave_length, wave_height), harmonics, form, json)
+        judge(ship, (heading, speed, wave_length, wave_height), harmonics, form, autopilot, json)
 
 
 def simulate(
@@ -35,6 +47,7 @@ def simulate(
     wave_height: WaveHeight,
     roll: Annotated[str, typer.Option(help="Roll angle at the start [deg].")] = "5",
     duration: Annotated[str, typer.Option(help="Duration: 300 [s] or 5min.")] = "300",
+    autopilot: Autopilot = None,
     output: Picture = None,
     json: Json = False,
 ) -> None:
@@ -42,4 +55,4 @@ def simulate(
     with answering():
         from quartering.view.commands.simulate import run_simulation
 
-        run_simulation(ship, (heading, speed, wave_length, wave_height), roll, duration, output, json)
+        run_simulation(ship, (heading, speed, wave_length, wave_height), roll, duration, autopilot, output, json)

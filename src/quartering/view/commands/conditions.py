@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
+from quartering.conventions import InputError
+from quartering.hull.autopilot import Autopilot
 from quartering.hull.ship import Ship, ship
+from quartering.hull.units import Kind
 from quartering.loads.waves import Wave
 from quartering.view.options import Sizes, value
 
@@ -12,15 +17,35 @@ def sizes(of: Ship) -> Sizes:
     return Sizes(of.hull.length, of.hull.beam, of.hull.draught)
 
 
-def condition(name: str, typed: tuple[str, str, str, str]) -> tuple[Ship, Wave, float, float]:
+def autopilot_of(text: str) -> Autopilot | Literal["none"]:
+    """Autopilot from the words given: "gain", "gain,rate gain", "gain,rate gain,lag", or "none".
+
+    Raises
+    ------
+    InputError    other words, a value below 0
+    """
+    if text == "none":
+        return "none"
+    parts = text.split(",")
+    kinds: tuple[Kind, ...] = ("ratio", "time", "time")
+    if len(parts) > len(kinds):
+        raise InputError(f'--autopilot "{text}": at most three values, gain, rate gain [s], lag [s]; try 1,10s,2s')
+    nothing = Sizes(0.0, 0.0, 0.0)
+    return Autopilot(*(value(part, kind, nothing, "--autopilot") for part, kind in zip(parts, kinds, strict=False)))
+
+
+def condition(
+    name: str, typed: tuple[str, str, str, str], autopilot: str | None = None
+) -> tuple[Ship, Wave, float, float]:
     """Ship, wave, speed [m/s] and heading [deg] from the words given.
 
     Parameters
     ----------
     name : str     of a built-in ship, or a path
     typed : (heading, speed, wave length, wave height)
+    autopilot : in place of the ship's own, see `autopilot_of`
     """
-    one = ship(name)
+    one = ship(name) if autopilot is None else ship(name).with_(autopilot=autopilot_of(autopilot))
     units = sizes(one)
     heading = value(typed[0], "angle", units, "--heading")
     speed = value(typed[1], "speed", units, "--speed")

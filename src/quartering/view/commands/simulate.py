@@ -17,10 +17,16 @@ from quartering.view.terminal import next_steps, show, show_json
 
 
 def run_simulation(
-    name: str, typed: tuple[str, str, str, str], roll: str, duration: str, output: str | None, as_json: bool
+    name: str,
+    typed: tuple[str, str, str, str],
+    roll: str,
+    duration: str,
+    autopilot: str | None,
+    output: str | None,
+    as_json: bool,
 ) -> None:
     """Integrate from a roll angle, print what happened, draw it where asked."""
-    one, wave, speed, heading = condition(name, typed)
+    one, wave, speed, heading = condition(name, typed, autopilot)
     path = claim(output, PICTURES) if output else None
     seconds = value(duration, "time", sizes(one), "--duration")
     heel = value(roll, "angle", sizes(one), "--roll")

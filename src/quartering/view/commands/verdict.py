@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import numpy as np
 from rich.table import Table
@@ -28,9 +28,11 @@ from quartering.view.wording import estimated_words, exponents_words
 _MOST_CURES = 3
 
 
-def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str, as_json: bool) -> None:
+def judge(
+    name: str, typed: tuple[str, str, str, str], harmonics: int, form: str, autopilot: str | None, as_json: bool
+) -> None:
     """Print the verdict on one condition."""
-    one, wave, speed, heading = condition(name, typed)
+    one, wave, speed, heading = condition(name, typed, autopilot)
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     model = equations(one, wave, speed, heading, form=chosen)
@@ -52,6 +54,7 @@ def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str
         show(_stability_table(found, calm))
     show(estimated_words(estimated, one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
+    words += f" --autopilot {autopilot}" if autopilot else ""
     show(next_steps(f"quartering simulate {name} {words} -o roll.png", f"quartering polar {name} --speed {typed[1]}"))
 
 
@@ -104,7 +107,11 @@ def _stability_table(v: Verdict, calm: np.ndarray) -> Table:
         ("averaged roll pair [1/s]", exponents_words(v.averaged), "equations (A-10)"),
         ("roll with slow modes [1/s]", f"{v.combination:.3g}", "n2 near 2 omega"),
         ("without waves [1/s]", exponents_words(v.calm_water), "linear motion with the same coefficients"),
-        ("in calm water [1/s]", exponents_words(calm), "each with the coefficients of its own frequency, no rudder"),
+        (
+            "in calm water [1/s]",
+            exponents_words(calm),
+            "each with the coefficients of its own frequency, rudder amidships",
+        ),
     ]
     return table("Stability", ("quantity", "value", "remark"), rows)
 
@@ -119,7 +126,8 @@ def _facts(one: Ship, model: Model, motion: Motion, v: Verdict, helps: list[Cure
         "roll_peak_deg": math.degrees(motion.peak[1]), "encounter_frequency": model.frequency,
         "k2": v.k2, "k2_rho": v.k2_rho, "k2_paper": v.k2_paper, "index": v.index, "n2": v.n2, "q": v.q, "slow": v.slow,
         "averaged": v.averaged, "combination": v.combination, "multipliers": v.multipliers, "exponents": v.exponents,
-        "calm_water": v.calm_water, "first_order_stable": v.first_order_stable,
+        "calm_water": v.calm_water, "without_autopilot": v.without_autopilot, "heading_off_course": motion.heading,
+        "autopilot": None if model.autopilot is None else asdict(model.autopilot), "first_order_stable": v.first_order_stable,
         "strongest": list(v.strongest), "roll_share": v.roll_share, "liouville": v.liouville,
         "mean_jacobian": v.mean_jacobian, "advice": motion.status.advice, "residual": motion.residual,
         "natural_roll_frequency": coefficients(one, 0.0, 0.0).roll_frequency,
