@@ -152,6 +152,7 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         measured=_measured(where, keys, base),
         autopilot=_autopilot(where, keys, base),
         rudder=_rudder(where, keys, base),
+        righting=keys.righting or (base.righting if base else "polynomial"),
     )
 
 

@@ -14,7 +14,12 @@ from quartering.hull.heeled import cross_curve
 from quartering.hull.offsets import Hull
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
+from quartering.hull.spline import OddSpline, odd_spline
 
+SPLINE_STEP = 4.0
+"""Between the angles a righting spline goes through [deg]."""
+WARNED_MISS = 0.05
+"""Miss of the polynomial within a motion, as a fraction of the largest |GZ| there, that is warned of."""
 MISS = 0.02
 """Largest miss of the cubic, as a fraction of the largest |GZ|, before phi^5 and then phi^7 are added."""
 
@@ -182,8 +187,90 @@ def righting_polynomial(ship: Ship, max_angle: float = 40.0) -> RightingFit:
 
 
 @lru_cache(maxsize=16)
+def righting_spline(ship: Ship) -> OddSpline:
+    """Spline through the righting arm of the lines every 4 degrees to 84, past the deck edge and the vanishing angle.
+
+    Parameters
+    ----------
+    ship : Ship
+
+    Returns
+    -------
+    OddSpline    GZ [m] over the roll angle [rad]; within 0.2 % of the largest |GZ| of the built-in ships' own curves
+
+    Notes
+    -----
+    Its slope at 0 is GM to 0.1 %, not exactly.  Source: `righting_arm`.
+    Valid: as `righting_arm`; beyond the deck edge a watertight deck at the top of the offsets.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> round(righting_spline(ship("box")).slope, 3)
+    1.0
+    """
+    angles = np.arange(SPLINE_STEP, 85.0, SPLINE_STEP)
+    return odd_spline(angles, _arm(ship, np.radians(angles))[0])
+
+
+def polynomial_miss(ship: Ship, max_angle: float) -> float:
+    """By how much the fitted polynomial misses the righting arm in a range of heel.
+
+    Parameters
+    ----------
+    ship : Ship
+    max_angle : float    end of the range, above 0 [deg]
+
+    Returns
+    -------
+    float    largest miss as a fraction of the largest |GZ| in the range [1]
+
+    Notes
+    -----
+    Source: `righting_arm` and `righting_polynomial`, every degree.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> polynomial_miss(ship("box"), 40.0) > 0.05 > polynomial_miss(ship("wigley"), 40.0)
+    True
+    """
+    angles = np.radians(np.append(np.arange(1.0, min(max_angle, 85.0), 1.0), min(max_angle, 85.0)))
+    arms = _arm(ship, angles)[0]
+    missed = np.abs(_polynomial(ship).arm(np.degrees(angles)) - arms).max()
+    return float(missed / np.abs(arms).max())
+
+
+def warn_of_polynomial(ship: Ship, largest_roll: float) -> None:
+    """Say that the polynomial misses the righting arm by more than 5 % within the motion, and that there is a spline.
+
+    Parameters
+    ----------
+    ship : Ship
+    largest_roll : float    [deg]; nothing is said of NaN or of none
+
+    Warns
+    -----
+    RangeWarning
+    """
+    if ship.righting == "spline" or not largest_roll > 0:
+        return
+    miss = polynomial_miss(ship, largest_roll)
+    if miss > WARNED_MISS:
+        warnings.warn(
+            f"{ship.name}: up to the {largest_roll:.3g} deg of roll reached, the polynomial misses the righting arm by "
+            f'{miss:.0%} of its largest; take the curve itself with righting="spline"',
+            RangeWarning,
+            stacklevel=3,
+        )
+
+
+_polynomial = lru_cache(maxsize=16)(righting_polynomial)
+
+
+@lru_cache(maxsize=16)
 def vanishing_angle(ship: Ship) -> float:
-    """Heel at which the righting arm vanishes: of the lines, or of the fit where that is sooner.
+    """Heel at which the righting arm vanishes: of the lines, or of the polynomial where that is used and sooner.
 
     Parameters
     ----------
@@ -206,7 +293,9 @@ def vanishing_angle(ship: Ship) -> float:
     angles = np.arange(2.5, 90.0, 2.5)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)  # the closed deck is what is asked for
-        arms = np.minimum(righting_arm(ship, angles), righting_polynomial(ship).arm(angles))
+        arms = righting_arm(ship, angles)
+    if ship.righting == "polynomial":
+        arms = np.minimum(arms, righting_polynomial(ship).arm(angles))
     if not (arms <= 0).any():
         return float("inf")
     after = int((arms <= 0).argmax())

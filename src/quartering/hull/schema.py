@@ -126,6 +126,7 @@ class ShipKeys(_Strict):
     measured: str | None = None
     autopilot: AutopilotKeys | None = None
     rudder: RudderKeys | None = None
+    righting: Literal["polynomial", "spline"] | None = None
     drag_coefficient: Given | None = None
     velocity_scale: Given | None = None
     provenance: dict[str, str] = {}

@@ -19,6 +19,8 @@ from quartering.names import checked_values
 ROLL_DAMPING = 0.05
 """Added roll damping, fraction of critical, when none is given (assumed)."""
 
+Righting = Literal["polynomial", "spline"]
+
 DRAG_COEFFICIENT = 0.8
 """Cross-flow drag coefficient when none is given (assumed)."""
 
@@ -61,6 +63,7 @@ class Ship:
     measured : str or None                   measured manoeuvring set that replaces regression and cross-flow: name or file
     autopilot : Autopilot or None            what keeps the course; None: the rudder amidships, as in the paper
     rudder : Rudder or None                  what its lift is estimated from; None: measured with the set, or least by rule
+    righting : str                           the righting curve as "polynomial" (odd, to phi^7) or "spline" (through the curve)
     """
 
     name: str
@@ -75,6 +78,7 @@ class Ship:
     measured: str | None = None
     autopilot: Autopilot | None = None
     rudder: Rudder | None = None
+    righting: Righting = "polynomial"
 
     def __post_init__(self) -> None:
         for mapping in ("overrides", "multipliers", "provenance"):
@@ -94,6 +98,7 @@ class Ship:
         coefficients: Mapping[str, float] | None = None,
         measured: str | None = None,
         autopilot: Autopilot | Literal["none"] | None = None,
+        righting: Righting | None = None,
     ) -> Ship:
         """The same ship with some values changed.
 
@@ -108,6 +113,7 @@ class Ship:
         coefficients : mapping of str to float         factors by name, times those already there
         measured : str                                 measured manoeuvring set, by name or file; "none" goes without
         autopilot : Autopilot                          that keeps the course; "none" goes without
+        righting : str                                 "polynomial" or "spline"
 
         Returns
         -------
@@ -148,6 +154,7 @@ class Ship:
             provenance={**self.provenance, **notes},
             measured=self.measured if measured is None else None if measured == "none" else measured,
             autopilot=self.autopilot if autopilot is None else None if autopilot == "none" else autopilot,
+            righting=checked_righting(self.name, righting or self.righting),
         )
 
     def _length(self, key: str, value: float | str) -> float:
@@ -287,6 +294,18 @@ def checked_linear(name: str, linear: str) -> Literal["default", "strip"]:
     if linear == "strip":
         return "strip"
     raise InputError(f'{name}: linear = "{linear}"; allowed are "default" (lift from regression) and "strip"')
+
+
+def checked_righting(name: str, righting: str) -> Righting:
+    """The form of the righting curve, refused when it is neither of the two.
+
+    Notes
+    -----
+    Source: the format of the ship file.
+    """
+    if righting not in get_args(Righting):
+        raise InputError(f'{name}: righting = "{righting}"; allowed are "polynomial" (odd, to phi^7) and "spline"')
+    return cast(Righting, righting)
 
 
 def ship(name_or_path: str | Path) -> Ship:

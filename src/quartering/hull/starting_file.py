@@ -30,6 +30,7 @@ loading:
   water_density: {density:<13} # sea water 1025, fresh water 1000
 
 linear: {linear:<22} # sway-yaw derivatives: default (lift from regression) or strip (potential flow alone)
+righting: {righting:<20} # righting curve in the equations: polynomial (odd, to phi^7) or spline (the curve itself)
 sections: {sections:<20} # section coefficients: auto, lewis (ship-like sections, fast) or close-fit (any section)
 drag_coefficient: {drag:<12} # cross-flow drag of the sections, 1; gives the cubic coefficients; {drag_note}
 
@@ -107,6 +108,7 @@ def _text(base: str, ship: Ship) -> str:
         damping_note=status["roll_damping"],
         density=f"{loading.density:g} kg/m3",
         linear=ship.linear,
+        righting=ship.righting,
         sections=hull.section_method,
         drag=f"{ship.drag_coefficient:g}",
         drag_note=status["drag_coefficient"],

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Literal, NamedTuple
@@ -14,9 +14,10 @@ from numpy.typing import ArrayLike
 from quartering.conventions import GRAVITY, InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
-from quartering.hull.righting import righting_polynomial
+from quartering.hull.righting import righting_polynomial, righting_spline
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
+from quartering.hull.spline import OddSpline
 from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
@@ -63,6 +64,7 @@ class Coefficients:
     sources : mapping                name -> (kind, source)
     references : tuple of str        keys of the papers behind the numbers
     varying : mapping of str to (n,) measured terms that vary with the speed; they add to restoring, cubic and extra
+    righting : OddSpline or None     moment K over phi beyond K_phi phi of a ship whose righting curve is a spline [N m]
     rudder : (n, 3) float            Y_delta, K_delta, N_delta of a ship with an autopilot; None without one
     """
 
@@ -80,6 +82,7 @@ class Coefficients:
     references: tuple[str, ...]
     varying: Mapping[str, Floats] = field(default_factory=dict)
     rudder: Floats | None = None
+    righting: OddSpline | None = None
 
     def table(self, condition: int = 0) -> tuple[Entry, ...]:
         """Every coefficient of one condition with unit, source and kind, in a fixed order.
@@ -257,6 +260,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         sources=MappingProxyType(sources),
         references=_references(ship, measured) + (("Yasukawa15",) if ship.autopilot else ()),
         varying=MappingProxyType(given.varying(measured.further if measured else {})),
+        righting=_righting(ship, given),
         rudder=None if rudder is None else given.matrix((RUDDER_NAMES,), rudder[:, None])[:, 0],
     )
 
@@ -297,10 +301,27 @@ def _velocity_and_added_mass(
 
 def _restoring(ship: Ship) -> Floats:
     """K_phi, K_phiphiphi, K_phi5, K_phi7 in the roll row."""
-    fit, weight = righting_polynomial(ship), hydrostatics(ship).mass * GRAVITY
+    weight = hydrostatics(ship).mass * GRAVITY
     rows = np.zeros((3, 4))
+    if ship.righting == "spline":
+        rows[1, 0] = -weight * righting_spline(ship).slope
+        return rows
+    fit = righting_polynomial(ship)
     rows[1] = [-weight * arm for arm in (ship.loading.gm, fit.gz3, fit.gz5, fit.gz7)]
     return rows + 0.0
+
+
+def _righting(ship: Ship, given: _Given) -> OddSpline | None:
+    """The righting spline [N m] without its slope, which is K_phi; None for a ship with a polynomial."""
+    if ship.righting != "spline":
+        return None
+    touched = [name for name in RESTORING_NAMES[1][1:] if name in given.values or name in given.factors]
+    if touched:
+        raise InputError(
+            f"{ship.name}: {touched[0]} is given beside a righting spline, which holds all beyond K_phi; change K_phi, or take "
+            'righting="polynomial"'
+        )
+    return replace(righting_spline(ship).times(-hydrostatics(ship).mass * GRAVITY), slope=0.0)
 
 
 def _rudder(ship: Ship, speed: Floats, sources: dict[str, tuple[Kind, str]]) -> Floats | None:
@@ -345,6 +366,9 @@ def _sources(ship: Ship) -> dict[str, tuple[Kind, str]]:
     sources["K_p"] = (kind, f"{source}, and {loading.roll_damping:g} of critical ({said['roll_damping']})")
     sources |= {name: ("derived", "upright symmetry") for row in RESTORING_NAMES for name in row}
     sources |= dict.fromkeys(RESTORING_NAMES[1], ("derived", "fit to the righting arm of the lines"))
+    if ship.righting == "spline":
+        curve = "in the spline through the righting arm of the lines"
+        sources |= dict.fromkeys(RESTORING_NAMES[1][1:], ("derived", curve))
     sources["K_phi"] = ("derived", f"-rho g V GM; GM {said['gm']}")
     drag = f"estimated: cross-flow drag, C_D {ship.drag_coefficient:g}, u0 {scale:.3g} m/s, at half draught"
     sources |= {name: ("cross-flow", drag) for row in CUBIC_NAMES for name in row}

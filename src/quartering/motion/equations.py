@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
+from quartering.hull.spline import OddSpline, odd_spline
 from quartering.motion.steering import steered
-from quartering.motion.terms import TermTable, checked_number, term_table
+from quartering.motion.terms import KNOT_CODE, TermTable, checked_number, term_table, with_spline
 from quartering.names import RUDDER_NAMES
 
 Floats = NDArray[np.float64]
@@ -58,7 +59,7 @@ class System:
     @property
     def plain(self) -> bool:
         """Is there nothing but products of (v, phi, p, r)? Then many conditions are solved abreast."""
-        return self.states == 4
+        return self.states == 4 and bool((self.modulus <= KNOT_CODE).all())
 
     @property
     def degree(self) -> int:
@@ -67,7 +68,7 @@ class System:
 
     @property
     def has_modulus(self) -> bool:
-        """Is some product not smooth?"""
+        """Is some product not smooth? A spline is not: its third derivative jumps."""
         return bool(self.modulus.any())
 
     @property
@@ -190,6 +191,8 @@ class Model:
     source : mapping               where the model comes from (ship, wave, speed, heading), for the record
     autopilot : Autopilot          that moves the rudder, whose terms are "Y_delta", "K_delta", "N_delta" [N, N m]; without
                                    one the rudder stays amidships and those terms do nothing
+    restoring : (angles, moments)  righting moment [N m], positive where it rights the ship, at heel angles [deg]: a spline, to
+                                   which "K_phi", .. of the terms add; or the spline of the moment K itself
 
     Raises
     ------
@@ -216,6 +219,7 @@ class Model:
     source: Mapping[str, object]
     references: tuple[str, ...]
     autopilot: Autopilot | None
+    restoring: OddSpline | None
     system: System = field(init=False, repr=False)
 
     def __init__(
@@ -229,6 +233,7 @@ class Model:
         source: Mapping[str, object] = MappingProxyType({}),
         references: tuple[str, ...] = ("H71",),
         autopilot: Autopilot | None = None,
+        restoring: tuple[ArrayLike, ArrayLike] | OddSpline | None = None,
     ) -> None:
         masses = np.array(inertia, dtype=float)
         if masses.shape != (3, 3) or not np.isfinite(masses).all():
@@ -250,11 +255,14 @@ class Model:
             "source": MappingProxyType(dict(source)),
             "references": references,
             "autopilot": autopilot,
+            "restoring": odd_spline(*restoring).times(-1.0) if isinstance(restoring, tuple) else restoring,
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
         rudder = [checked_number(name, self.terms.get(name, 0.0)) for name in RUDDER_NAMES]
         table = term_table({name: value for name, value in self.terms.items() if name not in RUDDER_NAMES})
+        if self.restoring is not None:
+            table = with_spline(table, self.restoring)
         forces = (self.force_cos, self.force_sin, self.force_mean)
         system = canonical(masses, table, frequency, *forces, rudder=rudder, autopilot=autopilot)
         object.__setattr__(self, "system", system)

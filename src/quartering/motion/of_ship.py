@@ -16,7 +16,7 @@ from quartering.loads.forces import Form, wave_force_phasors
 from quartering.loads.stations import stations
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
-from quartering.motion.terms import TermTable, term_table
+from quartering.motion.terms import TermTable, term_table, with_spline
 from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
 
 
@@ -103,11 +103,15 @@ def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
 def _term_table(c: Coefficients) -> TermTable:
     """The nonlinear terms of all conditions: one table, or coefficients by condition where they vary with the speed."""
     if not c.varying:
-        return term_table(nonlinear_terms(c))
+        return _with_curve(term_table(nonlinear_terms(c)), c)
     _, first, back = np.unique(c.speed, return_index=True, return_inverse=True)
     tables = [term_table(nonlinear_terms(c, int(k))) for k in first]
     linear, coefficients = (np.stack([getattr(t, part) for t in tables])[back] for part in ("linear", "coefficients"))
-    return TermTable(linear, tables[0].powers, tables[0].modulus, coefficients)
+    return _with_curve(TermTable(linear, tables[0].powers, tables[0].modulus, coefficients), c)
+
+
+def _with_curve(table: TermTable, c: Coefficients) -> TermTable:
+    return table if c.righting is None else with_spline(table, c.righting)
 
 
 def excitation(
@@ -249,4 +253,5 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
         source=source,
         references=tuple(dict.fromkeys(("H71", "STF70", *c.references))),
         autopilot=ship.autopilot,
+        restoring=c.righting,
     )

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from quartering.compiled import inner
+from quartering.motion.terms import KNOT, KNOT_CODE
 
 
 @inner
@@ -15,7 +16,7 @@ def accelerations(linear, coefficients, powers, modulus, strength, state, table,
     linear : (3, 4) float           columns v, phi, p, r
     coefficients : (3, t) float     of the nonlinear products
     powers : (t, 4) int             powers of (v, phi, p, r)
-    modulus : (t,) int              1-4: the variable between modulus bars; 0: none
+    modulus : (t,) int              1-4: the variable between modulus bars; 0: none; above: the knot of a righting spline
     strength : float                multiplies the nonlinear products (1 is the equation itself; less in a homotopy)
     state : (4,) float              (v, phi, p, r)
     table : (4, 8) float            scratch: powers of each variable
@@ -41,6 +42,15 @@ def accelerations(linear, coefficients, powers, modulus, strength, state, table,
         a, b, c, d = powers[t, 0], powers[t, 1], powers[t, 2], powers[t, 3]
         va, fb, pc, rd = table[0, a], table[1, b], table[2, c], table[3, d]
         bars = modulus[t]
+        if bars > KNOT_CODE:
+            beyond = abs(state[1]) - (bars - KNOT_CODE) * KNOT
+            if beyond > 0.0:
+                side = strength if state[1] > 0.0 else -strength
+                for k in range(3):
+                    force[k] += coefficients[k, t] * side * beyond**3
+                    if with_jacobian:
+                        jacobian[k, 1] += coefficients[k, t] * 3.0 * strength * beyond**2
+            continue
         size, sign = strength, 0.0
         if bars > 0:
             sign = strength if state[bars - 1] >= 0.0 else -strength

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.conventions import InputError
+from quartering.conventions import InputError, RangeWarning
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
@@ -197,6 +198,17 @@ def steady_motions(
     return u, orders, status, residual
 
 
+def _warn_beyond(end: float, peak: float) -> None:
+    """Say that a motion rolls beyond the last angle of its righting curve."""
+    if peak > end:
+        warnings.warn(
+            f"the motion rolls to {np.degrees(peak):.3g} deg, beyond the {np.degrees(end):.3g} deg to which its righting curve"
+            " is given; the curve's last cubic is carried on",
+            RangeWarning,
+            stacklevel=4,
+        )
+
+
 def motion_record(
     model: Model, u: Floats, orders: tuple[int, ...], status: int, residual: float, method: str
 ) -> Motion:
@@ -221,6 +233,8 @@ def motion_record(
     """
     mean = u[:, 0].copy() if orders[0] == 0 else np.zeros(3)
     pairs = u[:, 1:] if orders[0] == 0 else u
+    if model.restoring is not None:
+        _warn_beyond(model.restoring.end, float(roll_peaks(u[None], orders)[0]))
     used = tuple(h for h in orders if h > 0)
     heading = None
     if holds_heading(model.system.linear)[0]:

@@ -56,6 +56,11 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
         matrix = np.zeros((4, 4))
         matrix[list(_ROWS_OF_STATE)] = value * np.outer(inverse[:, row], gradient)
         parts[name] = matrix
+    if model.restoring is not None:
+        gradient = np.array([0.0, np.mean(model.restoring.derivative(states[:, 1])), 0.0, 0.0])
+        matrix = np.zeros((4, 4))
+        matrix[list(_ROWS_OF_STATE)] = np.outer(inverse[:, 1], gradient)
+        parts["K_phi spline"] = matrix
     kinematic = state_matrix(np.zeros((1, 3, 4)), np.zeros_like(model.system.linear))[0]
     if model.autopilot is not None:
         parts = {name: np.pad(matrix, (0, len(kinematic) - 4)) for name, matrix in parts.items()}

@@ -157,6 +157,8 @@ def _strongest(kind: Kind, model: Model, motion: Motion, result: Assessment, sha
     f = result.first_order
     by_restoring, by_both = f.q_paper[0, 0] - f.roll_rate[0], f.q[0, 0] - f.roll_rate[0]
     restoring = [name for name in model.terms if name in ("K_phiphiphi", "K_phi5", "K_phi7")]
+    if kind is Kind.FOLD and model.restoring is not None and by_restoring > 0.5 * by_both:
+        return "the righting curve", float(by_restoring)
     if kind is Kind.FOLD and restoring and by_restoring > 0.5 * by_both:
         roll = float(motion.amplitude[1])
         size = {

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import righting_polynomial, vanishing_angle
+from quartering.hull.righting import righting_polynomial, vanishing_angle, warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.motion.of_ship import ShipSystem, ship_system
@@ -101,8 +101,12 @@ def evaluate(
         done += (parts[i].stop - parts[i].start) * heights
         if progress is not None:
             progress(done, m * heights)
+    peaks = np.nan_to_num(results["roll_peak"].astype(float))
+    warn_of_polynomial(ship, float(peaks.max(initial=0.0)))
+    if ship.righting == "spline":
+        return results
     fitted = righting_polynomial(ship).max_angle
-    warn_outside_range(ship.name, int((np.nan_to_num(results["roll_peak"].astype(float)) > fitted).sum()), fitted)
+    warn_outside_range(ship.name, int((peaks > fitted).sum()), fitted)
     return results
 
 
@@ -140,7 +144,8 @@ def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
     }
     rows, beyond = max(1, BLOCK // height.size), 0
     for i, equations in enumerate(systems(ships, 2 * np.pi / length, u, mu, grid.form)):
-        limit, fitted = vanishing_angle(ships[i]), righting_polynomial(ships[i]).max_angle
+        limit = vanishing_angle(ships[i])
+        fitted = np.inf if ships[i].righting == "spline" else righting_polynomial(ships[i]).max_angle
         for start in range(0, u.size, rows):
             part = slice(start, min(start + rows, u.size))
             heights = np.broadcast_to(height, (part.stop - start, height.size))

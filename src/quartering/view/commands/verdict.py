@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 import numpy as np
 from rich.table import Table
 
-from quartering.hull.righting import vanishing_angle
+from quartering.hull.righting import vanishing_angle, warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
@@ -37,6 +37,8 @@ def judge(
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     model = equations(one, wave, speed, heading, form=chosen)
     motion = _within(vanishing_angle(one), steady_motion(model, harmonics, start="rest"))
+    if motion.status.ok:
+        warn_of_polynomial(one, math.degrees(motion.peak[1]))
     found = stability(model, motion)
     helps = [] if found.stable or not motion.status.ok else cures(one, wave, speed, heading)[:_MOST_CURES]
     entries = coefficients(one, model.frequency, speed).table()
