@@ -14,6 +14,7 @@ import yaml
 from quartering.conventions import WATER_DENSITY, InputError
 from quartering.hull.lines import hull_of
 from quartering.hull.offsets import Hull
+from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, ROLL_DAMPING, Loading, Ship, reloaded
 from quartering.hull.units import Kind, quantity, split_quantity
@@ -134,6 +135,9 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
     hull = replace(hull, section_method=keys.sections or (base.hull.section_method if base else "auto"))
     entries = _loading_entries(where, keys.loading, base_keys, base, hull)
     notes = _notes(keys, base, hull, entries)
+    method, keels = roll_method(entries["roll_damping"].value), _bilge_keels(where, keys, base, hull)
+    if method != "fraction":
+        notes["roll_damping"] = roll_damping_note(method, keels)
     given = {key: quantity(entry.value, "ratio", what=f"{where}: {key}") for key, entry in keys.coefficients.items()}
     return Ship(
         name=keys.name or (base.name if base else hull.name),
@@ -149,7 +153,22 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         velocity_scale=_velocity_scale(where, keys, base, hull),
         provenance=notes,
         measured=_measured(where, keys, base),
+        roll_method=method,
+        bilge_keels=keels,
     )
+
+
+def _bilge_keels(where: str, keys: ShipKeys, base: Ship | None, hull: Hull) -> BilgeKeels | None:
+    """Bilge keels in metres."""
+    given = keys.bilge_keels
+    if given is None:
+        return base.bilge_keels if base else None
+    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
+    one, other = (
+        quantity(value, "length", what=f"{where}: bilge_keels, {key}", **sizes)
+        for key, value in (("length", given.length), ("breadth", given.breadth))
+    )
+    return checked_bilge_keels(where, hull.length, hull.beam, (one, other))
 
 
 def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:

@@ -12,6 +12,7 @@ from typing import Literal, cast, get_args
 from quartering.conventions import WATER_DENSITY, InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull, Sections, at_draught
+from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.units import quantity
 from quartering.names import checked_values
 
@@ -30,7 +31,7 @@ class Loading:
     ----------
     gm, kg : float                          metacentric height, and height of G over the baseline [m]
     gyradius_roll, gyradius_yaw : float     k_xx, k_zz without added mass [m]
-    roll_damping : float                    added viscous roll damping, fraction of critical [1]
+    roll_damping : float                    added viscous roll damping, fraction of critical; 0 by a component method [1]
     density : float                         of the water [kg/m3]
     """
 
@@ -58,6 +59,8 @@ class Ship:
     velocity_scale : float or None           velocity at which the cross-flow drag is made cubic [m/s]; None: as documented
     provenance : mapping of str to str       for each value: published, derived, assumed or given, and its source
     measured : str or None                   measured manoeuvring set that replaces regression and cross-flow: name or file
+    roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
+    bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
     """
 
     name: str
@@ -70,6 +73,8 @@ class Ship:
     velocity_scale: float | None = None
     provenance: Mapping[str, str] = field(default_factory=dict)
     measured: str | None = None
+    roll_method: RollMethod = "fraction"
+    bilge_keels: BilgeKeels | None = None
 
     def __post_init__(self) -> None:
         for mapping in ("overrides", "multipliers", "provenance"):
@@ -88,6 +93,7 @@ class Ship:
         sections: Sections | None = None,
         coefficients: Mapping[str, float] | None = None,
         measured: str | None = None,
+        bilge_keels: tuple[float | str, float | str] | None = None,
     ) -> Ship:
         """The same ship with some values changed.
 
@@ -96,11 +102,12 @@ class Ship:
         gm, kg : float or str                          one of the two; the other follows from KM [m, or "0.05 B"]
         gyradius_roll, gyradius_yaw : float or str     [m, or "0.38 B"]
         draught : float or str                         another waterline of the same lines; G stays unless given [m]
-        roll_damping : float or str                    fraction of critical, 0 or more
+        roll_damping : float or str                    fraction of critical, 0 or more; or "ikeda", "ikeda-simplified"
         linear : str                                   "default" or "strip"
         sections : str                                 how section coefficients are found: "auto", "lewis" or "close-fit"
         coefficients : mapping of str to float         factors by name, times those already there
         measured : str                                 measured manoeuvring set, by name or file; "none" goes without
+        bilge_keels : (float or str, float or str)     length and breadth of one of the pair, for "ikeda" [m]; (0, 0): none
 
         Returns
         -------
@@ -132,6 +139,15 @@ class Ship:
         ]
         own = {*lengths, "roll_damping"}
         notes = {key: f"{'given' if key in own else 'derived'}: changed from the ship's own" for key in changed}
+        method = self.roll_method if roll_damping is None else roll_method(roll_damping)
+        keels = self.bilge_keels
+        if bilge_keels is not None:
+            length, breadth = (self._length("bilge_keels", value) for value in bilge_keels)
+            keels = checked_bilge_keels(self.name, hull.length, hull.beam, (length, breadth))
+        if method != "fraction" and (method, keels) != (self.roll_method, self.bilge_keels):
+            notes["roll_damping"] = roll_damping_note(method, keels)
+        elif method != self.roll_method:
+            notes["roll_damping"] = "given: changed from the ship's own"
         return replace(
             self,
             hull=hull,
@@ -140,7 +156,16 @@ class Ship:
             multipliers=_multiplied(self.multipliers, checked_values(self.name, coefficients or {})),
             provenance={**self.provenance, **notes},
             measured=self.measured if measured is None else None if measured == "none" else measured,
+            roll_method=method,
+            bilge_keels=keels,
         )
+
+    @property
+    def roll_damping_words(self) -> str:
+        """The added roll damping in words."""
+        if self.roll_method == "fraction":
+            return f"{self.loading.roll_damping:.3g} of critical"
+        return roll_damping_note(self.roll_method, self.bilge_keels).partition(": ")[2]
 
     def _length(self, key: str, value: float | str) -> float:
         hull = self.hull
@@ -174,7 +199,7 @@ def reloaded(
     loading : Loading                       what is not given is taken from here
     gm, kg : float                          at most one of them [m]
     gyradius_roll, gyradius_yaw : float     [m]
-    roll_damping : float or str             fraction of critical
+    roll_damping : float or str             fraction of critical; 0 by a component method
 
     Returns
     -------
@@ -220,9 +245,12 @@ def reloaded(
             raise InputError(
                 f"{name}: {key} = {radius:g} m; a radius of gyration is above 0; try {words} = {usual:.4g} m"
             )
-    damping = (
-        loading.roll_damping if roll_damping is None else quantity(roll_damping, "ratio", what=f"{name}: roll_damping")
-    )
+    if roll_damping is None:
+        damping = loading.roll_damping
+    elif roll_method(roll_damping) != "fraction":
+        damping = 0.0
+    else:
+        damping = quantity(roll_damping, "ratio", what=f"{name}: roll_damping")
     if not 0 <= damping <= 1:
         raise InputError(
             f"{name}: roll_damping = {damping:g}; it is a fraction of critical damping, from 0 to 1; try 0.05"

@@ -26,12 +26,15 @@ loading:
   {centre}
   gyradius_roll: {roll:<13} # radius of gyration in roll, without added mass; {roll_note}
   gyradius_yaw: {yaw:<14} # radius of gyration in yaw, without added mass; {yaw_note}
-  roll_damping: {damping:<14} # added viscous roll damping, fraction of critical; {damping_note}
+  roll_damping: {damping:<14} # added viscous roll damping, of critical, or ikeda, ikeda-simplified; {damping_note}
   water_density: {density:<13} # sea water 1025, fresh water 1000
 
 linear: {linear:<22} # sway-yaw derivatives: default (lift from regression) or strip (potential flow alone)
 sections: {sections:<20} # section coefficients: auto, lewis (ship-like sections, fast) or close-fit (any section)
 drag_coefficient: {drag:<12} # cross-flow drag of the sections, 1; gives the cubic coefficients; {drag_note}
+
+# Bilge keels, one of the pair; ikeda and ikeda-simplified allow for them (remove the # to use it).
+# bilge_keels: {{length: 0.25 L, breadth: 0.02 B}}
 
 # Coefficients you know, in SI about G, by their SNAME names; they replace the estimates (remove the # to use them).
 # coefficients:

@@ -190,7 +190,9 @@ def measured_sources(ship: Ship, parts: MeasuredParts, others: Mapping[str, tupl
 
     if ship.linear == "default":
         said |= {n: f"{by(n)}; and wave damping of the strips at omega" for row in LINEAR_NAMES for n in row}
-        viscous = f"{ship.loading.roll_damping:g} of critical ({ship.provenance.get('roll_damping', 'given')})"
+        viscous = ship.provenance.get("roll_damping", "given")
+        if ship.roll_method == "fraction":
+            viscous = f"{ship.loading.roll_damping:g} of critical ({viscous})"
         said["K_p"] += ("; the larger of it and " if parts.roll_damping.any() else "; and ") + viscous
         given = ~np.isnan(parts.added)
         slow = "at omega -> 0, its change with frequency from the strips"

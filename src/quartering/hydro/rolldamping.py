@@ -172,7 +172,7 @@ def roll_damping(
     frequency : float        omega > 0 of the roll [rad/s]
     amplitude_deg : float    phi_a > 0 [deg]
     method : str             "ikeda" from the lines, "simplified" from the main particulars, "fraction" of critical
-    bilge_keel : tuple       (length, breadth) of one keel of the pair [m]; None: none
+    bilge_keel : tuple       (length, breadth) of one keel of the pair [m]; None: the ship's own, if it has any
 
     Returns
     -------
@@ -213,7 +213,8 @@ def roll_damping(
         warnings.warn(message, RangeWarning, stacklevel=2)
     hull = particulars(ship)
     motion = Rolling(frequency, np.radians(amplitude_deg) * np.append(1.0, AMPLITUDES), speed)
-    keel = None if bilge_keel is None else checked_keel(hull, *bilge_keel)
+    sizes = ship.bilge_keels if bilge_keel is None else bilge_keel
+    keel = None if sizes is None else checked_keel(hull, *sizes)
     potential = 0.0 if method == "fraction" else _potential_wave(ship, frequency)
     if method == "fraction":
         parts = _fraction_of_critical(ship, motion)

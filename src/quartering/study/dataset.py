@@ -162,7 +162,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
     'modified Struble method'
     """
     c = coefficients(ship, 0.5, 0.0)
-    estimated = [entry.name for entry in c.table() if entry.kind in ("regression", "cross-flow")]
+    estimated = [entry.name for entry in c.table() if entry.kind in ("regression", "cross-flow", "estimated")]
     hull, loading = ship.hull, ship.loading
     return {
         "title": f"Roll response and stability of {ship.name} in regular oblique waves",
@@ -171,7 +171,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
         "ship_beam": hull.beam,
         "ship_draught": hull.draught,
         "loading": f"GM {loading.gm:.4g} m, KG {loading.kg:.4g} m, k_xx {loading.gyradius_roll:.4g} m,"
-        f" k_zz {loading.gyradius_yaw:.4g} m, added roll damping {loading.roll_damping:.3g} of critical",
+        f" k_zz {loading.gyradius_yaw:.4g} m, added roll damping {ship.roll_damping_words}",
         "natural_roll_frequency": c.roll_frequency,
         "provenance": "; ".join(f"{key}: {text}" for key, text in ship.provenance.items()),
         "coefficient_sources": "; ".join(f"{e.name}: {e.source}" for e in c.table()),
