@@ -14,6 +14,7 @@ import yaml
 from quartering.conventions import WATER_DENSITY, InputError
 from quartering.hull.lines import hull_of
 from quartering.hull.offsets import Hull
+from quartering.hull.own_database import Database, database_of
 from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, ROLL_DAMPING, Loading, Ship, reloaded
@@ -155,6 +156,7 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         measured=_measured(where, keys, base),
         roll_method=method,
         bilge_keels=keels,
+        database=_database(where, keys, base),
     )
 
 
@@ -179,6 +181,22 @@ def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:
         return None
     beside = Path(where).parent / keys.measured
     return str(beside) if beside.is_file() else keys.measured
+
+
+def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:
+    """Own coefficients of a ship: a file seen from the folder of the ship file."""
+    given = keys.database
+    if given is None:
+        return base.database if base else None
+    if given.file == "none":
+        return None
+    return database_of(
+        Path(where).parent / given.file,
+        where,
+        midship=given.midship,
+        moments_about=given.moments_about,
+        length=given.length,
+    )
 
 
 def _base(where: str, keys: ShipKeys) -> tuple[Ship | None, ShipKeys | None]:

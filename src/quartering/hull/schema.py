@@ -103,6 +103,15 @@ class LinesKeys(_Strict):
     outline: Literal["smooth", "straight"] = "straight"
 
 
+class DatabaseKeys(_Strict):
+    """`database:` a Capytaine netCDF or WAMIT's .1; midship and the point of the moments in its axes, ULEN of WAMIT [m]."""
+
+    file: str
+    midship: float = 0.0
+    moments_about: tuple[float, float] | None = None
+    length: float = 1.0
+
+
 def _lines(given: Any) -> Any:
     return {"file": given} if isinstance(given, str) else given
 
@@ -127,6 +136,7 @@ class ShipKeys(_Strict):
     linear: Literal["default", "strip"] | None = None
     sections: Literal["auto", "lewis", "close-fit"] | None = None
     measured: str | None = None
+    database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
     bilge_keels: BilgeKeelKeys | None = None
     drag_coefficient: Given | None = None
     velocity_scale: Given | None = None
@@ -220,6 +230,7 @@ def _keys_at(location: list[Any]) -> list[str]:
         "stations": StationKeys,
         "lines": LinesKeys,
         "bilge_keels": BilgeKeelKeys,
+        "database": DatabaseKeys,
     }
     parents = [part for part in location[:-1] if isinstance(part, str)]
     model: type[_Strict] = ShipKeys

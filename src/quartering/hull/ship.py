@@ -12,6 +12,7 @@ from typing import Literal, cast, get_args
 from quartering.conventions import WATER_DENSITY, InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull, Sections, at_draught
+from quartering.hull.own_database import Database, database_of
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.units import quantity
 from quartering.names import checked_values
@@ -61,6 +62,7 @@ class Ship:
     measured : str or None                   measured manoeuvring set that replaces regression and cross-flow: name or file
     roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
     bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
+    database : Database or None              own coefficients and wave forces in place of strip theory
     """
 
     name: str
@@ -75,6 +77,7 @@ class Ship:
     measured: str | None = None
     roll_method: RollMethod = "fraction"
     bilge_keels: BilgeKeels | None = None
+    database: Database | None = None
 
     def __post_init__(self) -> None:
         for mapping in ("overrides", "multipliers", "provenance"):
@@ -94,6 +97,7 @@ class Ship:
         coefficients: Mapping[str, float] | None = None,
         measured: str | None = None,
         bilge_keels: tuple[float | str, float | str] | None = None,
+        database: Database | str | Path | None = None,
     ) -> Ship:
         """The same ship with some values changed.
 
@@ -108,6 +112,7 @@ class Ship:
         coefficients : mapping of str to float         factors by name, times those already there
         measured : str                                 measured manoeuvring set, by name or file; "none" goes without
         bilge_keels : (float or str, float or str)     length and breadth of one of the pair, for "ikeda" [m]; (0, 0): none
+        database : Database, str or Path               own coefficients and wave forces: a file; "none" goes without
 
         Returns
         -------
@@ -128,6 +133,11 @@ class Ship:
         (1.2, 6.1773, 0.5)
         """
         hull = self.hull if draught is None else at_draught(self.hull, self._length("draught", draught))
+        if self.database is not None and database is None and not math.isclose(hull.draught, self.hull.draught):
+            raise InputError(
+                f"{self.name}: {self.database.name} is of draught {self.hull.draught:g} m, and {hull.draught:g} m is asked "
+                'for; give the database of that draught too, or database="none"'
+            )
         if sections is not None:
             hull = replace(hull, section_method=checked_sections(self.name, sections))
         given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
@@ -158,7 +168,13 @@ class Ship:
             measured=self.measured if measured is None else None if measured == "none" else measured,
             roll_method=method,
             bilge_keels=keels,
+            database=self.database if database is None else _database(self.name, database),
         )
+
+    @property
+    def radiation_words(self) -> str:
+        """Where added mass, wave damping and wave forces come from, in words."""
+        return "the strips" if self.database is None else self.database.name
 
     @property
     def roll_damping_words(self) -> str:
@@ -172,6 +188,12 @@ class Ship:
         return quantity(
             value, "length", length=hull.length, beam=hull.beam, draught=hull.draught, what=f"{self.name}: {key}"
         )
+
+
+def _database(name: str, given: Database | str | Path) -> Database | None:
+    if isinstance(given, Database):
+        return given
+    return None if given == "none" else database_of(given, name)
 
 
 def _multiplied(own: Mapping[str, float], factors: Mapping[str, float]) -> dict[str, float]:

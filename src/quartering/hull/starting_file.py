@@ -36,6 +36,9 @@ drag_coefficient: {drag:<12} # cross-flow drag of the sections, 1; gives the cub
 # Bilge keels, one of the pair; ikeda and ikeda-simplified allow for them (remove the # to use it).
 # bilge_keels: {{length: 0.25 L, breadth: 0.02 B}}
 
+# Your own coefficients and wave forces at zero speed, in place of strip theory: a file of Capytaine or WAMIT beside this one.
+# database: {{file: my.nc, midship: 0.0}}      # midship in the file's axes, m; moments_about: [x, z], and length (ULEN) of a .1
+
 # Coefficients you know, in SI about G, by their SNAME names; they replace the estimates (remove the # to use them).
 # coefficients:
 #   K_ppp: -2.0e8               # kg m2 s

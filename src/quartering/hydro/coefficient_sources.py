@@ -9,7 +9,7 @@ from quartering.hydro.crossflow import reference_velocity
 from quartering.hydro.ship_damping import AMPLITUDE, MODULUS
 from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES
 
-Kind = Literal["measured", "regression", "strip", "cross-flow", "estimated", "derived", "given"]
+Kind = Literal["measured", "regression", "strip", "database", "cross-flow", "estimated", "derived", "given"]
 
 
 def coefficient_sources(ship: Ship) -> dict[str, tuple[Kind, str]]:
@@ -35,7 +35,8 @@ def coefficient_sources(ship: Ship) -> dict[str, tuple[Kind, str]]:
     """
     loading, scale = ship.loading, ship.velocity_scale or reference_velocity(ship.hull.length)
     said = {key: ship.provenance.get(key, "given") for key in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping")}
-    waves = "wave damping of the strips"
+    potential: Kind = "strip" if ship.database is None else "database"
+    waves = f"wave damping of {ship.radiation_words}"
     lift, lever = "estimated: Clarke's regression", "estimated: Clarke's regression at half draught"
     sources: dict[str, tuple[Kind, str]] = {
         "m": ("derived", "displacement of the lines"),
@@ -43,12 +44,19 @@ def coefficient_sources(ship: Ship) -> dict[str, tuple[Kind, str]]:
         "I_z": ("derived", f"m k_zz^2; k_zz {said['gyradius_yaw']}"),
         "I_xz": ("derived", "principal axes"),
     }
-    sources |= {name: ("strip", "added mass of the strips at omega") for row in INERTIA_NAMES for name in row}
+    sources |= {
+        name: (potential, f"added mass of {ship.radiation_words} at omega") for row in INERTIA_NAMES for name in row
+    }
     for name in (name for row in LINEAR_NAMES for name in row):
         levered = "K" in name or "p" in name
         sources[name] = ("regression", f"{lever if levered else lift}, and {waves} at omega")
         if ship.linear == "strip":
-            sources[name] = ("strip", "strip theory with speed terms at omega; no lift")
+            by = "strip theory with speed terms at omega"
+            if ship.database is not None:
+                by = (
+                    f"{ship.radiation_words} at omega, zero speed, and strip theory's speed terms without the aft end's"
+                )
+            sources[name] = (potential, f"{by}; no lift")
     kind, source = sources["K_p"]
     if ship.roll_method == "fraction":
         sources["K_p"] = (kind, f"{source}, and {loading.roll_damping:g} of critical ({said['roll_damping']})")

@@ -22,7 +22,7 @@ from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
-from quartering.hydro.moments import hull_moments
+from quartering.hydro.own_moments import check_frequencies, ship_moments
 from quartering.hydro.rolldamping import free_roll
 from quartering.hydro.ship_damping import MODULUS, AddedDamping, added_damping, damping_references
 from quartering.hydro.strip import derivatives_from_moments, frequency_floor
@@ -198,7 +198,8 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
 
     Raises
     ------
-    InputError    a frequency or speed that is not a number, a negative speed, a multiplier of what has no value
+    InputError    a frequency or speed that is not a number, a negative speed, a multiplier of what has no value; a
+                  frequency the ship's own database does not hold
 
     Notes
     -----
@@ -207,6 +208,8 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     linear "strip": strip theory with its speed terms, U/omega^2 held below 0.15 sqrt(g/B), aft terms for a transom.
     Both: K_p has the added roll damping -2 zeta n2 (I_x + a44(n2)); Y_r has -m U. The ship's own coefficients
     (overrides, SI about G, Y_r without -m U) replace, multipliers scale.
+    A ship with its own database has added mass and wave damping from there, at zero speed; "strip" adds the same speed
+    terms without those of the aft end.
     A measured set, with linear "default", takes the place of the regression and of the cross-flow; of its added mass the
     value at omega -> 0 counts, where it was measured, and the change with frequency stays that of the strips; of its
     roll damping and the ship's added roll damping (at 10 deg) the larger counts, since both describe the same loss.
@@ -232,6 +235,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         sources |= {name: ("measured", said) for name, said in measured_sources(ship, measured, sources).items()}
     given = _Given(ship, sources)
     roll = free_roll(ship)
+    check_frequencies(ship, np.append(omega, roll.frequency))
     body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
     linear, added = _velocity_and_added_mass(ship, omega, u, lift)
     viscous = _beyond_measured(added_damping(ship, u, roll), lift)
@@ -288,7 +292,8 @@ def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:
     lift = ("Clarke83",) if ship.linear == "default" else ()
     drag = ("Hoerner65",) if measured is None or not measured.drag else ()
     own = (measured.reference,) if measured else lift
-    return ("H71", "STF70", "Tasai61", *drag, *own, *damping_references(ship))
+    water = ("STF70", "Tasai61") if ship.database is None else (ship.database.reference,)
+    return ("H71", *water, *drag, *own, *damping_references(ship))
 
 
 def _velocity_and_added_mass(
@@ -296,7 +301,7 @@ def _velocity_and_added_mass(
 ) -> tuple[Floats, Floats]:
     """Velocity and acceleration derivatives of the hull before overrides, (n, 3, 3) each."""
     z0 = ship.loading.kg - ship.hull.draught
-    at = hull_moments(ship.hull, ship.loading.density).at(omega).about(hydrostatics(ship).lcb, z0)
+    at = ship_moments(ship).at(omega).about(hydrostatics(ship).lcb, z0)
     if ship.linear == "strip":
         floor = frequency_floor(ship.hull.beam)
         return derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
@@ -305,7 +310,7 @@ def _velocity_and_added_mass(
         if ship.roll_method != "fraction":
             lift[:, 1, 1] = 0.0  # the component method has the lift of a rolling hull
         return lift - moment_matrix(at.b), -moment_matrix(at.a)
-    slow = hull_moments(ship.hull, ship.loading.density).at(0.0).about(hydrostatics(ship).lcb, z0)
+    slow = ship_moments(ship).at(0.0).about(hydrostatics(ship).lcb, z0)
     return measured.linear - moment_matrix(at.b), added_mass_shift(measured, -moment_matrix(slow.a)) - moment_matrix(
         at.a
     )

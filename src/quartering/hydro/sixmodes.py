@@ -13,10 +13,11 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
+from quartering.hull.strips import has_transom
 from quartering.hydro.lewis import added_mass_at_infinite_frequency
 from quartering.hydro.multipole import radiation
 from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
-from quartering.hydro.strip import frequency_floor, has_transom
+from quartering.hydro.strip import frequency_floor
 from quartering.hydro.surge import spheroid_surge
 from quartering.hydro.table import SectionTable, radiation_table
 

@@ -14,7 +14,7 @@ from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, SYMBOLS
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
-from quartering.loads.forces import FORMS, Form
+from quartering.loads.forces import Form, form_words
 from quartering.motion.status import Status
 from quartering.stability.first_order import RESONANCES
 from quartering.stability.kind import Kind
@@ -180,7 +180,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
         "axes": "body axes: x to the bow, y to starboard, z down, origin at G",
         "heading_convention": HEADING_CONVENTION,
         "reference_point": REFERENCE_POINT,
-        "diffraction": FORMS[form],
+        "diffraction": form_words(ship, form),
         "steady_motion": "modified Struble method" if harmonics == 1 else f"harmonic balance to order {harmonics}",
         "references": ", ".join(dict.fromkeys(("H71", "STF70", *c.references))),
         "Conventions": "CF-1.8",
