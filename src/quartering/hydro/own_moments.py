@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
@@ -9,11 +10,14 @@ from typing import NamedTuple
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from quartering.conventions import GRAVITY, InputError
+from quartering.conventions import GRAVITY, InputError, RangeWarning
+from quartering.hull.offsets import Hull
 from quartering.hull.own_database import Database, content_digest
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.capytaine_file import read_capytaine_file
+from quartering.hydro.database_check import likeness, soundness
+from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.moments import HullMoments, hull_moments
 from quartering.hydro.placed import Placed, placed
 from quartering.hydro.raw_database import RawDatabase
@@ -100,6 +104,10 @@ def ship_moments(ship: Ship) -> HullMoments:
     ------
     InputError     what `own_database` refuses
 
+    Warns
+    -----
+    RangeWarning   once for a database and hull: what `soundness` and `likeness` find
+
     Notes
     -----
     Source: [STF70] integrals over the length; the database's matrices are those integrals without strips.
@@ -113,7 +121,20 @@ def ship_moments(ship: Ship) -> HullMoments:
     density = ship.loading.density
     if ship.database is None:
         return hull_moments(ship.hull, density)
+    _warn_of_findings(ship.hull, ship.database, density)
     return _database_moments(ship.database, density)
+
+
+@lru_cache(maxsize=8)
+def _warn_of_findings(hull: Hull, database: Database, density: float) -> None:
+    """One warning, when a database is first used for a hull, of what is wrong with it or does not fit the ship."""
+    own = own_database(database, density)
+    middle = own.frequency.size // 2
+    by_strips = moment_matrix(hull_moments(hull, density).at(own.frequency[middle]).a)
+    found = soundness(own.frequency, own.at.added_mass, own.at.damping)
+    found += likeness(own.at.added_mass[middle], by_strips, hull.draught)
+    if found:
+        warnings.warn(f"{database.name}: {'; '.join(found)}", RangeWarning, stacklevel=4)
 
 
 @lru_cache(maxsize=8)

@@ -183,8 +183,9 @@ def _outlines(strips: Strips, forms: LewisForms, method: Method) -> dict[int, Ou
         if method == "auto" and not s.y[i].any():
             continue
         outline = strip_outline(
-            s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]), f"section {i}"
-        )
+            s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]),
+            f"section {i + 1} (x = {s.x[i]:g} m)",
+        )  # fmt: skip
         like = not (forms.clipped[i] or forms.stretched[i]) and contour_difference(outline, forms, i) < LEWIS_LIKE
         if method == "close-fit" or not like:
             chosen[i] = outline
