@@ -11,13 +11,15 @@ from numpy.typing import ArrayLike
 
 from quartering.conventions import WATER_DENSITY, InputError, RangeWarning
 from quartering.hull.section import Floats, Section
-from quartering.hydro.closefit import PANELS, close_fit
+from quartering.hydro.closefit import close_fit
 from quartering.hydro.lewis import LewisForms, area_coefficient_limits, lewis_forms
 from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
 from quartering.hydro.multipole import Radiation, radiation
 from quartering.hydro.outline import Outline, section_outline
 from quartering.hydro.table import Method
 
+PANELS: Final = 50
+"""Panels on the half contour: within 0.3 % on flat forms with sharp bilges, on which 25 miss heave by 2 %."""
 _VARIABLES: Final = {
     "a22": ("kg m-1", "sway added mass per metre of length"),
     "b22": ("kg m-1 s-1", "sway wave damping per metre of length"),

@@ -248,7 +248,7 @@ def _ship_derivatives(ship: Ship, omega: Floats, speed: float, low_frequency: Lo
     hull, loading = ship.hull, ship.loading
     immersed, manoeuvring = strips(hull), low_frequency == "manoeuvring"
     ascending, back = np.unique(np.zeros(1) if manoeuvring else omega, return_inverse=True)
-    table = radiation_table(immersed, ascending, loading.density)
+    table = radiation_table(immersed, ascending, loading.density, method=hull.section_method)
     x_g, z0 = hydrostatics(ship).lcb, loading.kg - hull.draught
     a, b = (about_gravity_centre(c[back], z0) for c in (table.a, table.b))
     floor = frequency_floor(hull.beam) if low_frequency == "cap" else np.inf

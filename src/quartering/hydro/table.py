@@ -173,19 +173,40 @@ def _table(arrays: Mapping[str, NDArray[Any]], density: float) -> SectionTable:
     return SectionTable(**flat, forms=forms, density=float(density))
 
 
+def own_outline(strips: Strips, section: int) -> Outline:
+    """Outline of one section's own contour.
+
+    Parameters
+    ----------
+    strips : Strips
+    section : int     which, counted from 0
+
+    Returns
+    -------
+    Outline
+
+    Raises
+    ------
+    InputError        it has no contour points or no breadth: named by number and place
+
+    Notes
+    -----
+    Source: geometry, `strip_outline`.
+    """
+    s, i = strips, section
+    called = f"section {i + 1} (x = {s.x[i]:g} m)"
+    return strip_outline(s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]), called)
+
+
 def _outlines(strips: Strips, forms: LewisForms, method: Method) -> dict[int, Outline]:
     """Outlines of the sections that are to be solved on their own contours, by number."""
     if method == "lewis" or (method == "auto" and strips.y.shape[1] < FEWEST_POINTS):
         return {}
-    s = strips
     chosen = {}
-    for i in range(s.y.shape[0]):
-        if method == "auto" and not s.y[i].any():
+    for i in range(strips.y.shape[0]):
+        if method == "auto" and not strips.y[i].any():
             continue
-        outline = strip_outline(
-            s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]),
-            f"section {i + 1} (x = {s.x[i]:g} m)",
-        )  # fmt: skip
+        outline = own_outline(strips, i)
         like = not (forms.clipped[i] or forms.stretched[i]) and contour_difference(outline, forms, i) < LEWIS_LIKE
         if method == "close-fit" or not like:
             chosen[i] = outline
