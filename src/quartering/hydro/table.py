@@ -25,6 +25,7 @@ from quartering.hydro.lewis import (
 from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
 from quartering.hydro.multipole import CONTOUR_POINTS, Radiation, radiation
 from quartering.hydro.outline import Outline, strip_outline
+from quartering.hydro.resolution import warn_of_mismatch, worst
 from quartering.hydro.wavemaker import Complexes
 
 Method = Literal["auto", "lewis", "close-fit"]
@@ -104,6 +105,10 @@ def radiation_table(
     InputError               frequencies not ascending, negative or not finite; density not positive; unknown method;
                              "close-fit" for strips without contour points
 
+    Warns
+    -----
+    RangeWarning             the damping of a section on its own contour differs by pressure and by waves: section, frequency
+
     Notes
     -----
     A table of 8 frequencies or more is kept on disk (`quartering.cache`) by its content and that of the source.
@@ -128,12 +133,20 @@ def radiation_table(
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
     if method not in get_args(Method):
         raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Method))}")
+    found = dict(_found(strips, w, density, points, method))
+    names = [f"section {i + 1} (x = {x:g} m)" for i, x in enumerate(strips.x)]
+    warn_of_mismatch(found.pop("mismatch"), names, stacklevel=2)
+    return _table(found, density)
+
+
+def _found(strips: Strips, w: Floats, density: float, points: int, method: Method) -> Mapping[str, NDArray[Any]]:
+    """Arrays of a table by name, from disk where they are worth keeping."""
     if w.size < FEWEST_KEPT:
-        return _table(_solved(strips, w, density, points, method), density)
+        return _solved(strips, w, density, points, method)
     s = strips
     content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), points, method)
     name = f"sections-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    return _table(remembered(name, lambda: _solved(strips, w, density, points, method)), density)
+    return remembered(name, lambda: _solved(strips, w, density, points, method))
 
 
 def _solved(strips: Strips, w: Floats, density: float, points: int, method: Method) -> dict[str, NDArray[Any]]:
@@ -143,7 +156,7 @@ def _solved(strips: Strips, w: Floats, density: float, points: int, method: Meth
     zero = added_mass_at_zero_frequency(forms, density)
     infinite = added_mass_at_infinite_frequency(forms, density)[0]
     chosen = _outlines(strips, forms, method)
-    own = np.array(sorted(chosen), dtype=np.intp)
+    own, mismatch = np.array(sorted(chosen), dtype=np.intp), np.zeros((2, forms.scale.size))
     if own.size:
         outlines, fine = [chosen[s] for s in own], REFINEMENT * (points + 1)
         fitted = close_fit(outlines, w, "lateral", density=density, panels=points + 1)
@@ -151,6 +164,7 @@ def _solved(strips: Strips, w: Floats, density: float, points: int, method: Meth
         fitted = replace(fitted, added_mass=refined.added_mass, damping=refined.damping)
         lateral = _replaced(lateral, own, fitted)
         zero[own], infinite[own], _ = close_fit_limits(outlines, density, panels=fine)
+        mismatch[:, own] = worst(refined.residual, w)
     return {
         "frequency": w,
         "a": _triplet(lateral.added_mass),
@@ -162,6 +176,7 @@ def _solved(strips: Strips, w: Floats, density: float, points: int, method: Meth
         "psi": lateral.potential,
         "a_zero": zero,
         "a_infinite": infinite,
+        "mismatch": mismatch,
         "close_fit": np.isin(np.arange(forms.scale.size), own),
     } | {f"forms.{field.name}": getattr(forms, field.name) for field in fields(forms)}
 
