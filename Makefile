@@ -22,6 +22,7 @@ bench: $(VENV)/.dev
 	$(BIN)/python benchmarks/polar.py
 	$(BIN)/python benchmarks/start_up.py
 	$(BIN)/python benchmarks/verdict_agreement.py
+	$(BIN)/python benchmarks/hull_database.py
 
 $(VENV)/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \

@@ -4,8 +4,10 @@ The compiler's cache looks at a kernel's own file only; a kernel whose callee in
 """
 
 import hashlib
+import os
 from pathlib import Path
 
+import pytest
 from hypothesis import settings
 
 SOURCES = Path(__file__).parents[1] / "src" / "quartering"
@@ -25,3 +27,16 @@ def pytest_configure(config):
     for compiled in SOURCES.rglob("__pycache__/*.nb[ic]"):
         compiled.unlink(missing_ok=True)
     config.cache.set("quartering/kernels", digest.hexdigest())
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _own_cache(tmp_path_factory):
+    """Section tables are kept in a folder of this run, shared by its workers and apart from the user's."""
+    before, folder = os.environ.get("QUARTERING_CACHE"), tmp_path_factory.getbasetemp()
+    run = folder.parent if "PYTEST_XDIST_WORKER" in os.environ else folder
+    os.environ["QUARTERING_CACHE"] = str(run / "section-tables")
+    yield
+    if before is None:
+        del os.environ["QUARTERING_CACHE"]
+    else:
+        os.environ["QUARTERING_CACHE"] = before

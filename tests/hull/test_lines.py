@@ -262,6 +262,13 @@ def test_offsets_that_cannot_be_a_hull_are_named_by_station_and_waterline(given_
         assert word in str(refusal.value)
 
 
+def test_a_station_above_the_water_between_others_is_refused_and_an_overhang_is_not() -> None:
+    dry = ([0.0, 5.0, 5.0], [4.5, 4.5, 6.0])
+    with pytest.raises(InputError, match=r"barge: station 4 \(x = 0 m\) lies above the water.*4.5 m.*draught 4 m"):
+        strips(hull_from_offsets("barge", **_with_side(3, *dry)))
+    assert len(strips(hull_from_offsets("barge", **_with_side(0, *dry))).x) == 6
+
+
 @pytest.mark.parametrize("points", [0, 6, 13])
 def test_strips_refuse_a_number_of_points_they_cannot_place(points: int) -> None:
     with pytest.raises(InputError, match="even number"):

@@ -168,9 +168,10 @@ def test_ordinary_lewis_sections_agree_with_the_multipole_solution_to_a_thousand
 @given(ratio=st.floats(0.1, 10.0), share=st.floats(0.1, 0.85))
 @example(ratio=6.0625, share=0.849609375)
 def test_close_fit_and_multipoles_agree_on_lewis_sections(ratio, share):
-    """Independent methods, 0.1 < nu b < 4: within 2 % of the curve's maximum for any form, on the 50 panels ships use.
+    """Independent methods, 0.1 < nu b < 4: within 2 % of the curve's maximum for any form.
 
-    On 25 panels the example, a flat form with a sharp bilge near the limit of its area, misses heave by 2.03 %.
+    On 50 panels, which ships and `section_coefficients` use. The example, a flat form with a sharp bilge near the limit of
+    its area, is missed in heave by 2.03 % on 25 panels and by 0.04 % on 50.
     """
     b, T = min(ratio, 1.0), min(1.0 / ratio, 1.0)
     low, high = 3 * np.pi / 32 * (2 - min(b / T, T / b)), np.pi / 32 * (10 + b / T + T / b)

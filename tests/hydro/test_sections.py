@@ -101,7 +101,8 @@ def test_interpolation_outside_the_table_holds_added_mass_and_lets_damping_vanis
         interpolate(t, [-1.0])
 
 
-def test_table_of_a_ship_takes_less_than_half_a_second():
+def test_table_of_a_ship_takes_less_than_half_a_second(monkeypatch):
+    monkeypatch.setenv("QUARTERING_CACHE", "off")
     sections = bare_strips(np.linspace(0.2, 8.75, 25), 7.0, np.linspace(0.2, 8.75, 25) * 11.0)
     w = np.linspace(0.05, 2.6, 60)
     radiation_table(sections, w, DENSITY)

@@ -14,7 +14,7 @@ import pytest
 import xarray as xr
 
 import quartering as qt
-from quartering.study import store as stores
+from quartering import publish
 from quartering.study.grid import grid
 from quartering.study.result import open_result
 from quartering.study.sweep import fill
@@ -152,7 +152,7 @@ def test_a_full_disk_loses_nothing_and_says_what_to_do(stored, tmp_path, monkeyp
         written.append(target)
         replace(source, target)
 
-    monkeypatch.setattr(stores.os, "replace", filling)
+    monkeypatch.setattr(publish.os, "replace", filling)
     with pytest.raises(qt.InputError, match=r"No space left on device.*finished blocks are kept.*free"):
         qt.sweep(SHIP, **CONDITIONS, store=folder)
     monkeypatch.undo()

@@ -33,7 +33,7 @@ def strips(hull: Hull, points: int = 24) -> Strips:
 
     Raises
     ------
-    InputError    points odd, or below 8
+    InputError    points odd, or below 8; no station in the water, or one above it between others that are not
 
     Notes
     -----
@@ -56,6 +56,7 @@ def strips(hull: Hull, points: int = 24) -> Strips:
     wet = list(hull.wet)
     if not wet:
         raise InputError(f"{hull.name}: no station reaches below the waterline at draught {hull.draught:g} m")
+    _refuse_gaps(hull, wet)
     if hull.shape == "offsets":
         nodes = [_offset_nodes(hull, i, points) for i in wet]
         breadth = np.array([_waterline_breadth(hull, i) for i in wet])
@@ -70,6 +71,17 @@ def strips(hull: Hull, points: int = 24) -> Strips:
     for field in fields:
         field.flags.writeable = False
     return Strips(*fields)
+
+
+def _refuse_gaps(hull: Hull, wet: list[int]) -> None:
+    """Only the ends may rise out of the water."""
+    dry = [i for i in range(wet[0], wet[-1]) if i not in set(wet)]
+    if dry:
+        raise InputError(
+            f"{hull.name}: station {dry[0] + 1} (x = {hull.x[dry[0]]:g} m) lies above the water (lowest point "
+            f"{hull.contours[dry[0]][1][0]:g} m over the baseline, draught {hull.draught:g} m) between stations that float; "
+            "check the heights of its offsets"
+        )
 
 
 def _offset_nodes(hull: Hull, station: int, points: int) -> Nodes:

@@ -15,6 +15,8 @@ from quartering.conventions import WATER_DENSITY, InputError
 from quartering.hull.autopilot import ASPECT, Autopilot, Rudder
 from quartering.hull.lines import hull_of
 from quartering.hull.offsets import Hull
+from quartering.hull.own_database import Database, database_of
+from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, ROLL_DAMPING, Loading, Ship, reloaded
 from quartering.hull.units import Kind, quantity, split_quantity
@@ -135,6 +137,9 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
     hull = replace(hull, section_method=keys.sections or (base.hull.section_method if base else "auto"))
     entries = _loading_entries(where, keys.loading, base_keys, base, hull)
     notes = _notes(keys, base, hull, entries)
+    method, keels = roll_method(entries["roll_damping"].value), _bilge_keels(where, keys, base, hull)
+    if method != "fraction":
+        notes["roll_damping"] = roll_damping_note(method, keels)
     given = {key: quantity(entry.value, "ratio", what=f"{where}: {key}") for key, entry in keys.coefficients.items()}
     return Ship(
         name=keys.name or (base.name if base else hull.name),
@@ -153,6 +158,9 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         autopilot=_autopilot(where, keys, base),
         rudder=_rudder(where, keys, base),
         righting=keys.righting or (base.righting if base else "polynomial"),
+        roll_method=method,
+        bilge_keels=keels,
+        database=_database(where, keys, base),
     )
 
 
@@ -182,6 +190,19 @@ def _rudder(where: str, keys: ShipKeys, base: Ship | None) -> Rudder | None:
         raise InputError(f"{where}: {error}") from None
 
 
+def _bilge_keels(where: str, keys: ShipKeys, base: Ship | None, hull: Hull) -> BilgeKeels | None:
+    """Bilge keels in metres."""
+    given = keys.bilge_keels
+    if given is None:
+        return base.bilge_keels if base else None
+    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
+    one, other = (
+        quantity(value, "length", what=f"{where}: bilge_keels, {key}", **sizes)
+        for key, value in (("length", given.length), ("breadth", given.breadth))
+    )
+    return checked_bilge_keels(where, hull.length, hull.beam, (one, other))
+
+
 def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:
     """Measured set of a ship: a name, or a file seen from the folder of the ship file."""
     if keys.measured is None:
@@ -190,6 +211,22 @@ def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:
         return None
     beside = Path(where).parent / keys.measured
     return str(beside) if beside.is_file() else keys.measured
+
+
+def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:
+    """Own coefficients of a ship: a file seen from the folder of the ship file."""
+    given = keys.database
+    if given is None:
+        return base.database if base else None
+    if given.file == "none":
+        return None
+    return database_of(
+        Path(where).parent / given.file,
+        where,
+        midship=given.midship,
+        moments_about=given.moments_about,
+        length=given.length,
+    )
 
 
 def _base(where: str, keys: ShipKeys) -> tuple[Ship | None, ShipKeys | None]:

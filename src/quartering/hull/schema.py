@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from quartering.conventions import InputError
+from quartering.hull.roll_method import roll_method
 from quartering.hull.units import split_quantity
 
 _ALLOWED = {
@@ -28,6 +29,10 @@ def _entry(given: Any) -> Any:
     return given if isinstance(given, (dict, Entry)) else {"value": given}
 
 
+def _damping(given: Any) -> Any:
+    return given if roll_method(given) != "fraction" else _value(given)
+
+
 Value = Annotated[float | str, BeforeValidator(_value)]
 
 
@@ -46,6 +51,12 @@ class Entry(_Strict):
 Given = Annotated[Entry, BeforeValidator(_entry)]
 
 
+class DampingEntry(Entry):
+    """A roll damping: a fraction of critical, or the name of a method."""
+
+    value: Annotated[float | str, BeforeValidator(_damping)]
+
+
 class LoadingKeys(_Strict):
     """`loading:` gm or kg [m], gyradius_roll and gyradius_yaw [m], roll_damping [of critical], water_density [kg/m3]."""
 
@@ -53,8 +64,15 @@ class LoadingKeys(_Strict):
     kg: Given | None = None
     gyradius_roll: Given | None = None
     gyradius_yaw: Given | None = None
-    roll_damping: Given | None = None
+    roll_damping: Annotated[DampingEntry, BeforeValidator(_entry)] | None = None
     water_density: Given | None = None
+
+
+class BilgeKeelKeys(_Strict):
+    """`bilge_keels:` length and breadth of one of the pair [m]."""
+
+    length: Value
+    breadth: Value
 
 
 class StationKeys(_Strict):
@@ -83,6 +101,15 @@ class LinesKeys(_Strict):
     format: Literal["csv", "pdstrip", "gdf", "stl"] | None = None
     midship: float = 0.0
     outline: Literal["smooth", "straight"] = "straight"
+
+
+class DatabaseKeys(_Strict):
+    """`database:` a Capytaine netCDF or WAMIT's .1; midship and the point of the moments in its axes, ULEN of WAMIT [m]."""
+
+    file: str
+    midship: float = 0.0
+    moments_about: tuple[float, float] | None = None
+    length: float = 1.0
 
 
 def _lines(given: Any) -> Any:
@@ -127,6 +154,8 @@ class ShipKeys(_Strict):
     autopilot: AutopilotKeys | None = None
     rudder: RudderKeys | None = None
     righting: Literal["polynomial", "spline"] | None = None
+    database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
+    bilge_keels: BilgeKeelKeys | None = None
     drag_coefficient: Given | None = None
     velocity_scale: Given | None = None
     provenance: dict[str, str] = {}
@@ -220,6 +249,8 @@ def _keys_at(location: list[Any]) -> list[str]:
         "lines": LinesKeys,
         "autopilot": AutopilotKeys,
         "rudder": RudderKeys,
+        "bilge_keels": BilgeKeelKeys,
+        "database": DatabaseKeys,
     }
     parents = [part for part in location[:-1] if isinstance(part, str)]
     model: type[_Strict] = ShipKeys

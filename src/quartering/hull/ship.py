@@ -9,40 +9,30 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal, cast, get_args
 
-from quartering.conventions import WATER_DENSITY, InputError
+from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot, Rudder
-from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.loading import ROLL_DAMPING, Loading, reloaded
 from quartering.hull.offsets import Hull, Sections, at_draught
+from quartering.hull.own_database import Database, database_of
+from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.units import quantity
 from quartering.names import checked_values
 
-ROLL_DAMPING = 0.05
-"""Added roll damping, fraction of critical, when none is given (assumed)."""
+__all__ = [
+    "DRAG_COEFFICIENT",
+    "ROLL_DAMPING",
+    "Loading",
+    "Ship",
+    "checked_linear",
+    "checked_sections",
+    "reloaded",
+    "ship",
+]
 
 Righting = Literal["polynomial", "spline"]
 
 DRAG_COEFFICIENT = 0.8
 """Cross-flow drag coefficient when none is given (assumed)."""
-
-
-@dataclass(frozen=True)
-class Loading:
-    """How a ship is loaded.
-
-    Parameters
-    ----------
-    gm, kg : float                          metacentric height, and height of G over the baseline [m]
-    gyradius_roll, gyradius_yaw : float     k_xx, k_zz without added mass [m]
-    roll_damping : float                    added viscous roll damping, fraction of critical [1]
-    density : float                         of the water [kg/m3]
-    """
-
-    gm: float
-    kg: float
-    gyradius_roll: float
-    gyradius_yaw: float
-    roll_damping: float = ROLL_DAMPING
-    density: float = WATER_DENSITY
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +54,9 @@ class Ship:
     autopilot : Autopilot or None            what keeps the course; None: the rudder amidships, as in the paper
     rudder : Rudder or None                  what its lift is estimated from; None: measured with the set, or least by rule
     righting : str                           the righting curve as "polynomial" (odd, to phi^7) or "spline" (through the curve)
+    roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
+    bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
+    database : Database or None              own coefficients and wave forces in place of strip theory
     """
 
     name: str
@@ -79,6 +72,9 @@ class Ship:
     autopilot: Autopilot | None = None
     rudder: Rudder | None = None
     righting: Righting = "polynomial"
+    roll_method: RollMethod = "fraction"
+    bilge_keels: BilgeKeels | None = None
+    database: Database | None = None
 
     def __post_init__(self) -> None:
         for mapping in ("overrides", "multipliers", "provenance"):
@@ -99,6 +95,8 @@ class Ship:
         measured: str | None = None,
         autopilot: Autopilot | Literal["none"] | None = None,
         righting: Righting | None = None,
+        bilge_keels: tuple[float | str, float | str] | None = None,
+        database: Database | str | Path | None = None,
     ) -> Ship:
         """The same ship with some values changed.
 
@@ -107,13 +105,15 @@ class Ship:
         gm, kg : float or str                          one of the two; the other follows from KM [m, or "0.05 B"]
         gyradius_roll, gyradius_yaw : float or str     [m, or "0.38 B"]
         draught : float or str                         another waterline of the same lines; G stays unless given [m]
-        roll_damping : float or str                    fraction of critical, 0 or more
+        roll_damping : float or str                    fraction of critical, 0 or more; or "ikeda", "ikeda-simplified"
         linear : str                                   "default" or "strip"
         sections : str                                 how section coefficients are found: "auto", "lewis" or "close-fit"
         coefficients : mapping of str to float         factors by name, times those already there
         measured : str                                 measured manoeuvring set, by name or file; "none" goes without
         autopilot : Autopilot                          that keeps the course; "none" goes without
         righting : str                                 "polynomial" or "spline"
+        bilge_keels : (float or str, float or str)     length and breadth of one of the pair, for "ikeda" [m]; (0, 0): none
+        database : Database, str or Path               own coefficients and wave forces: a file; "none" goes without
 
         Returns
         -------
@@ -134,6 +134,11 @@ class Ship:
         (1.2, 6.1773, 0.5)
         """
         hull = self.hull if draught is None else at_draught(self.hull, self._length("draught", draught))
+        if self.database is not None and database is None and not math.isclose(hull.draught, self.hull.draught):
+            raise InputError(
+                f"{self.name}: {self.database.name} is of draught {self.hull.draught:g} m, and {hull.draught:g} m is asked "
+                'for; give the database of that draught too, or database="none"'
+            )
         if sections is not None:
             hull = replace(hull, section_method=checked_sections(self.name, sections))
         given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
@@ -145,6 +150,15 @@ class Ship:
         ]
         own = {*lengths, "roll_damping"}
         notes = {key: f"{'given' if key in own else 'derived'}: changed from the ship's own" for key in changed}
+        method = self.roll_method if roll_damping is None else roll_method(roll_damping)
+        keels = self.bilge_keels
+        if bilge_keels is not None:
+            length, breadth = (self._length("bilge_keels", value) for value in bilge_keels)
+            keels = checked_bilge_keels(self.name, hull.length, hull.beam, (length, breadth))
+        if method != "fraction" and (method, keels) != (self.roll_method, self.bilge_keels):
+            notes["roll_damping"] = roll_damping_note(method, keels)
+        elif method != self.roll_method:
+            notes["roll_damping"] = "given: changed from the ship's own"
         return replace(
             self,
             hull=hull,
@@ -155,7 +169,22 @@ class Ship:
             measured=self.measured if measured is None else None if measured == "none" else measured,
             autopilot=self.autopilot if autopilot is None else None if autopilot == "none" else autopilot,
             righting=checked_righting(self.name, righting or self.righting),
+            roll_method=method,
+            bilge_keels=keels,
+            database=self.database if database is None else _database(self.name, database),
         )
+
+    @property
+    def radiation_words(self) -> str:
+        """Where added mass, wave damping and wave forces come from, in words."""
+        return "the strips" if self.database is None else self.database.name
+
+    @property
+    def roll_damping_words(self) -> str:
+        """The added roll damping in words."""
+        if self.roll_method == "fraction":
+            return f"{self.loading.roll_damping:.3g} of critical"
+        return roll_damping_note(self.roll_method, self.bilge_keels).partition(": ")[2]
 
     def _length(self, key: str, value: float | str) -> float:
         hull = self.hull
@@ -164,92 +193,15 @@ class Ship:
         )
 
 
+def _database(name: str, given: Database | str | Path) -> Database | None:
+    if isinstance(given, Database):
+        return given
+    return None if given == "none" else database_of(given, name)
+
+
 def _multiplied(own: Mapping[str, float], factors: Mapping[str, float]) -> dict[str, float]:
     """Multipliers after further ones: a factor of 1 changes nothing."""
     return dict(own) | {name: factor * own.get(name, 1.0) for name, factor in factors.items()}
-
-
-def reloaded(
-    name: str,
-    hull: Hull,
-    loading: Loading,
-    *,
-    gm: float | None = None,
-    kg: float | None = None,
-    gyradius_roll: float | None = None,
-    gyradius_yaw: float | None = None,
-    roll_damping: float | str | None = None,
-) -> Loading:
-    """Loading with some values changed, checked, and GM and KG tied by the hull's KM.
-
-    Parameters
-    ----------
-    name : str                              ship or file named in messages
-    hull : Hull                             at the draught of the loading
-    loading : Loading                       what is not given is taken from here
-    gm, kg : float                          at most one of them [m]
-    gyradius_roll, gyradius_yaw : float     [m]
-    roll_damping : float or str             fraction of critical
-
-    Returns
-    -------
-    Loading
-
-    Raises
-    ------
-    InputError    both gm and kg, GM or a radius not above 0, damping below 0 or above 1
-
-    Notes
-    -----
-    KG = KM - GM.  Source: [Lewis88] ch. 2.
-
-    Examples
-    --------
-    >>> from quartering.hull.offsets import box_hull
-    >>> box = box_hull(100.0, 20.0, 5.0, 10.0)
-    >>> round(reloaded("box", box, Loading(1.0, 8.17, 7.0, 25.0), kg=6.0).gm, 4)
-    3.1667
-    """
-    if gm is not None and kg is not None:
-        raise InputError(
-            f"{name}: gm = {gm:g} m and kg = {kg:g} m are both given; one follows from the other, leave one out"
-        )
-    km = hydrostatics(hull).km
-    if gm is None:
-        kg = loading.kg if kg is None else kg
-        gm = km - kg
-        source = f"kg = {kg:g} m under KM = {km:.3f} m gives "
-    else:
-        kg, source = km - gm, ""
-    if not (math.isfinite(gm) and gm > 0):
-        raise InputError(
-            f"{name}: {source}gm = {gm:g} m; the metacentric height must be above 0 (an upright ship that floats stably); "
-            f"try 0.05 B = {0.05 * hull.beam:.3g} m"
-        )
-    radii = {
-        "gyradius_roll": (gyradius_roll, 0.35 * hull.beam, "0.35 B"),
-        "gyradius_yaw": (gyradius_yaw, 0.25 * hull.length, "0.25 L"),
-    }
-    for key, (radius, usual, words) in radii.items():
-        if radius is not None and not (math.isfinite(radius) and radius > 0):
-            raise InputError(
-                f"{name}: {key} = {radius:g} m; a radius of gyration is above 0; try {words} = {usual:.4g} m"
-            )
-    damping = (
-        loading.roll_damping if roll_damping is None else quantity(roll_damping, "ratio", what=f"{name}: roll_damping")
-    )
-    if not 0 <= damping <= 1:
-        raise InputError(
-            f"{name}: roll_damping = {damping:g}; it is a fraction of critical damping, from 0 to 1; try 0.05"
-        )
-    return replace(
-        loading,
-        gm=gm,
-        kg=kg,
-        gyradius_roll=gyradius_roll or loading.gyradius_roll,
-        gyradius_yaw=gyradius_yaw or loading.gyradius_yaw,
-        roll_damping=damping,
-    )
 
 
 def checked_sections(name: str, sections: str) -> Sections:

@@ -26,7 +26,7 @@ loading:
   {centre}
   gyradius_roll: {roll:<13} # radius of gyration in roll, without added mass; {roll_note}
   gyradius_yaw: {yaw:<14} # radius of gyration in yaw, without added mass; {yaw_note}
-  roll_damping: {damping:<14} # added viscous roll damping, fraction of critical; {damping_note}
+  roll_damping: {damping:<14} # added viscous roll damping, of critical, or ikeda, ikeda-simplified; {damping_note}
   water_density: {density:<13} # sea water 1025, fresh water 1000
 
 linear: {linear:<22} # sway-yaw derivatives: default (lift from regression) or strip (potential flow alone)
@@ -37,6 +37,11 @@ drag_coefficient: {drag:<12} # cross-flow drag of the sections, 1; gives the cub
 # What keeps the course (off when left out): rudder angle = gain x heading off course + rate_gain x rate of turn.
 # autopilot: {{gain: 1.0, rate_gain: 10 s, lag: 2 s}}
 # rudder: {{area: 20 m2, aspect: 1.8}}    # its lift is estimated from these; by rule when left out
+# Bilge keels, one of the pair; ikeda and ikeda-simplified allow for them (remove the # to use it).
+# bilge_keels: {{length: 0.25 L, breadth: 0.02 B}}
+
+# Your own coefficients and wave forces at zero speed, in place of strip theory: a file of Capytaine or WAMIT beside this one.
+# database: {{file: my.nc, midship: 0.0}}      # midship in the file's axes, m; moments_about: [x, z], and length (ULEN) of a .1
 
 # Coefficients you know, in SI about G, by their SNAME names; they replace the estimates (remove the # to use them).
 # coefficients:

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from quartering.hull.section import Floats
 
+TRANSOM_SHARE = 0.05
+"""A ship has a transom when its aftmost section carries at least this share of the largest section area."""
+
 
 @dataclass(frozen=True, eq=False)
 class Strips:
@@ -34,3 +37,28 @@ class Strips:
     half_breadth: Floats
     draught: Floats
     area: Floats
+
+
+def has_transom(immersed: Strips) -> bool:
+    """Does the hull end aft in a section with area?
+
+    Parameters
+    ----------
+    immersed : Strips    of the hull, aft to fore
+
+    Returns
+    -------
+    bool    the aftmost section carries 5 % or more of the largest section area
+
+    Notes
+    -----
+    Source: [STF70] keeps the aft terms where the aft section is not a point; the 5 % limit is assumed.
+
+    Examples
+    --------
+    >>> from quartering.hull.immersed import strips
+    >>> from quartering.hull.offsets import box_hull, wigley_hull
+    >>> has_transom(strips(box_hull(100.0, 20.0, 5.0, 10.0))), has_transom(strips(wigley_hull(100.0, 10.0, 6.0, 9.0)))
+    (True, False)
+    """
+    return bool(immersed.area[0] >= TRANSOM_SHARE * immersed.area.max())

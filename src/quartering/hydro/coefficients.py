@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from difflib import get_close_matches
 from types import MappingProxyType
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,17 +18,18 @@ from quartering.hull.righting import righting_polynomial, righting_spline
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline
+from quartering.hydro.coefficient_sources import Kind, coefficient_sources
 from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
-from quartering.hydro.moments import hull_moments
-from quartering.hydro.rolldamping import fraction_of_critical, free_roll
+from quartering.hydro.own_moments import check_frequencies, ship_moments
+from quartering.hydro.rolldamping import free_roll
 from quartering.hydro.rudder import rudder_derivatives
+from quartering.hydro.ship_damping import MODULUS, AddedDamping, added_damping, damping_references
 from quartering.hydro.strip import derivatives_from_moments, frequency_floor
 from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES, canonical, unit
 
-Kind = Literal["measured", "regression", "strip", "cross-flow", "derived", "given"]
 BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
 """Rigid-body entries of the table."""
 
@@ -205,7 +206,8 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
 
     Raises
     ------
-    InputError    a frequency or speed that is not a number, a negative speed, a multiplier of what has no value
+    InputError    a frequency or speed that is not a number, a negative speed, a multiplier of what has no value; a
+                  frequency the ship's own database does not hold
 
     Notes
     -----
@@ -214,9 +216,13 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     linear "strip": strip theory with its speed terms, U/omega^2 held below 0.15 sqrt(g/B), aft terms for a transom.
     Both: K_p has the added roll damping -2 zeta n2 (I_x + a44(n2)); Y_r has -m U. The ship's own coefficients
     (overrides, SI about G, Y_r without -m U) replace, multipliers scale.
+    A ship with its own database has added mass and wave damping from there, at zero speed; "strip" adds the same speed
+    terms without those of the aft end.
     A measured set, with linear "default", takes the place of the regression and of the cross-flow; of its added mass the
     value at omega -> 0 counts, where it was measured, and the change with frequency stays that of the strips; of its
-    roll damping and the ship's fraction of critical the larger counts, since both describe the same loss.
+    roll damping and the ship's added roll damping (at 10 deg) the larger counts, since both describe the same loss.
+    By a component method ("ikeda", "ikeda-simplified") the added roll damping is that of `added_damping` at each speed, a
+    part of K_p and K_p|p|; its lift takes the place of the regression's in K_p.
     Source: [STF70] strips, [Clarke83] lift, [Hoerner65] cross-flow, [H71] equation (2).
     Valid: deep water; a rudder only beside an autopilot.
 
@@ -233,16 +239,17 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     omega = np.abs(omega)
     measured = None if ship.measured is None else measured_parts(ship, u)
     lift = measured if ship.linear == "default" else None
-    sources = _sources(ship)
+    sources = coefficient_sources(ship)
     if measured is not None:
         sources |= {name: ("measured", said) for name, said in measured_sources(ship, measured, sources).items()}
     rudder = _rudder(ship, u, sources)
     given = _Given(ship, sources)
-    n2, roll_inertia = free_roll(ship)
+    roll = free_roll(ship)
+    check_frequencies(ship, np.append(omega, roll.frequency))
     body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
     linear, added = _velocity_and_added_mass(ship, omega, u, lift)
-    viscous = fraction_of_critical(ship.loading.roll_damping, n2, roll_inertia)
-    linear[:, 1, 1] += viscous if lift is None else np.minimum(0.0, viscous - lift.roll_damping)
+    viscous = _beyond_measured(added_damping(ship, u, roll), lift)
+    linear[:, 1, 1] += viscous.linear
     linear = given.matrix(LINEAR_NAMES, linear)
     linear[:, 0, 2] -= body["m"] * u
     known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES, RUDDER_NAMES)
@@ -256,13 +263,30 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         cubic=given.matrix(CUBIC_NAMES, _cross_flow(ship, measured)),
         extra=MappingProxyType(given.further(known)),
         body=MappingProxyType(body),
-        roll_frequency=n2,
+        roll_frequency=roll.frequency,
         sources=MappingProxyType(sources),
         references=_references(ship, measured) + (("Yasukawa15",) if ship.autopilot else ()),
-        varying=MappingProxyType(given.varying(measured.further if measured else {})),
+        varying=MappingProxyType(given.varying(_varying(ship, viscous, measured))),
         righting=_righting(ship, given),
         rudder=None if rudder is None else given.matrix((RUDDER_NAMES,), rudder[:, None])[:, 0],
     )
+
+
+def _beyond_measured(viscous: AddedDamping, lift: MeasuredParts | None) -> AddedDamping:
+    """The added roll damping less what a measured set has of it: at 10 deg the larger of the two counts."""
+    if lift is None:
+        return viscous
+    more = viscous.equivalent < lift.roll_damping
+    linear = np.where(more, viscous.linear - lift.roll_damping, 0.0)
+    return AddedDamping(linear, np.where(more, viscous.quadratic, 0.0), viscous.equivalent)
+
+
+def _varying(ship: Ship, viscous: AddedDamping, measured: MeasuredParts | None) -> dict[str, Floats]:
+    """Terms that vary with the speed: those of a measured set, and the roll damping of a component method."""
+    terms = dict(measured.further) if measured else {}
+    if ship.roll_method != "fraction":
+        terms[MODULUS] = terms.get(MODULUS, 0.0) + viscous.quadratic
+    return terms
 
 
 def _number(values: ArrayLike) -> Floats:
@@ -279,7 +303,9 @@ def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:
     """Keys of the papers the coefficients rest on."""
     lift = ("Clarke83",) if ship.linear == "default" else ()
     drag = ("Hoerner65",) if measured is None or not measured.drag else ()
-    return ("H71", "STF70", "Tasai61", *drag, *((measured.reference,) if measured else lift))
+    own = (measured.reference,) if measured else lift
+    water = ("STF70", "Tasai61") if ship.database is None else (ship.database.reference,)
+    return ("H71", *water, *drag, *own, *damping_references(ship))
 
 
 def _velocity_and_added_mass(
@@ -287,13 +313,16 @@ def _velocity_and_added_mass(
 ) -> tuple[Floats, Floats]:
     """Velocity and acceleration derivatives of the hull before overrides, (n, 3, 3) each."""
     z0 = ship.loading.kg - ship.hull.draught
-    at = hull_moments(ship.hull, ship.loading.density).at(omega).about(hydrostatics(ship).lcb, z0)
+    at = ship_moments(ship).at(omega).about(hydrostatics(ship).lcb, z0)
     if ship.linear == "strip":
         floor = frequency_floor(ship.hull.beam)
         return derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
     if measured is None:
-        return hull_lift(ship, speed) - moment_matrix(at.b), -moment_matrix(at.a)
-    slow = hull_moments(ship.hull, ship.loading.density).at(0.0).about(hydrostatics(ship).lcb, z0)
+        lift = hull_lift(ship, speed)
+        if ship.roll_method != "fraction":
+            lift[:, 1, 1] = 0.0  # the component method has the lift of a rolling hull
+        return lift - moment_matrix(at.b), -moment_matrix(at.a)
+    slow = ship_moments(ship).at(0.0).about(hydrostatics(ship).lcb, z0)
     return measured.linear - moment_matrix(at.b), added_mass_shift(measured, -moment_matrix(slow.a)) - moment_matrix(
         at.a
     )
@@ -342,34 +371,3 @@ def _cross_flow(ship: Ship, measured: MeasuredParts | None) -> Floats:
     scale = ship.velocity_scale if ship.velocity_scale is not None else reference_velocity(hull.length)
     x = immersed.x - hydrostatics(ship).lcb
     return cross_flow_cubics(x, immersed.weight, immersed.draught, lever, ship.drag_coefficient, scale, loading.density)
-
-
-def _sources(ship: Ship) -> dict[str, tuple[Kind, str]]:
-    """Kind and source of every standard coefficient before overrides."""
-    loading, scale = ship.loading, ship.velocity_scale or reference_velocity(ship.hull.length)
-    said = {key: ship.provenance.get(key, "given") for key in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping")}
-    waves = "wave damping of the strips"
-    lift, lever = "estimated: Clarke's regression", "estimated: Clarke's regression at half draught"
-    sources: dict[str, tuple[Kind, str]] = {
-        "m": ("derived", "displacement of the lines"),
-        "I_x": ("derived", f"m k_xx^2; k_xx {said['gyradius_roll']}"),
-        "I_z": ("derived", f"m k_zz^2; k_zz {said['gyradius_yaw']}"),
-        "I_xz": ("derived", "principal axes"),
-    }
-    sources |= {name: ("strip", "added mass of the strips at omega") for row in INERTIA_NAMES for name in row}
-    for name in (name for row in LINEAR_NAMES for name in row):
-        levered = "K" in name or "p" in name
-        sources[name] = ("regression", f"{lever if levered else lift}, and {waves} at omega")
-        if ship.linear == "strip":
-            sources[name] = ("strip", "strip theory with speed terms at omega; no lift")
-    kind, source = sources["K_p"]
-    sources["K_p"] = (kind, f"{source}, and {loading.roll_damping:g} of critical ({said['roll_damping']})")
-    sources |= {name: ("derived", "upright symmetry") for row in RESTORING_NAMES for name in row}
-    sources |= dict.fromkeys(RESTORING_NAMES[1], ("derived", "fit to the righting arm of the lines"))
-    if ship.righting == "spline":
-        curve = "in the spline through the righting arm of the lines"
-        sources |= dict.fromkeys(RESTORING_NAMES[1][1:], ("derived", curve))
-    sources["K_phi"] = ("derived", f"-rho g V GM; GM {said['gm']}")
-    drag = f"estimated: cross-flow drag, C_D {ship.drag_coefficient:g}, u0 {scale:.3g} m/s, at half draught"
-    sources |= {name: ("cross-flow", drag) for row in CUBIC_NAMES for name in row}
-    return sources

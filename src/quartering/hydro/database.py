@@ -1,9 +1,7 @@
 """Coefficients and wave forces of another code, read into our axes and written out of them.
 
 Both codes have x to the bow, y to port, z up from the calm plane, and count the direction the wave runs towards from x to
-y; Capytaine's phasors belong to e^{-i omega t}, WAMIT's to e^{+i omega t}. Ours: y to starboard, z down, moments about G,
-heading mu = -direction, e^{+i omega t}, and the surface at G passes its mean level on the way down at t = 0. Half a turn
-about x changes the sign of sway and yaw; per unit elevation the phasor is multiplied by i.
+y; Capytaine's phasors belong to e^{-i omega t}, WAMIT's to e^{+i omega t}. Ours: see `placed`; moments about G, e^{+i omega t}.
 """
 
 from __future__ import annotations
@@ -13,19 +11,16 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY, HEADING_CONVENTION, MODES, REFERENCE_POINT, InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.capytaine_file import read_capytaine_file, write_capytaine_file
+from quartering.hydro.placed import HALF_TURN, incident, placed
 from quartering.hydro.raw_database import RawDatabase
 from quartering.hydro.transfer import transfer, transfer_matrix
 from quartering.hydro.wamit_file import read_wamit_files, write_wamit_files
-
-_HALF_TURN = np.array([-1.0, 1.0, -1.0])
-"""Sway, roll, yaw of file axes in ours."""
 
 
 def read_capytaine(
@@ -179,48 +174,32 @@ def _gravity_centre(ship: Ship, midship: float) -> tuple[float, float]:
     return midship + hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught
 
 
-def _incident(raw_k: Floats, x_g: float, direction: Floats) -> NDArray[np.complex128]:
-    """Factor (f, h) on a phasor per unit elevation at the file's origin: elevation at G becomes i."""
-    phase = raw_k[:, None] * x_g * np.cos(np.radians(direction))
-    return 1j * np.exp(1j * phase)
-
-
 def _dataset(
     raw: RawDatabase, ship: Ship, midship: float, about: tuple[float, float] | None, method: str, reference: str
 ) -> xr.Dataset:
     """Our dataset of a file's database."""
     x_g, z_g = _gravity_centre(ship, midship)
-    x_o, z_o = about or raw.centre or (midship, 0.0)
-    lever = x_o - x_g, z_g - z_o
-
-    def moved(matrix: Floats) -> Floats:
-        return transfer(matrix * _HALF_TURN[:, None] * _HALF_TURN, *lever)
-
+    about_g = placed(raw, (x_g, z_g), about or raw.centre or (midship, 0.0))
     fields: dict[str, Any] = {
-        name: (("frequency", "mode", "mode_of_motion"), moved(matrix), {"units": _UNITS, "symbol": letter, "long_name": words})
+        name: (("frequency", "mode", "mode_of_motion"), matrix, {"units": _UNITS, "symbol": letter, "long_name": words})
         for name, matrix, letter, words in (
-            ("added_mass", raw.added_mass, "A", "added mass"), ("damping", raw.damping, "B", "damping"),
+            ("added_mass", about_g.added_mass, "A", "added mass"), ("damping", about_g.damping, "B", "damping"),
         )
     }  # fmt: skip
-    for name, limit in raw.limits.items():
+    for name, limit in about_g.limits.items():
         words = f"added mass at {name} frequency"
         fields[f"added_mass_{name}"] = (
-            ("mode", "mode_of_motion"), moved(limit), {"units": _UNITS, "symbol": "A", "long_name": words}
+            ("mode", "mode_of_motion"), limit, {"units": _UNITS, "symbol": "A", "long_name": words}
         )  # fmt: skip
     coords: dict[str, Any] = {
         "frequency": ("frequency", raw.frequency, {"units": "rad/s", "symbol": "omega", "long_name": "wave frequency"}),
         "mode": list(MODES),
         "mode_of_motion": list(MODES),
     }
-    if raw.forces:
-        heading, order, sign = _headings(raw.direction)
-        phase = _incident(raw.frequency**2 / raw.gravity, x_g, raw.direction)[..., None]
-        parts = {
-            name: ((phase * force * _HALF_TURN) @ transfer_matrix(*lever))[:, order] * sign[:, None]
-            for name, force in raw.forces.items()
-        }
-        parts.setdefault("total", sum(parts.values(), np.zeros(1)))
-        coords |= {"heading": ("heading", heading, {"units": "deg", "symbol": "mu"}), "part": ["cos", "sin"]}
+    if about_g.forces:
+        parts = dict(about_g.forces)
+        parts.setdefault("total", sum(parts.values(), np.zeros(1, dtype=complex)))
+        coords |= {"heading": ("heading", about_g.heading, {"units": "deg", "symbol": "mu"}), "part": ["cos", "sin"]}
         for name, force in parts.items():
             fields[name] = (
                 ("frequency", "heading", "part", "mode"), np.stack([force.real, -force.imag], axis=-2),
@@ -230,14 +209,6 @@ def _dataset(
 
 
 _UNITS = "SI: kg, kg m, kg m2 (over s for damping) between forces [N, N m] and velocities [m/s, rad/s]"
-
-
-def _headings(direction: Floats) -> tuple[Floats, NDArray[np.intp], Floats]:
-    """Headings 0 to 180 deg once each, which direction each is, and the sign of the lateral forces there."""
-    mu = (-direction + 180.0) % 360.0 - 180.0
-    heading, order = np.unique(np.round(np.abs(mu), 9).astype(np.float64), return_index=True)
-    chosen = mu[order]
-    return heading, order, np.where((chosen < 0) & (chosen > -180.0), -1.0, 1.0)
 
 
 def _attributes(ship: Ship, method: str, reference: str) -> dict[str, str | float]:
@@ -266,17 +237,17 @@ def _raw(dataset: xr.Dataset, ship: Ship, midship: float) -> RawDatabase:
     lever = x_g - midship, -z_g  # of G from the file's point, x forward and z down
 
     def moved(name: str) -> Floats:
-        return transfer(dataset[name].to_numpy(), *lever) * _HALF_TURN[:, None] * _HALF_TURN
+        return transfer(dataset[name].to_numpy(), *lever) * HALF_TURN[:, None] * HALF_TURN
 
     frequency = dataset["frequency"].to_numpy()
     direction, forces = np.zeros(0), {}
     if "heading" in dataset.dims:
         direction = -dataset["heading"].to_numpy()
-        phase = _incident(frequency**2 / GRAVITY, x_g, direction)[..., None]
+        phase = incident(frequency**2 / GRAVITY, x_g, direction)[..., None]
         for name in ("froude_krylov", "diffraction") if "diffraction" in dataset else ("total",):
             values = dataset[name].transpose("frequency", "heading", "part", "mode").to_numpy()
             about_g = values[:, :, 0] - 1j * values[:, :, 1]
-            forces[name] = (about_g @ transfer_matrix(*lever)) * _HALF_TURN / phase
+            forces[name] = (about_g @ transfer_matrix(*lever)) * HALF_TURN / phase
     limits = {k: moved(f"added_mass_{k}") for k in ("zero", "infinite") if f"added_mass_{k}" in dataset}
     return RawDatabase(
         frequency, direction, moved("added_mass"), moved("damping"), forces, float(ship.loading.density), GRAVITY,

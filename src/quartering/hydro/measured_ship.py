@@ -189,11 +189,15 @@ def measured_sources(ship: Ship, parts: MeasuredParts, others: Mapping[str, tupl
         return parts.source + (in_roll if name.startswith("K") or "p" in name.replace("phi", "") else "")
 
     if ship.linear == "default":
-        said |= {n: f"{by(n)}; and wave damping of the strips at omega" for row in LINEAR_NAMES for n in row}
-        viscous = f"{ship.loading.roll_damping:g} of critical ({ship.provenance.get('roll_damping', 'given')})"
+        said |= {
+            n: f"{by(n)}; and wave damping of {ship.radiation_words} at omega" for row in LINEAR_NAMES for n in row
+        }
+        viscous = ship.provenance.get("roll_damping", "given")
+        if ship.roll_method == "fraction":
+            viscous = f"{ship.loading.roll_damping:g} of critical ({viscous})"
         said["K_p"] += ("; the larger of it and " if parts.roll_damping.any() else "; and ") + viscous
         given = ~np.isnan(parts.added)
-        slow = "at omega -> 0, its change with frequency from the strips"
+        slow = f"at omega -> 0, its change with frequency from {ship.radiation_words}"
         said |= {n: f"{by(n)} {slow}" for i, row in enumerate(INERTIA_NAMES) for j, n in enumerate(row) if given[i, j]}
     if parts.drag:
         said |= {n: f"{parts.source}; no such term in the set" for row in CUBIC_NAMES for n in row}

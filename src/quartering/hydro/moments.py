@@ -18,8 +18,8 @@ from quartering.conventions import InputError
 from quartering.hull.immersed import strips
 from quartering.hull.offsets import Hull
 from quartering.hull.section import Floats
+from quartering.hull.strips import has_transom
 from quartering.hydro.integrals import section_moments, shifted_moments
-from quartering.hydro.strip import has_transom
 from quartering.hydro.table import SectionTable, default_frequencies, radiation_table
 
 

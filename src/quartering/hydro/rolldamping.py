@@ -19,7 +19,7 @@ from quartering.hydro.ikeda import Particulars, Rolling, eddy_speed_factor, fric
 from quartering.hydro.ikeda_bilge_keel import BilgeKeel, bilge_keels, checked_keel
 from quartering.hydro.ikeda_eddy import eddy_damping
 from quartering.hydro.integrals import moment_matrix
-from quartering.hydro.moments import hull_moments
+from quartering.hydro.own_moments import ship_moments
 from quartering.hydro.rollcomponents import REFERENCES, Method, RollDamping
 from quartering.hydro.simplified_ikeda import simplified_ikeda
 
@@ -141,7 +141,7 @@ def free_roll(ship: Ship) -> FreeRoll:
     True
     """
     loading, floating = ship.loading, hydrostatics(ship)
-    moments, z0 = hull_moments(ship.hull, loading.density), loading.kg - ship.hull.draught
+    moments, z0 = ship_moments(ship), loading.kg - ship.hull.draught
     rigid = floating.mass * np.diag([1.0, loading.gyradius_roll**2, loading.gyradius_yaw**2])
 
     def total(frequency: float) -> Floats:
@@ -172,7 +172,7 @@ def roll_damping(
     frequency : float        omega > 0 of the roll [rad/s]
     amplitude_deg : float    phi_a > 0 [deg]
     method : str             "ikeda" from the lines, "simplified" from the main particulars, "fraction" of critical
-    bilge_keel : tuple       (length, breadth) of one keel of the pair [m]; None: none
+    bilge_keel : tuple       (length, breadth) of one keel of the pair [m]; None: the ship's own, if it has any
 
     Returns
     -------
@@ -213,7 +213,8 @@ def roll_damping(
         warnings.warn(message, RangeWarning, stacklevel=2)
     hull = particulars(ship)
     motion = Rolling(frequency, np.radians(amplitude_deg) * np.append(1.0, AMPLITUDES), speed)
-    keel = None if bilge_keel is None else checked_keel(hull, *bilge_keel)
+    sizes = ship.bilge_keels if bilge_keel is None else bilge_keel
+    keel = None if sizes is None else checked_keel(hull, *sizes)
     potential = 0.0 if method == "fraction" else _potential_wave(ship, frequency)
     if method == "fraction":
         parts = _fraction_of_critical(ship, motion)
@@ -268,7 +269,7 @@ def particulars(ship: Ship) -> Particulars:
 
 def _potential_wave(ship: Ship, frequency: float) -> float:
     """Wave damping of the strips at rest about G, sway held [N m s]."""
-    moments = hull_moments(ship.hull, ship.loading.density).at([frequency])
+    moments = ship_moments(ship).at([frequency])
     about = moments.about(hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught)
     return float(about.b[0, 0, 2])
 

@@ -13,12 +13,12 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.lewis import added_mass_at_infinite_frequency
-from quartering.hydro.multipole import radiation
+from quartering.hull.strips import has_transom
+from quartering.hydro.heave import heave_sections
 from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
-from quartering.hydro.strip import frequency_floor, has_transom
+from quartering.hydro.strip import frequency_floor
 from quartering.hydro.surge import spheroid_surge
-from quartering.hydro.table import SectionTable, radiation_table
+from quartering.hydro.table import radiation_table
 
 SIX_MODES: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Modes in body axes: x to the bow, y to starboard, z down; pitch positive bow up."""
@@ -67,7 +67,7 @@ def hydrodynamics6(
     -----
     The terms of the aft end are kept when the ship has a transom. The added mass in heave grows like ln(1/omega): its
     limit at zero is infinite (and so are the couplings with pitch, unless fore and aft balance).
-    Source: [STF70] with transom terms; surge: [Lamb32].  Valid: slender ships, deep water, Lewis sections in heave.
+    Source: [STF70] with transom terms; surge: [Lamb32].  Valid: slender ships, deep water.
 
     Examples
     --------
@@ -81,9 +81,11 @@ def hydrodynamics6(
     hull, density, immersed = ship.hull, ship.loading.density, strips(ship.hull)
     x_o, depth, said = _reference_point(ship, reference)
     ascending, back = np.unique(np.abs(omega), return_inverse=True)
-    table = radiation_table(immersed, ascending, density)
-    a, b = (c[back] for c in _sections(table, density))
-    edge = np.stack([_limit(table, "zero"), _limit(table, "infinite")])
+    table = radiation_table(immersed, ascending, density, method=hull.section_method)
+    heave = heave_sections(immersed, table)
+    a, b = section_matrix(table.a, heave.a)[back], section_matrix(table.b, heave.b)[back]
+    zero = section_matrix(table.a_zero, np.zeros(table.a_zero.shape[0]))  # heave grows there: filled in later
+    edge = np.stack([zero, section_matrix(table.a_infinite, heave.a_infinite)])
     place = immersed.x - x_o, immersed.weight
     x_aft = hull.x_aft - x_o if has_transom(immersed) else None
     floor = frequency_floor(hull.beam) if low_frequency == "cap" else np.inf
@@ -102,8 +104,9 @@ def hydrodynamics6(
     return dataset.assign_attrs(
         ship=ship.name, speed=float(speed), reference_point=said, surge=surge, density=density,
         axes=f"{axes} axes: x to the bow, y to starboard, z down; pitch positive bow up",
-        method=f"strip theory, Lewis sections in heave; low frequencies: {low_frequency}",
-        references="STF70, Tasai61, Ursell49, Lewis29, Lamb32",
+        method=f"strip theory, {int(table.close_fit.sum())} of {len(immersed.x)} sections on their own contours, the others "
+        f"on Lewis forms; low frequencies: {low_frequency}",
+        references="STF70, Tasai61, Ursell49, Lewis29, Frank67, Lamb32",
     )  # fmt: skip
 
 
@@ -138,22 +141,6 @@ def _reference_point(ship: Ship, reference: Reference | tuple[float, float]) -> 
             "calm plane) in metres"
         )
     return float(point[0]), -float(point[1]), f"{point[0]:g} m forward of midship, {point[1]:g} m below the calm plane"
-
-
-def _sections(table: SectionTable, density: float) -> Sections:
-    """Section matrices (f, s, 3, 3) of added mass and damping."""
-    heave = radiation(table.forms, table.frequency, "heave", density=density)
-    return (
-        section_matrix(table.a, heave.added_mass[..., 0, 0]),
-        section_matrix(table.b, heave.damping[..., 0, 0]),
-    )
-
-
-def _limit(table: SectionTable, which: Literal["zero", "infinite"]) -> Floats:
-    """Section matrices (s, 3, 3) of added mass at a limit; heave at zero frequency is filled in later."""
-    if which == "infinite":
-        return section_matrix(table.a_infinite, added_mass_at_infinite_frequency(table.forms, table.density)[1])
-    return section_matrix(table.a_zero, np.zeros(table.a_zero.shape[0]))
 
 
 def _surge_matrix(ship: Ship, depth: float) -> Floats:

@@ -24,9 +24,10 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hull.strips import Strips
+from quartering.hull.strips import has_transom
 from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments
 from quartering.hydro.manoeuvring import hull_lift
+from quartering.hydro.own_moments import check_frequencies, ship_moments
 from quartering.hydro.table import radiation_table
 
 __all__ = [
@@ -42,9 +43,6 @@ __all__ = [
 LowFrequency = Literal["cap", "drop", "manoeuvring"]
 FREQUENCY_FLOOR = 0.15
 """Below FREQUENCY_FLOOR sqrt(g/B) the U/w^2 terms stop growing: w is held there in their denominator."""
-
-TRANSOM_SHARE = 0.05
-"""A ship has a transom when its aftmost section carries at least this share of the largest section area."""
 
 
 def _speed_terms(moments: Floats, aft: Floats | None) -> Floats:
@@ -158,30 +156,6 @@ def _one(coefficients: ArrayLike) -> Floats:
     return np.asarray(coefficients, dtype=float)[..., None, :]
 
 
-def has_transom(immersed: Strips) -> bool:
-    """Does the hull end aft in a section with area?
-
-    Parameters
-    ----------
-    immersed : Strips    of the hull, aft to fore
-
-    Returns
-    -------
-    bool    the aftmost section carries 5 % or more of the largest section area
-
-    Notes
-    -----
-    Source: [STF70] keeps the aft terms where the aft section is not a point; the 5 % limit is assumed.
-
-    Examples
-    --------
-    >>> from quartering.hull.offsets import box_hull, wigley_hull
-    >>> has_transom(strips(box_hull(100.0, 20.0, 5.0, 10.0))), has_transom(strips(wigley_hull(100.0, 10.0, 6.0, 9.0)))
-    (True, False)
-    """
-    return bool(immersed.area[0] >= TRANSOM_SHARE * immersed.area.max())
-
-
 def frequency_floor(beam: float) -> float:
     """Frequency at which the U/omega^2 terms of strip theory stop growing.
 
@@ -269,10 +243,12 @@ def hydrodynamics(
 
 def _ship_derivatives(ship: Ship, omega: Floats, speed: float, low_frequency: LowFrequency) -> tuple[Floats, Floats]:
     """Derivatives about G at the given frequencies, as the low-frequency option wants them."""
+    if ship.database is not None:
+        return _database_derivatives(ship, omega, speed, low_frequency)
     hull, loading = ship.hull, ship.loading
     immersed, manoeuvring = strips(hull), low_frequency == "manoeuvring"
     ascending, back = np.unique(np.zeros(1) if manoeuvring else omega, return_inverse=True)
-    table = radiation_table(immersed, ascending, loading.density)
+    table = radiation_table(immersed, ascending, loading.density, method=hull.section_method)
     x_g, z0 = hydrostatics(ship).lcb, loading.kg - hull.draught
     a, b = (about_gravity_centre(c[back], z0) for c in (table.a, table.b))
     floor = frequency_floor(hull.beam) if low_frequency == "cap" else np.inf
@@ -284,14 +260,33 @@ def _ship_derivatives(ship: Ship, omega: Floats, speed: float, low_frequency: Lo
     return np.repeat(hull_lift(ship, [speed]), omega.size, axis=0), np.repeat(inertia, omega.size, axis=0)
 
 
+def _database_derivatives(
+    ship: Ship, omega: Floats, speed: float, low_frequency: LowFrequency
+) -> tuple[Floats, Floats]:
+    """The same from the ship's own database, at zero speed, with the speed terms that need no sections."""
+    slow = low_frequency == "manoeuvring"
+    wanted = np.zeros_like(omega) if slow else omega
+    check_frequencies(ship, wanted)
+    at = ship_moments(ship).at(wanted).about(hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught)
+    if slow:
+        return np.repeat(hull_lift(ship, [speed]), omega.size, axis=0), -moment_matrix(at.a)
+    floor = frequency_floor(ship.hull.beam) if low_frequency == "cap" else np.inf
+    return derivatives_from_moments(at.a, at.b, speed, omega, floor=floor)
+
+
 def _attributes(ship: Ship, speed: float, low_frequency: LowFrequency) -> dict[str, str | float]:
     """What a dataset of hydrodynamic coefficients says of itself."""
+    method = "strip theory, sections by the hull's choice (Lewis form or true contour)"
+    references = "STF70, Tasai61, Lewis29, Frank67"
+    if ship.database is not None:
+        method = f"{ship.database.name}, zero speed; speed terms of strip theory without those of the aft end"
+        references = f"STF70, {ship.database.reference}"
     return {
         "ship": ship.name,
         "speed": speed,
         "axes": "body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         "reference_point": REFERENCE_POINT,
         "density": ship.loading.density,
-        "method": f"strip theory, sections by the hull's choice (Lewis form or true contour); low frequencies: {low_frequency}",
-        "references": "STF70, Tasai61, Lewis29, Frank67" + (", Clarke83" if low_frequency == "manoeuvring" else ""),
+        "method": f"{method}; low frequencies: {low_frequency}",
+        "references": references + (", Clarke83" if low_frequency == "manoeuvring" else ""),
     }

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Final, Literal, get_args
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any, Final, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
+from quartering.cache import remembered
 from quartering.conventions import GRAVITY, InputError
+from quartering.digest import fingerprint, source_digest
 from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
 from quartering.hydro.closefit import close_fit, close_fit_limits
@@ -22,6 +25,7 @@ from quartering.hydro.lewis import (
 from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
 from quartering.hydro.multipole import CONTOUR_POINTS, Radiation, radiation
 from quartering.hydro.outline import Outline, strip_outline
+from quartering.hydro.resolution import warn_of_mismatch, worst
 from quartering.hydro.wavemaker import Complexes
 
 Method = Literal["auto", "lewis", "close-fit"]
@@ -34,6 +38,8 @@ FEWEST_POINTS: Final = 8
 """Contour points below which a strip says too little of its shape to be solved on its own contour."""
 REFINEMENT: Final = 2
 """Panels of a close-fit solution for added mass and damping, over those on whose ends its potentials are kept."""
+FEWEST_KEPT: Final = 8
+"""Frequencies from which on a table is kept on disk: fewer are solved as fast as read."""
 _KNEE: Final = 0.8
 
 
@@ -99,8 +105,13 @@ def radiation_table(
     InputError               frequencies not ascending, negative or not finite; density not positive; unknown method;
                              "close-fit" for strips without contour points
 
+    Warns
+    -----
+    RangeWarning             the damping of a section on its own contour differs by pressure and by waves: section, frequency
+
     Notes
     -----
+    A table of 8 frequencies or more is kept on disk (`quartering.cache`) by its content and that of the source.
     At w = 0 the damping is zero and the potentials are those under a rigid lid. Close-fit coefficients are those of twice
     as many panels as the contour has points; the potentials integrate to them within 1e-3 (5e-3 on offsets with kinks).
     Source: [Tasai61] sections in sway and roll by [Lewis29] forms; [Frank67] on their own contours.
@@ -122,12 +133,30 @@ def radiation_table(
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
     if method not in get_args(Method):
         raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Method))}")
+    found = dict(_found(strips, w, density, points, method))
+    names = [f"section {i + 1} (x = {x:g} m)" for i, x in enumerate(strips.x)]
+    warn_of_mismatch(found.pop("mismatch"), names, stacklevel=2)
+    return _table(found, density)
+
+
+def _found(strips: Strips, w: Floats, density: float, points: int, method: Method) -> Mapping[str, NDArray[Any]]:
+    """Arrays of a table by name, from disk where they are worth keeping."""
+    if w.size < FEWEST_KEPT:
+        return _solved(strips, w, density, points, method)
+    s = strips
+    content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), points, method)
+    name = f"sections-{fingerprint([source_digest('hull', 'hydro'), *content])}"
+    return remembered(name, lambda: _solved(strips, w, density, points, method))
+
+
+def _solved(strips: Strips, w: Floats, density: float, points: int, method: Method) -> dict[str, NDArray[Any]]:
+    """Arrays of a table by name; those of its Lewis forms after "forms."."""
     forms = lewis_forms(strips.half_breadth, strips.draught, strips.area)
     lateral = radiation(forms, w, "lateral", density=density, points=points)
     zero = added_mass_at_zero_frequency(forms, density)
     infinite = added_mass_at_infinite_frequency(forms, density)[0]
     chosen = _outlines(strips, forms, method)
-    own = np.array(sorted(chosen), dtype=np.intp)
+    own, mismatch = np.array(sorted(chosen), dtype=np.intp), np.zeros((2, forms.scale.size))
     if own.size:
         outlines, fine = [chosen[s] for s in own], REFINEMENT * (points + 1)
         fitted = close_fit(outlines, w, "lateral", density=density, panels=points + 1)
@@ -135,35 +164,64 @@ def radiation_table(
         fitted = replace(fitted, added_mass=refined.added_mass, damping=refined.damping)
         lateral = _replaced(lateral, own, fitted)
         zero[own], infinite[own], _ = close_fit_limits(outlines, density, panels=fine)
-    return SectionTable(
-        frequency=w,
-        a=_triplet(lateral.added_mass),
-        b=_triplet(lateral.damping),
-        y=lateral.point.real,
-        z=lateral.point.imag,
-        ny=lateral.normal.real,
-        nz=lateral.normal.imag,
-        psi=lateral.potential,
-        a_zero=zero,
-        a_infinite=infinite,
-        forms=forms,
-        density=float(density),
-        close_fit=np.isin(np.arange(forms.scale.size), own),
-    )
+        mismatch[:, own] = worst(refined.residual, w)
+    return {
+        "frequency": w,
+        "a": _triplet(lateral.added_mass),
+        "b": _triplet(lateral.damping),
+        "y": lateral.point.real,
+        "z": lateral.point.imag,
+        "ny": lateral.normal.real,
+        "nz": lateral.normal.imag,
+        "psi": lateral.potential,
+        "a_zero": zero,
+        "a_infinite": infinite,
+        "mismatch": mismatch,
+        "close_fit": np.isin(np.arange(forms.scale.size), own),
+    } | {f"forms.{field.name}": getattr(forms, field.name) for field in fields(forms)}
+
+
+def _table(arrays: Mapping[str, NDArray[Any]], density: float) -> SectionTable:
+    """Table of named arrays, contiguous so that no kernel is compiled for another layout."""
+    flat = {name: np.ascontiguousarray(value) for name, value in arrays.items()}
+    forms = LewisForms(**{field.name: flat.pop(f"forms.{field.name}") for field in fields(LewisForms)})
+    return SectionTable(**flat, forms=forms, density=float(density))
+
+
+def own_outline(strips: Strips, section: int) -> Outline:
+    """Outline of one section's own contour.
+
+    Parameters
+    ----------
+    strips : Strips
+    section : int     which, counted from 0
+
+    Returns
+    -------
+    Outline
+
+    Raises
+    ------
+    InputError        it has no contour points or no breadth: named by number and place
+
+    Notes
+    -----
+    Source: geometry, `strip_outline`.
+    """
+    s, i = strips, section
+    called = f"section {i + 1} (x = {s.x[i]:g} m)"
+    return strip_outline(s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]), called)
 
 
 def _outlines(strips: Strips, forms: LewisForms, method: Method) -> dict[int, Outline]:
     """Outlines of the sections that are to be solved on their own contours, by number."""
     if method == "lewis" or (method == "auto" and strips.y.shape[1] < FEWEST_POINTS):
         return {}
-    s = strips
     chosen = {}
-    for i in range(s.y.shape[0]):
-        if method == "auto" and not s.y[i].any():
+    for i in range(strips.y.shape[0]):
+        if method == "auto" and not strips.y[i].any():
             continue
-        outline = strip_outline(
-            s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]), f"section {i}"
-        )
+        outline = own_outline(strips, i)
         like = not (forms.clipped[i] or forms.stretched[i]) and contour_difference(outline, forms, i) < LEWIS_LIKE
         if method == "close-fit" or not like:
             chosen[i] = outline

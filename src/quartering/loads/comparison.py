@@ -12,17 +12,20 @@ from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, S
 from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.moments import section_table
+from quartering.loads.database_forces import database_force_phasors
 from quartering.loads.forces import FORMS, Form, wave_force_phasors
 from quartering.loads.stations import stations
 from quartering.loads.waves import Floats, Phasors
 
 PRESSURE_ALONE: Final = "froude-krylov"
 PANELS: Final = "bem"
+OWN: Final = "database"
 MEASURE: Final = "stf"
 MEANINGS: Final[dict[str, str]] = {
     PRESSURE_ALONE: "pressure of the undisturbed wave alone, no diffraction",
     **FORMS,
     PANELS: "three-dimensional panels (Capytaine) at zero speed",
+    OWN: "the ship's own database at zero speed, with speed terms of strip theory",
 }
 """Form of the wave force -> what it is."""
 
@@ -50,7 +53,8 @@ def compare_forces(
     Dataset    force (form, wave_length, heading, part, mode), amplitude (form, wave_length, heading, mode) per metre of
                wave amplitude [N/m; N m/m about G]; difference (form, wave_length, heading, mode) and
                largest_difference (form, mode): modulus of the difference from "stf", over the largest force of "stf" in
-               that mode [1]; forms "froude-krylov", "paper", "paper-corrected", "relative-motion", "stf" and "bem"
+               that mode [1]; forms "froude-krylov", "paper", "paper-corrected", "relative-motion", "stf", "bem", and
+               "database" for a ship with its own
 
     Raises
     ------
@@ -74,6 +78,8 @@ def compare_forces(
     if mu.ndim != 1 or np.ndim(speed):
         raise InputError("headings must be one list [deg] and speed one number [m/s]")
     force, omega = _strip_forces(ship, length, mu, speed)
+    if ship.database is not None:
+        force[OWN] = _own_forces(ship, length, mu, speed)
     if bem is not None:
         force[PANELS] = _panel_forces(bem, length, mu, speed)
     return _dataset(ship, length, mu, speed, force, omega)
@@ -90,6 +96,13 @@ def _strip_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> tuple
         force.setdefault(PRESSURE_ALONE, pressure.reshape(*shape, 3))
         force[form] = (pressure + scattered).reshape(*shape, 3)
     return force, omega.reshape(shape)
+
+
+def _own_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> Phasors:
+    """Phasors (n, h, 3) of the ship's own database."""
+    k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
+    pressure, scattered, _ = database_force_phasors(ship, k, np.full(k.size, float(speed)), heading)
+    return np.asarray((pressure + scattered).reshape(length.size, mu.size, 3))
 
 
 def _panel_forces(bem: xr.Dataset, length: Floats, mu: Floats, speed: float) -> Phasors:
@@ -139,6 +152,7 @@ def _dataset(
         "meaning": ("form", [MEANINGS[name] for name in names]),
     }  # fmt: skip
     return xr.Dataset(fields, coords=coords).assign_attrs(
+        axes="body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         ship=ship.name, speed=float(speed), reference_point=REFERENCE_POINT, heading_convention=HEADING_CONVENTION,
         signal="cos cos(|omega| t) + sin sin(|omega| t); at t = 0 the surface at G passes its mean level going down",
         references="H71, STF70" + (", Ancellin19" if PANELS in force else ""),

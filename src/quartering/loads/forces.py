@@ -21,6 +21,7 @@ from quartering.hull.immersed import strips
 from quartering.hull.strips import Strips
 from quartering.hydro.moments import section_table
 from quartering.hydro.table import SectionTable
+from quartering.loads.database_forces import database_force_phasors
 from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.relative_motion import relative_motion_diffraction
@@ -103,6 +104,70 @@ def wave_force_phasors(
     return folded(omega, pressure)[1], folded(omega, scattered)[1], omega
 
 
+def form_words(ship: Ship, form: Form) -> str:
+    """What a form of the wave force of a ship is, and where it comes from.
+
+    Parameters
+    ----------
+    ship : Ship
+    form : str
+
+    Returns
+    -------
+    str
+
+    Notes
+    -----
+    Source: `FORMS`.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> form_words(ship("box"), "stf") == FORMS["stf"]
+    True
+    """
+    if ship.database is None or form != "stf":
+        return FORMS[form]
+    return f"{ship.database.name}, zero speed, with speed terms of strip theory"
+
+
+def ship_force_phasors(
+    ship: Ship, wavenumber: ArrayLike, speed: ArrayLike, heading: ArrayLike, form: Form = "stf"
+) -> tuple[Phasors, Phasors, Floats]:
+    """Froude-Krylov and diffraction force of a ship at many conditions, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    ship, wavenumber, speed, heading, form    as in `wave_force_phasors`
+
+    Returns
+    -------
+    tuple    as `wave_force_phasors`; form "stf" of a ship with its own database comes from there
+
+    Raises
+    ------
+    InputError    what `wave_force_phasors` and `database_force_phasors` refuse
+
+    Notes
+    -----
+    Source: [H71] eqs. (B-3)-(B-11); [STF70] exciting force.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> ship_force_phasors(ship("box"), [0.1], [0.0], [90.0])[0].shape
+    (1, 3)
+    """
+    if ship.database is not None and form == "stf":
+        k, U, mu = (v.copy() for v in np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading))))
+        return database_force_phasors(ship, k, U, mu)
+    density = ship.loading.density
+    return wave_force_phasors(
+        strips(ship.hull), stations(ship), section_table(ship.hull, density), wavenumber, speed, heading,
+        form=form, density=density,
+    )  # fmt: skip
+
+
 def wave_forces(
     ship: Ship, wave: Wave, speed: ArrayLike = 0.0, heading: ArrayLike = 90.0, form: Form = "stf"
 ) -> xr.Dataset:
@@ -114,7 +179,8 @@ def wave_forces(
     wave : Wave                 amplitude and length
     speed : () or (u,) float    U >= 0 [m/s]
     heading : () or (h,) float  mu: 0 following, 90 beam (wave from port to starboard), 180 head [deg]
-    form : str                  diffraction: "stf", "relative-motion", "paper-corrected" or "paper"
+    form : str                  diffraction: "stf", "relative-motion", "paper-corrected" or "paper"; "stf" of a ship with its
+                                own database comes from there, the others from strips
 
     Returns
     -------
@@ -145,17 +211,8 @@ def wave_forces(
             f"speed of shape {U.shape} and heading of shape {mu.shape} given; each may be a number or a list"
         )
     grid_speed, grid_heading = (part.ravel() for part in np.meshgrid(U, mu, indexing="ij"))
-    density = ship.loading.density
-    pressure, scattered, omega = wave_force_phasors(
-        strips(ship.hull),
-        stations(ship),
-        section_table(ship.hull, density),
-        np.full(grid_speed.shape, wave.wavenumber),
-        grid_speed,
-        grid_heading,
-        form=form,
-        density=density,
-    )
+    k = np.full(grid_speed.shape, wave.wavenumber)
+    pressure, scattered, omega = ship_force_phasors(ship, k, grid_speed, grid_heading, form)
     dims = tuple(name for name, values in (("speed", U), ("heading", mu)) if values.ndim)
     shape = U.shape + mu.shape
     parts = {"froude_krylov": pressure, "diffraction": scattered, "total": pressure + scattered}
@@ -189,10 +246,11 @@ def _real_parts(name: str, phasors: Phasors, dims: tuple[str, ...]) -> xr.DataAr
 def _provenance(ship: Ship, wave: Wave, form: Form, omega: Floats) -> dict[str, str | float]:
     """Attributes that say what the forces are and what they rest on."""
     frequency: dict[str, str | float] = {"frequency": float(abs(omega[0]))} if omega.size == 1 else {}
+    own = ship.database if form == "stf" else None
     return frequency | {
         "ship": ship.name,
         "form": form,
-        "form_meaning": FORMS[form],
+        "form_meaning": form_words(ship, form),
         "heading_convention": HEADING_CONVENTION,
         "reference_point": REFERENCE_POINT,
         "axes": "x to the bow, y to starboard, z down; positive roll: starboard down; positive yaw: bow to starboard",
@@ -200,7 +258,7 @@ def _provenance(ship: Ship, wave: Wave, form: Form, omega: Floats) -> dict[str, 
         "wave_length": float(wave.length),
         "wave_height": float(wave.height),
         "water_density": float(ship.loading.density),
-        "references": "H71, STF70",
+        "references": "H71, STF70" if own is None else f"STF70, {own.reference}",
     }
 
 

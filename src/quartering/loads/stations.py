@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
-from quartering.hydro.strip import has_transom
+from quartering.hull.strips import has_transom
 from quartering.loads.waves import Floats
 
 if TYPE_CHECKING:

@@ -8,12 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError
-from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import Coefficients, coefficients
-from quartering.hydro.moments import section_table
-from quartering.loads.forces import Form, wave_force_phasors
-from quartering.loads.stations import stations
+from quartering.loads.forces import Form, ship_force_phasors
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table, with_spline
@@ -138,11 +135,7 @@ def excitation(
     >>> excitation(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0]))[0].shape
     (1, 3)
     """
-    density = ship.loading.density
-    pressure, scattered, omega = wave_force_phasors(
-        strips(ship.hull), stations(ship), section_table(ship.hull, density), wavenumber, speed, heading,
-        form=form, density=density,
-    )  # fmt: skip
+    pressure, scattered, omega = ship_force_phasors(ship, wavenumber, speed, heading, form)
     return pressure + scattered, omega
 
 

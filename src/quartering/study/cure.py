@@ -120,6 +120,8 @@ def cures(
     found = []
     for name in parameters:
         now, unit, at = _handle(ship, wave, speed, name, exponent)
+        if now == 0.0:  # nothing to multiply: roll damping by a component method is no fraction of critical
+            continue
         needed = _nearest(lambda factor, at=at, now=now: at(now * factor) + margin)  # type: ignore[misc]
         if needed is not None:
             found.append(Cure(name, now, now * needed, unit))

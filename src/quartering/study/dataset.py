@@ -14,7 +14,7 @@ from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, SYMBOLS
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
-from quartering.loads.forces import FORMS, Form
+from quartering.loads.forces import Form, form_words
 from quartering.motion.status import Status
 from quartering.stability.first_order import RESONANCES
 from quartering.stability.kind import Kind
@@ -162,7 +162,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
     'modified Struble method'
     """
     c = coefficients(ship, 0.5, 0.0)
-    estimated = [entry.name for entry in c.table() if entry.kind in ("regression", "cross-flow")]
+    estimated = [entry.name for entry in c.table() if entry.kind in ("regression", "cross-flow", "estimated")]
     hull, loading = ship.hull, ship.loading
     return {
         "title": f"Roll response and stability of {ship.name} in regular oblique waves",
@@ -171,7 +171,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
         "ship_beam": hull.beam,
         "ship_draught": hull.draught,
         "loading": f"GM {loading.gm:.4g} m, KG {loading.kg:.4g} m, k_xx {loading.gyradius_roll:.4g} m,"
-        f" k_zz {loading.gyradius_yaw:.4g} m, added roll damping {loading.roll_damping:.3g} of critical",
+        f" k_zz {loading.gyradius_yaw:.4g} m, added roll damping {ship.roll_damping_words}",
         "natural_roll_frequency": c.roll_frequency,
         "provenance": "; ".join(f"{key}: {text}" for key, text in ship.provenance.items()),
         "coefficient_sources": "; ".join(f"{e.name}: {e.source}" for e in c.table()),
@@ -180,7 +180,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
         "axes": "body axes: x to the bow, y to starboard, z down, origin at G",
         "heading_convention": HEADING_CONVENTION,
         "reference_point": REFERENCE_POINT,
-        "diffraction": FORMS[form],
+        "diffraction": form_words(ship, form),
         "steady_motion": "modified Struble method" if harmonics == 1 else f"harmonic balance to order {harmonics}",
         "references": ", ".join(dict.fromkeys(("H71", "STF70", *c.references))),
         "Conventions": "CF-1.8",

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
 from typing import Any, NamedTuple
@@ -13,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
+from quartering.digest import fingerprint
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
@@ -26,7 +26,6 @@ _BLOCKS_WANTED = 64
 _POINTS_WANTED = 512
 _DRAUGHTS_TOGETHER = 4
 _SHIPS_KEPT = 4096
-_UNSAID = ("provenance", "source", "references")
 
 
 class Block(NamedTuple):
@@ -248,45 +247,3 @@ def _check_conditions(axes: Mapping[str, Floats]) -> None:
         raise InputError(
             f"speed = {axes['speed'].min():g} m/s is negative; give speeds from 0, heading tells the direction"
         )
-
-
-def fingerprint(value: Any) -> str:
-    """Digest of every number in a record, the texts that only tell of sources left out.
-
-    Parameters
-    ----------
-    value : Any    number, text, array, mapping, sequence, or a record of such
-
-    Returns
-    -------
-    str            32 hexadecimal digits; equal for equal content in any process
-
-    Examples
-    --------
-    >>> fingerprint({"gm": 1.0}) == fingerprint(dict(gm=1.0)) != fingerprint({"gm": 1.5})
-    True
-    """
-    digest = hashlib.sha256()
-    _feed(digest, value)
-    return digest.hexdigest()[:32]
-
-
-def _feed(digest: Any, value: Any) -> None:
-    if isinstance(value, np.ndarray):
-        digest.update(f"{value.dtype.str}{value.shape}".encode())
-        digest.update(np.ascontiguousarray(value).tobytes())
-    elif isinstance(value, Mapping):
-        for key in sorted(value):
-            _feed(digest, [str(key), value[key]])
-    elif isinstance(value, (list, tuple)):
-        digest.update(f"[{len(value)}".encode())
-        for item in value:
-            _feed(digest, item)
-    elif is_dataclass(value):
-        _feed(digest, {f.name: getattr(value, f.name) for f in fields(value) if f.name not in _UNSAID})
-    elif isinstance(value, float):
-        digest.update(float(value).hex().encode())
-    elif value is None or isinstance(value, (bool, int, str, np.generic)):
-        digest.update(f"{type(value).__name__}{value};".encode())
-    else:
-        _feed(digest, [type(value).__name__, vars(value)])

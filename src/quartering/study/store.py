@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
-import os
-import threading
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -19,9 +15,11 @@ from numpy.typing import NDArray
 from scipy.io import netcdf_file
 
 from quartering.conventions import InputError
+from quartering.digest import fingerprint, source_digest
+from quartering.publish import publish
 from quartering.study.conditions import FLAGS, RESULTS
 from quartering.study.dataset import EXTRA_DIMS, attributes, heading_of, plain_attributes
-from quartering.study.grid import Grid, fingerprint
+from quartering.study.grid import Grid
 
 LAYOUT = 1
 """Number of the layout of the folder; another one is refused."""
@@ -85,7 +83,7 @@ def open_store(folder: str | Path, grid: Grid) -> Store:
     content = _manifest(grid)
     try:
         (path / _BLOCKS).mkdir(parents=True, exist_ok=True)
-        _publish(path / MANIFEST, json.dumps(content, indent=1).encode())
+        publish(path / MANIFEST, json.dumps(content, indent=1).encode())
     except OSError as error:
         raise InputError(
             f'store "{path}" cannot be written ({error.strerror or error}); give a folder you may write to'
@@ -148,7 +146,7 @@ def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str
     counts = counted(found)
     data = _block_file(index, found, grid, counts)
     try:
-        _publish(store.block(index), data)
+        publish(store.block(index), data)
     except OSError as error:
         raise InputError(
             f'store "{store.folder}" cannot be written ({error.strerror or error}); the finished blocks are kept: free'
@@ -264,7 +262,6 @@ def _same_case(store: Store, grid: Grid) -> Store:
     return store
 
 
-@lru_cache(maxsize=1)
 def code_digest() -> str:
     """Digest of the source files that decide the numbers.
 
@@ -277,14 +274,8 @@ def code_digest() -> str:
     >>> len(code_digest())
     16
     """
-    root, digest = Path(__file__).parents[1], hashlib.sha256()
-    for room in ("hull", "hydro", "loads", "motion", "stability"):
-        for file in sorted((root / room).rglob("*.py")):
-            digest.update(file.read_bytes())
-    own = [root / "study" / name for name in ("conditions.py", "shared.py", "grid.py")]
-    for file in [*sorted(root.glob("*.py")), *own]:
-        digest.update(file.read_bytes())
-    return digest.hexdigest()[:16]
+    own = (f"study/{name}.py" for name in ("conditions", "shared", "grid"))
+    return source_digest("hull", "hydro", "loads", "motion", "stability", *own)
 
 
 def _changes(old: Mapping[str, Any], new: Mapping[str, Any], keys: list[str]) -> str:
@@ -349,16 +340,3 @@ def _whole(path: Path) -> bool:
             return "encounter_frequency" in file.variables
     except (OSError, ValueError, TypeError, KeyError, IndexError):
         return False
-
-
-def _publish(path: Path, data: bytes) -> None:
-    """Write a file under another name beside its own, see it on the disk, and then give it its name."""
-    part = path.with_name(f".{path.name}.{os.getpid()}.{threading.get_ident()}.part")
-    try:
-        with open(part, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)

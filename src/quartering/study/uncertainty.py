@@ -137,6 +137,10 @@ def _drawn(grid: Grid, names: list[str], factors: NDArray[np.float64]) -> Grid:
         own = getattr(grid.ship.loading, name) if name in LOADING_AXES and name != "draught" else 1.0
         if name == "draught":
             own = grid.ship.hull.draught
+        if own == 0.0:
+            raise InputError(
+                f"{name} is 0 for {grid.ship.name}, so a relative error means nothing; name the coefficient instead"
+            )
         columns[name] = columns.get(name, np.full(loadings * count, own)) * np.tile(factors[:, i], loadings)
     drawn = replace(grid, loadings=columns)
     drawn.loaded(0)

@@ -88,7 +88,8 @@ def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> 
     >>> estimated_words(["Y_v", "N_r", "K_ppp"], {"gm": "assumed: 0.05 B"})
     'Estimated: velocity derivatives Y_v, N_r (regression); cubic damping K_ppp (cross-flow drag). Assumed: GM.'
     """
-    names = list(estimated)
+    components = provenance.get("roll_damping", "").startswith("estimated")
+    names = [name for name in estimated if not (components and name in ("K_p", "K_p|p|"))]
     cubic = [name for name in names if name.split("_")[-1] in CUBIC_MONOMIALS]
     linear = [name for name in names if name not in cubic]
     parts = [
@@ -99,6 +100,8 @@ def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> 
         )
         if group
     ]
+    if components:
+        parts.append("roll damping K_p, K_p|p| (component method)")
     assumed = [words for key, words in _LOADING.items() if provenance.get(key, "").startswith("assumed")]
     lines = [
         f"Estimated: {'; '.join(parts)}." if parts else "No coefficient rests on regression or on cross-flow drag."

@@ -9,7 +9,7 @@ from quartering.view.options import value
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import estimated_words, speed_words
 
-_ESTIMATES = ("regression", "cross-flow")
+_ESTIMATES = ("regression", "cross-flow", "estimated")
 
 
 def list_coefficients(name: str, speed: str, frequency: str | None, as_json: bool) -> None:

@@ -56,8 +56,9 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
     rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in _LINES.items()]
     show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
     load = one.loading
+    value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
     loading = [
-        (words, f"{getattr(load, key):.5g}", unit, one.provenance.get(key, "given"))
+        (words, value.get(key, f"{getattr(load, key):.5g}"), unit, one.provenance.get(key, "given"))
         for key, words, unit in (
             ("gm", "GM", "m"), ("kg", "KG", "m"), ("gyradius_roll", "k_xx", "m"), ("gyradius_yaw", "k_zz", "m"),
             ("roll_damping", "added roll damping, of critical", "1"),

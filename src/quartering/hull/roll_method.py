@@ -1,0 +1,112 @@
+"""What a ship says of its roll damping: a fraction of critical, or a method and the bilge keels it is to allow for."""
+
+from __future__ import annotations
+
+from typing import Literal, cast
+
+from quartering.conventions import InputError
+
+RollMethod = Literal["fraction", "ikeda", "ikeda-simplified"]
+"""Where added roll damping comes from: the loading's fraction of critical, Ikeda's components, or the regression on them."""
+
+BilgeKeels = tuple[float, float]
+_WORDS = {
+    "ikeda": "component method of Ikeda on the lines",
+    "ikeda-simplified": "regression of Kawahara, Maekawa and Ikeda",
+}
+_WIDEST = 0.25
+
+
+def roll_method(roll_damping: float | str) -> RollMethod:
+    """The method a given roll damping names; a number is a fraction of critical.
+
+    Parameters
+    ----------
+    roll_damping : float or str    0.05, "5 %", "ikeda" or "ikeda-simplified"
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputError    another word
+
+    Notes
+    -----
+    Source: the format of the ship file.
+
+    Examples
+    --------
+    >>> roll_method("ikeda"), roll_method("5 %")
+    ('ikeda', 'fraction')
+    """
+    word = roll_damping.strip() if isinstance(roll_damping, str) else ""
+    if word in _WORDS:
+        return cast(RollMethod, word)
+    if word[:1].isalpha():
+        raise InputError(
+            f'roll_damping "{word}" is given; allowed are a fraction of critical, such as 0.05, or {" or ".join(_WORDS)}'
+        )
+    return "fraction"
+
+
+def roll_damping_note(method: RollMethod, keels: BilgeKeels | None) -> str:
+    """Where the roll damping of a component method comes from.
+
+    Parameters
+    ----------
+    method : str                      "ikeda" or "ikeda-simplified"
+    keels : (float, float) or None    length and breadth of one bilge keel [m]
+
+    Returns
+    -------
+    str
+
+    Notes
+    -----
+    Source: the methods' own papers, [Himeno81] and [Kawahara09].
+
+    Examples
+    --------
+    >>> roll_damping_note("ikeda", (30.0, 0.4))
+    'estimated: component method of Ikeda on the lines, bilge keels 30 x 0.4 m'
+    """
+    fitted = "no bilge keels" if keels is None else f"bilge keels {keels[0]:.4g} x {keels[1]:.4g} m"
+    return f"estimated: {_WORDS[method]}, {fitted}"
+
+
+def checked_bilge_keels(where: str, length: float, beam: float, keels: BilgeKeels) -> BilgeKeels | None:
+    """Bilge keels of a ship, refused when their size cannot be right.
+
+    Parameters
+    ----------
+    where : str              ship or file named in the message
+    length, beam : float     of the ship [m]
+    keels : (float, float)   length and breadth of one of the pair [m]; (0, 0) for none
+
+    Returns
+    -------
+    (float, float) or None
+
+    Raises
+    ------
+    InputError    a length above the ship's, a breadth above a quarter of the beam, either not above 0
+
+    Notes
+    -----
+    Source: [Ikeda78c] for the keels meant.
+
+    Examples
+    --------
+    >>> checked_bilge_keels("my ship", 120.0, 16.0, (30.0, 0.4))
+    (30.0, 0.4)
+    """
+    if keels == (0.0, 0.0):
+        return None
+    if not (0 < keels[0] <= length and 0 < keels[1] <= _WIDEST * beam):
+        raise InputError(
+            f"{where}: bilge_keels, length {keels[0]:g} m and breadth {keels[1]:g} m; the length is above 0 and within the "
+            f"ship's {length:g} m, the breadth above 0 and below B/4; try {0.25 * length:.3g} m and {0.02 * beam:.2g} m"
+        )
+    return keels
