@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import CUBIC_MONOMIALS, GRAVITY, InputError
+from quartering.hull.autopilot import Autopilot
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.offsets import scaled
@@ -21,7 +22,7 @@ from quartering.hydro.manoeuvring import clarke_derivatives, hull_lift, to_si
 from quartering.hydro.moments import hull_moments, section_table
 from quartering.hydro.rolldamping import fraction_of_critical, natural_roll_frequency
 from quartering.hydro.strip import frequency_floor, hydrodynamics
-from quartering.names import KNOWN, canonical, dimension, unit
+from quartering.names import KNOWN, RUDDER_NAMES, canonical, dimension, unit
 
 SHIPS = sorted(entry.name.removesuffix(".yaml") for entry in (files("quartering.hull") / "library").iterdir())
 S60 = ship("series60-cb60")
@@ -244,7 +245,8 @@ def test_a_given_coefficient_replaces_the_estimate_and_a_multiplier_scales_it():
 
 @pytest.mark.parametrize("name", KNOWN)
 def test_every_name_a_ship_file_may_give_reaches_the_coefficients(name):
-    c = coefficients(with_coefficients(S60, **{name: 123.0}), 0.5, SPEED)
+    ship = S60.with_(autopilot=Autopilot(gain=1.0)) if name in RUDDER_NAMES else S60  # what moves the rudder
+    c = coefficients(with_coefficients(ship, **{name: 123.0}), 0.5, SPEED)
     assert by_name(c)[canonical(name)] == pytest.approx(123.0, abs=1e-5)  # beside 1e10 kg m2 of added inertia
 
 
