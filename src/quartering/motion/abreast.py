@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from quartering.compiled import abreast
+from quartering.motion.terms import KNOT, KNOT_CODE
 
 WIDTH = 32
 """Conditions abreast: enough to fill vector units, few enough for their matrices to stay near the processor."""
@@ -104,6 +105,15 @@ def forces(linear, coefficients, powers, modulus, state, table, force):
     for t in range(powers.shape[0]):
         a, b, c, d = powers[t, 0], powers[t, 1], powers[t, 2], powers[t, 3]
         bars = modulus[t]
+        if bars > KNOT_CODE:
+            knot = (bars - KNOT_CODE) * KNOT
+            for l in range(WIDTH):
+                beyond = max(abs(state[1, l]) - knot, 0.0)
+                product = beyond * beyond * (beyond if state[1, l] > 0.0 else -beyond)
+                force[0, l] += coefficients[0, t, l] * product
+                force[1, l] += coefficients[1, t, l] * product
+                force[2, l] += coefficients[2, t, l] * product
+            continue
         for l in range(WIDTH):
             product = table[0, a, l] * table[1, b, l] * (table[2, c, l] * table[3, d, l])
             if bars > 0:
@@ -127,6 +137,15 @@ def slopes(linear, coefficients, powers, modulus, state, table, jacobian):
                 jacobian[k, s, l] = linear[k, s, l]
     for t in range(powers.shape[0]):
         bars = modulus[t]
+        if bars > KNOT_CODE:
+            knot = (bars - KNOT_CODE) * KNOT
+            for l in range(WIDTH):
+                beyond = max(abs(state[1, l]) - knot, 0.0)
+                slope = 3.0 * beyond * beyond
+                jacobian[0, 1, l] += coefficients[0, t, l] * slope
+                jacobian[1, 1, l] += coefficients[1, t, l] * slope
+                jacobian[2, 1, l] += coefficients[2, t, l] * slope
+            continue
         for s in range(4):
             lowered = powers[t, s]
             if lowered == 0 and bars != s + 1:

@@ -14,7 +14,7 @@ from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.spline import OddSpline, odd_spline
 from quartering.motion.steering import steered
-from quartering.motion.terms import KNOT_CODE, TermTable, checked_number, term_table, with_spline
+from quartering.motion.terms import TermTable, checked_number, term_table, with_spline
 from quartering.names import RUDDER_NAMES
 
 Floats = NDArray[np.float64]
@@ -58,8 +58,8 @@ class System:
 
     @property
     def plain(self) -> bool:
-        """Is there nothing but products of (v, phi, p, r)? Then many conditions are solved abreast."""
-        return self.states == 4 and bool((self.modulus <= KNOT_CODE).all())
+        """Is there nothing but (v, phi, p, r)? Then many conditions are solved abreast."""
+        return self.states == 4
 
     @property
     def degree(self) -> int:
