@@ -1,5 +1,6 @@
 """Reference numbers that several rooms are tested against, and how to read them as models."""
 
+import csv
 import json
 from pathlib import Path
 
@@ -54,3 +55,9 @@ def complexes(pairs: list) -> np.ndarray:
     """[[re, im], ...] as a sorted complex array."""
     array = np.array(pairs)
     return np.sort_complex(array[:, 0] + 1j * array[:, 1])
+
+
+def table(name: str) -> list[dict[str, str]]:
+    """Rows of a table beside this file; the lines that begin with # say where its numbers come from."""
+    lines = (HERE / name).read_text().splitlines()
+    return list(csv.DictReader(line for line in lines if not line.startswith("#")))

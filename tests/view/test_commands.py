@@ -92,6 +92,15 @@ def test_verdict_is_that_of_the_library(run):
     assert "Estimated" in words
 
 
+def test_verdict_with_an_autopilot_is_that_of_the_library(run):
+    facts = json.loads(run("verdict", "series60-cb60", *CONDITION, "--autopilot", "1,10s,2s", "--json").stdout)
+    assert facts["autopilot"] == {"gain": 1.0, "rate_gain": 10.0, "lag": 2.0}
+    assert len(facts["multipliers"]) == 6
+    refused = run("verdict", "series60-cb60", *CONDITION, "--autopilot", "1,2,3,4")
+    assert refused.exit_code == 2
+    assert "at most three values" in refused.output
+
+
 def test_unstable_verdict_offers_cures(run, tmp_path):
     file = tmp_path / "restless.yaml"
     file.write_text("base: series60-cb60\nname: restless\nmultipliers: {K_prr: -60}\n")

@@ -109,8 +109,7 @@ def forces(linear, coefficients, powers, modulus, state, table, force):
             knot = (bars - KNOT_CODE) * KNOT
             for l in range(WIDTH):
                 beyond = max(abs(state[1, l]) - knot, 0.0)
-                cube = beyond * beyond * beyond
-                product = cube if state[1, l] > 0.0 else -cube
+                product = beyond * beyond * (beyond if state[1, l] > 0.0 else -beyond)
                 force[0, l] += coefficients[0, t, l] * product
                 force[1, l] += coefficients[1, t, l] * product
                 force[2, l] += coefficients[2, t, l] * product

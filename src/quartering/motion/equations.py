@@ -58,7 +58,7 @@ class System:
 
     @property
     def plain(self) -> bool:
-        """Are there the four states (v, phi, p, r) alone? Then many conditions are solved abreast."""
+        """Is there nothing but (v, phi, p, r)? Then many conditions are solved abreast."""
         return self.states == 4
 
     @property

@@ -101,7 +101,7 @@ def irregular(
 
     Raises
     ------
-    InputError        shapes that do not fit together, numbers that are not finite, a step or duration that is not positive
+    InputError        an autopilot, shapes that do not fit together, numbers that are not finite, a step or duration not above 0
 
     Notes
     -----
@@ -116,6 +116,8 @@ def irregular(
     >>> sea["roll_peak"].dims, bool((sea["roll_peak"] > 2.29).all())  # 0.04 rad once the start has died out
     (('realisation',), True)
     """
+    if model.autopilot is not None:
+        raise InputError("an irregular sea is run with the rudder amidships: give a model with autopilot=None")
     w, f, phases = np.asarray(frequency, float), np.asarray(force, complex), np.asarray(phase, float)
     if w.ndim != 1 or f.shape != (w.size, 3) or phases.ndim != 2 or phases.shape[1] != w.size or phases.shape[0] == 0:
         raise InputError(
