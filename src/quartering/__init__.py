@@ -28,7 +28,6 @@ if TYPE_CHECKING:
     from quartering.hydro.strip import hydrodynamics
     from quartering.loads.forces import wave_forces
     from quartering.loads.waves import Wave, encounter_frequency
-    from quartering.motion.branch import all_motions
     from quartering.motion.equations import Model
     from quartering.motion.irregular import irregular
     from quartering.motion.of_ship import equations
@@ -37,6 +36,7 @@ if TYPE_CHECKING:
     from quartering.references import cite
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branch import branch
+    from quartering.study.coexisting import all_motions
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
@@ -56,7 +56,7 @@ _HOMES = {
     "wave_forces": "loads.forces",
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
-    "all_motions": "motion.branch",
+    "all_motions": "study.coexisting",
     "branch": "study.branch",
     "Model": "motion.equations",
     "equations": "motion.of_ship",

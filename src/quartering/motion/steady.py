@@ -26,13 +26,14 @@ class Motion:
 
     Parameters
     ----------
-    frequency : float          w [rad/s]
-    orders : tuple of int      harmonics present, without the mean
+    frequency : float          of the motion [rad/s]: the wave's, w, or w/2 where it takes two wave periods
+    orders : tuple of int      harmonics of that frequency present, without the mean
     cos, sin : (h, 3) float    coefficients of sway, roll, yaw
     mean : (3,) float          mean sway velocity [m/s], heel [rad], yaw rate [rad/s]
     status : Status            how it was found; ``status.advice`` says what to do when it was not
     residual : float           largest imbalance relative to the excitation
     method : str               "modified Struble" or "harmonic balance"
+    periods : int              wave periods after which the motion repeats
     """
 
     frequency: float
@@ -44,11 +45,13 @@ class Motion:
     residual: float
     method: str
     references: tuple[str, ...] = ("H71",)
+    periods: int = 1
 
     @property
     def amplitude(self) -> Floats:
-        """Amplitude (3,) of the fundamental: sway [m], roll [rad], yaw [rad]."""
-        return np.hypot(self.cos[0], self.sin[0])
+        """Amplitude (3,) at the wave's frequency: sway [m], roll [rad], yaw [rad]."""
+        own = self.orders.index(self.periods)
+        return np.hypot(self.cos[own], self.sin[own])
 
     @property
     def peak(self) -> Floats:
