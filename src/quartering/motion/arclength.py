@@ -141,7 +141,7 @@ def follow(
     while len(found) < points and length > _SHORTEST_STEP:
         point = corrected(equations, found[-1] + length * tangent, tangent)
         turned = tangent_at(equations, point, tangent) if point is not None else tangent
-        if point is None or turned @ tangent < _LARGEST_TURN:
+        if point is None or not turned @ tangent >= _LARGEST_TURN:
             length *= 0.5
             continue
         enough = may_close and len(found) >= _POINTS_OF_A_LOOP

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.motion.branch import Curve, follow_branch, start_of_branch
+from quartering.motion.branch import Curve, Family, follow_branch, start_of_branch
 from quartering.motion.equations import Floats, Model
 from quartering.motion.isola import loops
 from quartering.motion.steady import peaks
@@ -90,6 +90,33 @@ def branch(
     [1.26, 1.1]
     """
     low, high, at = family(ship_or_model, over, limits, wave, speed, heading)
+    lines = lines_of(at, harmonics, points)
+    parts = [_columns(line, i, over, low, high) for i, line in enumerate(lines)]
+    references = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
+    return xr.concat(parts, "point").assign_attrs(references=", ".join((*references, "Krack19")))
+
+
+def lines_of(at: Family, harmonics: int, points: int = 2000) -> list[Line]:
+    """Every curve of motions found over one parameter, the one from the start first.
+
+    Parameters
+    ----------
+    at : function     of the parameter (0 to 1), gives the system
+    harmonics : int   highest harmonic of the wave's frequency, odd
+    points : int      of one curve, at the most
+
+    Returns
+    -------
+    list of Line
+
+    Raises
+    ------
+    InputError        no motion to start from
+
+    Examples
+    --------
+    See `branch`.
+    """
     curve, start = start_of_branch(at, harmonics)
     path, folds = follow_branch(curve, start, points)
     lines = [Line(curve, "start", *with_events(curve, path.points, folds), path.closed)]
@@ -98,9 +125,7 @@ def branch(
     for line in lines:  # grows while it is gone through: a branch that left may lose its own symmetry or period
         if len(lines) < _MOST_BRANCHES:
             lines += _leaving(line, [other for other in lines if other.origin != "start"], points)
-    parts = [_columns(line, i, over, low, high) for i, line in enumerate(lines)]
-    references = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
-    return xr.concat(parts, "point").assign_attrs(references=", ".join((*references, "Krack19")))
+    return lines
 
 
 def _leaving(line: Line, known: list[Line], points: int) -> list[Line]:
