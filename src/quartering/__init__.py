@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branch import branch
     from quartering.study.coexisting import all_motions
+    from quartering.study.edge import edge
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
@@ -58,6 +59,7 @@ _HOMES = {
     "encounter_frequency": "loads.waves",
     "all_motions": "study.coexisting",
     "branch": "study.branch",
+    "edge": "study.edge",
     "Model": "motion.equations",
     "equations": "motion.of_ship",
     "irregular": "motion.irregular",
@@ -84,6 +86,7 @@ __all__ = [
     "branch",
     "cite",
     "coefficients",
+    "edge",
     "encounter_frequency",
     "equations",
     "hydrodynamics",

@@ -14,6 +14,7 @@ from quartering.motion.basis import basis
 from quartering.motion.equations import Floats, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
+from quartering.motion.steady import roll_peaks
 from quartering.motion.subharmonic import ascending, slowed
 
 Family = Callable[[float], System]
@@ -201,6 +202,25 @@ def follow_branch(
         found.append(path.points[i])
         tangents.append(path.tangents[i])
     return Path(np.array(found), np.array(tangents), path.closed), folds
+
+
+def within(curve: Curve, steepest: float) -> Callable[[Floats], bool]:
+    """Whether a motion rolls no further than an angle.
+
+    Parameters
+    ----------
+    curve : Curve
+    steepest : float    [rad]
+
+    Returns
+    -------
+    function of a point, as `follow_branch` takes it
+
+    Notes
+    -----
+    Source: none needed.
+    """
+    return lambda point: bool(roll_peaks(*curve.motions(point[None]))[0] <= steepest)
 
 
 def _fold(curve: Curve, before: Floats, tangent: Floats, reach: float) -> Floats:

@@ -8,19 +8,22 @@ from itertools import pairwise
 import numpy as np
 
 from quartering.motion.arclength import Path, corrected, tangent_at
-from quartering.motion.branch import Curve, follow_branch
+from quartering.motion.branch import Curve, follow_branch, within
 from quartering.motion.equations import Floats
 from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.search import from_grid
 from quartering.motion.status import Status
+from quartering.motion.steady import roll_peaks
 from quartering.motion.subharmonic import rearranged
 
 _VALUES = 17
 _SAME = 1e-4
-_STEEPEST = 0.5 * np.pi
+_STEEPEST = np.pi
 
 
-def loops(curve: Curve, known: Floats, points: int = 2000) -> list[tuple[Curve, Path, list[int]]]:
+def loops(
+    curve: Curve, known: Floats, points: int = 2000, steepest: float = np.inf
+) -> list[tuple[Curve, Path, list[int]]]:
     """Curves of motions that are not on a known one: loops, and branches that enter and leave through the limits.
 
     Parameters
@@ -28,6 +31,7 @@ def loops(curve: Curve, known: Floats, points: int = 2000) -> list[tuple[Curve, 
     curve : Curve                  whose equations are solved
     known : (n, m + 1) float       points of the curve that is known
     points : int                   of one loop, at the most
+    steepest : float               roll past which no curve is begun or followed [rad]
 
     Returns
     -------
@@ -47,13 +51,13 @@ def loops(curve: Curve, known: Floats, points: int = 2000) -> list[tuple[Curve, 
     """
     found: list[tuple[Curve, Path, list[int]]] = []
     for value in np.linspace(0.0, 1.0, _VALUES):
-        for seed in _seeds(curve, float(value)):
+        for seed in _seeds(curve, float(value), steepest):
             size = np.repeat(np.abs(seed[:-1] * curve.scale).reshape(3, -1).max(axis=1), seed.size // 3)
             own = replace(curve, scale=np.maximum(curve.scale, size))
             begin = _rescaled(seed[None], curve, own)[0]
             others = [_rescaled(known, curve, own), *(_rescaled(path.points, of, own) for of, path, _ in found)]
             if not any(_passes(own, other, begin) for other in others):
-                found.append((own, *_both_ways(own, begin, points)))
+                found.append((own, *_both_ways(own, begin, points, steepest)))
     return found
 
 
@@ -62,7 +66,7 @@ def _rescaled(points: Floats, old: Curve, new: Curve) -> Floats:
     return np.column_stack([points[:, :-1] * (old.scale / new.scale), points[:, -1]])
 
 
-def _seeds(curve: Curve, value: float) -> list[Floats]:
+def _seeds(curve: Curve, value: float, steepest: float) -> list[Floats]:
     """Points of the curve at one value of the parameter."""
     system = curve.family(value)
     low, starts = from_grid(system)
@@ -77,7 +81,8 @@ def _seeds(curve: Curve, value: float) -> list[Floats]:
         },
     )
     u, status, _ = harmonic_balance(many, curve.orders, start=u)
-    good = u[(status == Status.CONVERGED) & (np.abs(u[:, 1]).max(axis=1) < _STEEPEST)]
+    good = u[status == Status.CONVERGED]
+    good = good[roll_peaks(good, curve.orders) <= min(steepest, _STEEPEST)]
     return [np.append(one.ravel() / curve.scale, value) for one in good]
 
 
@@ -96,15 +101,15 @@ def _passes(curve: Curve, path: Floats, seed: Floats) -> bool:
     return False
 
 
-def _both_ways(curve: Curve, seed: Floats, points: int) -> tuple[Path, list[int]]:
+def _both_ways(curve: Curve, seed: Floats, points: int, steepest: float) -> tuple[Path, list[int]]:
     """The curve through a motion: a closed loop, or both its halves joined."""
     level = np.zeros(seed.size)
     level[-1] = 1.0
     tangent = tangent_at(curve.residual, seed, level)
-    path, folds = follow_branch(curve, seed, points, along=tangent)
+    path, folds = follow_branch(curve, seed, points, along=tangent, go_on=within(curve, steepest))
     if path.closed:
         return path, folds
-    back, folds_back = follow_branch(curve, seed, points, along=-tangent)
+    back, folds_back = follow_branch(curve, seed, points, along=-tangent, go_on=within(curve, steepest))
     before = len(back.points) - 1
     joined = np.concatenate([back.points[:0:-1], path.points])
     tangents = np.concatenate([-back.tangents[:0:-1], path.tangents])

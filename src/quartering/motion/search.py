@@ -20,7 +20,7 @@ from quartering.motion.switching import disturbance
 _ANGLES, _SIZES = 12, 12
 _FEW = 4
 _OFFSETS, _ITERATIONS = (0.1, 0.3), 10
-_LEANING_STARTS = (2, 3, 6)
+_HEELED_STARTS = (2, 3, 6)
 _SAME, _ZERO = 1e-6, 1e-5
 _LOW = 3
 
@@ -44,9 +44,9 @@ def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
     Notes
     -----
     Motions of the wave's period: from the linear solution, along the branch from rest to twice the excitation, and by Newton's
-    method from a grid of roll amplitudes and phases.  Where the equations are symmetric, leaning motions from a grid that
-    heels (each stands beside its mirror image); and motions of two periods from those of one, disturbed at half the
-    frequency.  Nothing proves that no further motion exists.
+    method from grids of roll amplitudes, phases and heels; leaning ones also beside the symmetric ones, each with its
+    mirror image.  Motions of two periods: from those of one, disturbed at half the frequency.  Nothing proves that no
+    further motion exists.
     Source: [Krack19]; [H71] eq. (A-11) has up to as many roots as its cubics allow.
 
     Examples
@@ -57,17 +57,19 @@ def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
     [0.23, 1.63, 1.76]
     """
     system = model.system
-    orders = orders_for(system, harmonics)
+    orders, whole = orders_for(system, harmonics), orders_of(harmonics, 1)
     low, seeds = from_grid(system)
-    plain = _polished(system, [*_from_branch(model), *seeds], low, orders)
+    begun = _polished(system, _heeled_starts(system), (0, 1, 2), orders_of(_LOW, 1))
+    heeled = [rearranged(u[None], orders_of(_LOW, 1), whole)[0] for u, _, _ in begun]
+    starts = [rearranged(u[None], low, orders)[0] for u in (*_from_branch(model), *seeds)]
     leaning: list[tuple[Floats, int, float]] = []
-    whole = orders_of(harmonics, 1)
-    if system.symmetric:
-        started = _polished(system, _leaning_starts(system), (0, 1, 2), orders_of(_LOW, 1))
-        starts = [rearranged(u[None], orders_of(_LOW, 1), whole)[0] for u, _, _ in started]
-        starts += _beside(system, [rearranged(u[None], orders, whole)[0] for u, _, _ in plain], whole, 1)
-        starts += [_turned(u, whole, 0) for u in starts]  # the mirror image (y, t) -> (-y, t + T/2) is a motion too
-        leaning = [found for found in _polished(system, starts, whole, whole) if _has(found[0], whole, 0)]
+    if not system.symmetric:
+        plain = _polished(system, starts + heeled, orders, orders)
+    else:
+        plain = _polished(system, starts, orders, orders)
+        heeled += _beside(system, [rearranged(u[None], orders, whole)[0] for u, _, _ in plain], whole, 1)
+        heeled += [_turned(u, whole, 0) for u in heeled]  # the mirror image (y, t) -> (-y, t + T/2) is a motion too
+        leaning = [found for found in _polished(system, heeled, whole, whole) if _has(found[0], whole, 0)]
     of_one = [rearranged(u[None], orders, whole)[0] for u, _, _ in plain] + [u for u, _, _ in leaning]
     doubled = _doubled(system, of_one, whole, harmonics)
     records = [_record(model, found, used, periods) for group, used, periods in (
@@ -183,9 +185,9 @@ def _grid(largest: float, sizes: int, angles: int, column: int, width: int) -> F
     return start
 
 
-def _leaning_starts(system: System) -> list[Floats]:
+def _heeled_starts(system: System) -> list[Floats]:
     """Starts with harmonics (0, 1, 2) that heel to either side."""
-    heels, sizes, angles = _LEANING_STARTS
+    heels, sizes, angles = _HEELED_STARTS
     largest, starts = largest_roll(system), []
     for heel in largest * np.arange(-heels, heels + 1) / (2 * heels):
         if heel != 0:

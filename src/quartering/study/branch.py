@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from quartering.hull.righting import vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.motion.branch import Curve, Family, follow_branch, start_of_branch
+from quartering.motion.branch import Curve, Family, follow_branch, start_of_branch, within
 from quartering.motion.equations import Floats, Model
 from quartering.motion.isola import loops
 from quartering.motion.steady import peaks
@@ -19,6 +21,7 @@ from quartering.motion.switching import doubled, leaning, strength
 from quartering.study.dataset import attributes
 from quartering.study.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.family import family
+from quartering.threads import small_matrices
 
 _UNITS = {"frequency": "rad/s", "excitation": "1"}
 _MOST_BRANCHES = 12
@@ -78,7 +81,8 @@ def branch(
     followed (one of each mirrored pair), where its period doubles those of two wave periods; further doublings are
     marked, not followed.  Loops that touch none of these are found from motions at values between the limits (see
     `quartering.motion.isola`): nothing proves that none is missed.  Several motions coexist where the curves pass one
-    value more than once.  A ship's coefficients and forces are splined through 65 values of the parameter.
+    value more than once.  A ship's curves end where she rolls past the angle at which her righting arm vanishes; her
+    coefficients and forces are splined through 65 values of the parameter.
     Source: [Krack19]; [H71] eq. (A-11).
 
     Examples
@@ -90,13 +94,16 @@ def branch(
     [1.26, 1.1]
     """
     low, high, at = family(ship_or_model, over, limits, wave, speed, heading)
-    lines = lines_of(at, harmonics, points)
-    parts = [_columns(line, i, over, low, high) for i, line in enumerate(lines)]
+    with small_matrices():
+        parts = [
+            _columns(line, i, over, low, high)
+            for i, line in enumerate(lines_of(at, harmonics, points, steepest_of(ship_or_model)))
+        ]
     references = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
     return xr.concat(parts, "point").assign_attrs(references=", ".join((*references, "Krack19")))
 
 
-def lines_of(at: Family, harmonics: int, points: int = 2000) -> list[Line]:
+def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = np.inf) -> list[Line]:
     """Every curve of motions found over one parameter, the one from the start first.
 
     Parameters
@@ -104,6 +111,7 @@ def lines_of(at: Family, harmonics: int, points: int = 2000) -> list[Line]:
     at : function     of the parameter (0 to 1), gives the system
     harmonics : int   highest harmonic of the wave's frequency, odd
     points : int      of one curve, at the most
+    steepest : float  roll past which no curve is followed [rad]
 
     Returns
     -------
@@ -118,17 +126,22 @@ def lines_of(at: Family, harmonics: int, points: int = 2000) -> list[Line]:
     See `branch`.
     """
     curve, start = start_of_branch(at, harmonics)
-    path, folds = follow_branch(curve, start, points)
+    path, folds = follow_branch(curve, start, points, go_on=within(curve, steepest))
     lines = [Line(curve, "start", *with_events(curve, path.points, folds), path.closed)]
-    for own, loop, folds in loops(curve, path.points, points):
+    for own, loop, folds in loops(curve, path.points, points, steepest):
         lines.append(Line(own, "search", *with_events(own, loop.points, folds), loop.closed))
     for line in lines:  # grows while it is gone through: a branch that left may lose its own symmetry or period
         if len(lines) < _MOST_BRANCHES:
-            lines += _leaving(line, [other for other in lines if other.origin != "start"], points)
+            lines += _leaving(line, [other for other in lines if other.origin != "start"], points, steepest)
     return lines
 
 
-def _leaving(line: Line, known: list[Line], points: int) -> list[Line]:
+def steepest_of(ship_or_model: Ship | Model) -> float:
+    """Roll past which the equations describe no ship: where her righting arm vanishes [rad]; no bound for bare numbers."""
+    return np.radians(vanishing_angle(ship_or_model)) if isinstance(ship_or_model, Ship) else np.inf
+
+
+def _leaving(line: Line, known: list[Line], points: int, steepest: float) -> list[Line]:
     """The branches that leave a curve, each once though it may leave at one point and come back at another."""
     symmetric = all(h % 2 == 1 for h in line.curve.orders)
     name, switch = (SYMMETRY_BREAKING, leaning) if symmetric else (PERIOD_DOUBLING, doubled)
@@ -140,14 +153,15 @@ def _leaving(line: Line, known: list[Line], points: int) -> list[Line]:
         if left is None or any(_ends_at(other, left[0], event) for other in (*known, *found)):
             continue
         curve, start, along = left
-        home = strength(curve, start[None])[0]
-
-        def away(point: np.ndarray, curve: Curve = curve, home: np.ndarray = home) -> bool:
-            return bool(strength(curve, point[None])[0] @ home > 0)
-
-        path, folds = follow_branch(curve, start, points, along=along, go_on=away)
+        path, folds = follow_branch(curve, start, points, along=along, go_on=_away(curve, start, steepest))
         found.append(Line(curve, name, *with_events(curve, path.points, folds), path.closed))
     return found
+
+
+def _away(curve: Curve, start: Floats, steepest: float) -> Callable[[Floats], bool]:
+    """Is a branch that left another one still on its own side of it?"""
+    home, low = strength(curve, start[None])[0], within(curve, steepest)
+    return lambda point: bool(strength(curve, point[None])[0] @ home > 0) and low(point)
 
 
 def _ends_at(line: Line, curve: Curve, event: Floats) -> bool:

@@ -8,6 +8,7 @@ from quartering.motion.equations import Model
 from quartering.motion.search import periodic_motions
 from quartering.motion.steady import Motion
 from quartering.stability.verdict import Verdict, stability
+from quartering.threads import small_matrices
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -58,8 +59,11 @@ def all_motions(model: Model, harmonics: int = 9) -> list[JudgedMotion]:
     >>> [(round(float(m.amplitude[1]), 2), m.stable) for m in all_motions(model, 5)]
     [(0.23, True), (1.63, False), (1.76, True)]
     """
+    with small_matrices():
+        motions = periodic_motions(model, harmonics)
     return [
-        JudgedMotion(**{field.name: getattr(motion, field.name) for field in fields(motion)}, verdict=verdict)
-        for motion in periodic_motions(model, harmonics)
-        for verdict in [stability(model, motion)]
+        JudgedMotion(
+            **{own.name: getattr(motion, own.name) for own in fields(motion)}, verdict=stability(model, motion)
+        )
+        for motion in motions
     ]
