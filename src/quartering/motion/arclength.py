@@ -13,7 +13,7 @@ Equations = Callable[[Floats], tuple[Floats, Floats]]
 """Residual (m,) and derivative (m, m + 1) at a point (m + 1,); the unknowns scaled to about 1."""
 
 _FIRST_STEP, _LONGEST_STEP, _SHORTEST_STEP = 0.02, 0.05, 1e-6
-_LARGEST_TURN = 0.95
+_LARGEST_TURN = 0.98
 _POINTS_OF_A_LOOP = 8
 
 
@@ -126,7 +126,7 @@ def follow(
 
     Notes
     -----
-    Steps go along the tangent, halved where the curve bends by more than 18 degrees.  Source: [Krack19].
+    Steps go along the tangent, halved where the curve bends by more than 11 degrees.  Source: [Krack19].
 
     Examples
     --------

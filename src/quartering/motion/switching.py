@@ -9,7 +9,7 @@ from quartering.motion.branch import Curve, balance_of
 from quartering.motion.equations import Floats, System
 from quartering.motion.subharmonic import columns, orders_of, rearranged, slowed
 
-_OFFSETS = (0.05, 0.02, 0.1, 0.005)
+_OFFSETS = (0.01, 0.02, 0.05, 0.1)
 
 
 def leaning(curve: Curve, point: Floats) -> tuple[Curve, Floats, Floats] | None:

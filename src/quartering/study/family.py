@@ -174,8 +174,40 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
 
 
 def joined(systems: Sequence[System]) -> System:
-    """Systems with the same products as one batch."""
-    return replace(systems[0], **{name: np.concatenate([getattr(s, name) for s in systems]) for name in _ARRAYS})
+    """Systems as one batch, their products brought into one order of columns.
+
+    Parameters
+    ----------
+    systems : sequence of System    of any numbers of conditions; a product one of them lacks is zero there
+
+    Returns
+    -------
+    System
+
+    Examples
+    --------
+    >>> one, other = ({"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0, name: 0.1} for name in ("K_ppp", "K_phiphiphi"))
+    >>> joined([Model(np.eye(3), terms, 0.8, (0, 1, 0), (0, 0, 0)).system for terms in (one, other)]).coefficients[:, 1]
+    array([[0.1, 0. ],
+           [0. , 0.1]])
+    """
+    first = systems[0]
+    stacked = {name: np.concatenate([getattr(s, name) for s in systems]) for name in _ARRAYS if name != "coefficients"}
+    products = [list(zip(map(tuple, s.powers.tolist()), s.modulus.tolist(), strict=True)) for s in systems]
+    if all(one == products[0] for one in products):
+        return replace(first, coefficients=np.concatenate([s.coefficients for s in systems]), **stacked)
+    where = {key: i for i, key in enumerate(dict.fromkeys(key for one in products for key in one))}
+    blocks = []
+    for s, keys in zip(systems, products, strict=True):
+        block = np.zeros((s.count, 3, len(where)))
+        block[:, :, [where[key] for key in keys]] = s.coefficients
+        blocks.append(block)
+    return System(
+        coefficients=np.concatenate(blocks),
+        powers=np.array([powers for powers, _ in where], dtype=np.int64).reshape(-1, 4),
+        modulus=np.array([modulus for _, modulus in where], dtype=np.int64),
+        **stacked,
+    )
 
 
 def _scaled(s: System, values: Mapping[str, Floats]) -> System:
