@@ -36,11 +36,11 @@ def branch_picture(ds: xr.Dataset, over: str, title: str) -> Figure:
     -------
     Figure          largest roll over the parameter, and the Floquet multipliers in the complex plane
     """
-    made = style.figure(11.0, 5.4, bottom=0.4)
+    made = style.figure(11.0, 5.6, bottom=0.85)
     curve, circle = made.subplots(1, 2, width_ratios=(2.0, 1.0))
     curves_on(curve, ds, over)
     multipliers_on(circle, ds)
-    made.legend(handles=_legend(ds), loc="outside lower center", ncols=5, frameon=False)
+    made.legend(handles=_legend(ds), loc="lower center", bbox_to_anchor=(0.5, 0.3 / 5.6), ncols=5, frameon=False)
     style.title(made, title)
     style.footnote(
         made,
