@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branch import branch
     from quartering.study.coexisting import all_motions
+    from quartering.study.cure import cures
     from quartering.study.edge import edge
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
@@ -59,6 +60,7 @@ _HOMES = {
     "encounter_frequency": "loads.waves",
     "all_motions": "study.coexisting",
     "branch": "study.branch",
+    "cures": "study.cure",
     "edge": "study.edge",
     "Model": "motion.equations",
     "equations": "motion.of_ship",
@@ -86,6 +88,7 @@ __all__ = [
     "branch",
     "cite",
     "coefficients",
+    "cures",
     "edge",
     "encounter_frequency",
     "equations",
