@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from quartering.hydro.strip import hydrodynamics
     from quartering.loads.forces import wave_forces
     from quartering.loads.waves import Wave, encounter_frequency
-    from quartering.motion.branch import all_motions
     from quartering.motion.equations import Model
     from quartering.motion.irregular import irregular
     from quartering.motion.of_ship import equations
@@ -38,6 +37,9 @@ if TYPE_CHECKING:
     from quartering.references import cite
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branch import branch
+    from quartering.study.coexisting import all_motions
+    from quartering.study.cure import cures
+    from quartering.study.edge import edge
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
@@ -58,8 +60,10 @@ _HOMES = {
     "wave_forces": "loads.forces",
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
-    "all_motions": "motion.branch",
+    "all_motions": "study.coexisting",
     "branch": "study.branch",
+    "cures": "study.cure",
+    "edge": "study.edge",
     "Model": "motion.equations",
     "equations": "motion.of_ship",
     "irregular": "motion.irregular",
@@ -87,6 +91,8 @@ __all__ = [
     "branch",
     "cite",
     "coefficients",
+    "cures",
+    "edge",
     "encounter_frequency",
     "equations",
     "hydrodynamics",

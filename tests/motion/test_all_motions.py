@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from quartering.motion.branch import all_motions
 from quartering.motion.equations import Model
+from quartering.motion.search import periodic_motions as all_motions
 from quartering.stability.verdict import stability
 from tests.reference import DYNAMICS, model_of
 
@@ -12,7 +12,7 @@ from tests.reference import DYNAMICS, model_of
 def test_all_three_motions_of_the_fold_case_are_found_and_judged():
     case = DYNAMICS["cases"]["D_fold_strong"]
     model = model_of(case)
-    motions = all_motions(model)
+    motions = [m for m in all_motions(model) if not m.mean.any()]  # the reference lists the symmetric ones
     exact = [np.hypot(*np.array(s["harmonics_9"])[1, 0]) for s in case["solutions"]]
     np.testing.assert_allclose([m.amplitude[1] for m in motions], exact, rtol=1e-11)
     assert [stability(model, m).stable for m in motions] == [s["orbit"]["stable"] for s in case["solutions"]]

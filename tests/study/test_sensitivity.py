@@ -1,9 +1,12 @@
 """Derivatives against independent differences and closed forms."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 import quartering as qt
+from quartering.motion.branch import balance_of
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
@@ -33,6 +36,28 @@ def test_coefficient_derivatives_agree_with_multipliers(table, name):
     expected = (up - down) / (2 * step)
     found = np.array([float(table[k].sel(parameter=name)) for k in ("roll", "k2", "exponent")])
     np.testing.assert_allclose(found, expected, rtol=2e-4, atol=2e-7)
+
+
+def test_roll_derivatives_by_every_coefficient_agree_with_implicit_differentiation_to_1e_6(table):
+    """du/dtheta = -R_u^-1 R_theta, exact: the balance equations are linear in every coefficient, so R(2 theta) - R(theta)
+    is theta R_theta."""
+    model = qt.equations(SHIP, WAVE, SPEED, HEADING)
+    motion = qt.steady_motion(model, 3, start="rest")
+    u, orders = motion.coefficients, motion.orders_with_mean
+    residual, matrix = balance_of(model.system, orders, u)
+    amplitude = motion.amplitude[1]
+    checked = 0
+    for name, value in model.terms.items():
+        if value == 0.0:
+            continue
+        doubled = replace(model, terms=dict(model.terms) | {name: 2 * value}).system
+        change = balance_of(doubled, orders, u, with_matrix=False)[0] - residual
+        slope = np.linalg.solve(matrix, -change).reshape(u.shape)[1]
+        expected = np.degrees((u[1, 0] * slope[0] + u[1, 1] * slope[1]) / amplitude)
+        found = float(table["roll"].sel(parameter=name))
+        assert found == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.degrees(amplitude)), name
+        checked += 1
+    assert checked > 20
 
 
 def test_gm_derivative_agrees_with_changed_loading(table):

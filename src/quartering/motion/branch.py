@@ -1,26 +1,27 @@
-"""Branches of periodic motions followed through folds, and all motions that coexist in one condition."""
+"""Branches of periodic motions over one parameter: the balance equations as a curve, its folds, its closing."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.motion.arclength import Path, corrected, follow, tangent_at
 from quartering.motion.balance import balance
 from quartering.motion.basis import basis
-from quartering.motion.equations import Floats, Model, System
+from quartering.motion.equations import Floats, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
-from quartering.motion.steady import Motion, motion_record
+from quartering.motion.steady import roll_peaks
+from quartering.motion.subharmonic import ascending, slowed
 
 Family = Callable[[float], System]
 """A system of one condition for every value of a parameter between 0 and 1."""
 
-_ANGLES, _SIZES = 12, 12
-_FIRST_STEP, _LONGEST_STEP = 0.02, 0.1
+_NO_MATRIX = np.empty((0, 0))
+_STEP = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,61 +31,82 @@ class Curve:
     Parameters
     ----------
     family : function of the parameter (0 to 1), gives a System of one condition
-    orders : tuple of int    harmonics kept
+    orders : tuple of int    harmonics of the motion, the wave's own in front (after the mean), see `subharmonic`
     scale : (m,) float       size of each unknown
+    periods : int            wave periods after which the motion repeats
     """
 
     family: Family
     orders: tuple[int, ...]
     scale: Floats
+    periods: int = 1
 
     def coefficients(self, point: Floats) -> Floats:
-        """Coefficients (3, b) of a point, as from `harmonic_balance`."""
+        """Coefficients (3, b) of a point, in the order of `orders`."""
         return np.ascontiguousarray((point[:-1] * self.scale).reshape(3, -1))
 
-    def corrected(self, guess: Floats, tangent: Floats) -> Floats | None:
-        """Point of the curve on the plane through `guess` across `tangent`, or None when Newton's method fails."""
-        point = guess.copy()
-        for _ in range(10):
-            value, derivative = self._residual(point)
-            matrix = np.vstack([derivative, tangent])
-            try:
-                step = np.linalg.solve(matrix, -np.append(value, tangent @ (point - guess)))
-            except np.linalg.LinAlgError:
-                return None
-            point += step
-            if not np.abs(step).max() < 1e3:
-                return None
-            if np.abs(step).max() < 1e-10:
-                return point
-        return None
+    def motions(self, points: Floats) -> tuple[Floats, tuple[int, ...]]:
+        """Coefficients (n, 3, b) of points (n, m + 1) by ascending harmonics, and these harmonics."""
+        u = (points[:, :-1] * self.scale).reshape(len(points), 3, -1)
+        return ascending(u, self.orders)
 
-    def tangent(self, point: Floats, along: Floats) -> Floats:
-        """Unit tangent at a point, on the side of `along`."""
-        _, derivative = self._residual(point)
-        direction = np.linalg.svd(derivative)[2][-1]
-        return np.asarray(direction * np.sign(direction @ along))
+    def systems(self, points: Floats) -> System:
+        """The systems of points (n, m + 1) as one batch, at the frequency of their motions."""
+        each = [slowed(self.family(float(t)), self.periods) for t in points[:, -1]]
+        arrays = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+        return replace(each[0], **{name: np.concatenate([getattr(s, name) for s in each]) for name in arrays})
 
-    def _residual(self, point: Floats) -> tuple[Floats, Floats]:
+    def residual(self, point: Floats) -> tuple[Floats, Floats]:
         """Residual (m,) and derivative (m, m + 1); by the parameter with central differences."""
         value, matrix = self._balance(point)
-        step = 1e-6
         forward, backward = point.copy(), point.copy()
-        forward[-1] += step
-        backward[-1] -= step
-        by_parameter = (self._balance(forward)[0] - self._balance(backward)[0]) / (2 * step)
-        return value, np.column_stack([matrix * self.scale, by_parameter])
+        forward[-1] += _STEP
+        backward[-1] -= _STEP
+        difference = self._balance(forward, with_matrix=False)[0] - self._balance(backward, with_matrix=False)[0]
+        return value, np.column_stack([matrix * self.scale, difference / (2 * _STEP)])
 
-    def _balance(self, point: Floats) -> tuple[Floats, Floats]:
-        s = self.family(float(point[-1]))
-        table = basis(self.orders, s.degree, s.has_modulus)
-        linear, coefficients, powers, modulus, mean, cos, sin, frequency = s.kernel_arrays()
-        one = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
-        nb = table.factors.size
-        residual, matrix = np.empty(3 * nb), np.empty((3 * nb, 3 * nb))
-        scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, nb)))
-        balance(one, table.arrays, self.coefficients(point), 1.0, residual, matrix, scratch)
-        return residual, matrix
+    def _balance(self, point: Floats, *, with_matrix: bool = True) -> tuple[Floats, Floats]:
+        s = slowed(self.family(float(point[-1])), self.periods)
+        return balance_of(s, self.orders, self.coefficients(point), with_matrix=with_matrix)
+
+
+def balance_of(
+    system: System, orders: tuple[int, ...], u: Floats, *, with_matrix: bool = True
+) -> tuple[Floats, Floats]:
+    """Residual of the balance equations of one condition, and its derivative.
+
+    Parameters
+    ----------
+    system : System         one condition
+    orders : tuple of int   harmonics, the wave's own in front (after the mean)
+    u : (3, b) float        coefficients
+    with_matrix : bool      is the derivative wanted?
+
+    Returns
+    -------
+    residual : (3 b,) float
+    matrix : (3 b, 3 b) float, or (0, 0)
+
+    Notes
+    -----
+    Source: [H71] eqs. (A-10), (A-11); [Krack19].
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.1}
+    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.1, 0), (0, 0, 0)).system
+    >>> balance_of(system, (1,), np.array([[0, 0], [0.0, 1.0], [0, 0]]))[0].round(12).tolist()
+    [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    """
+    table = basis(orders, system.degree, system.has_modulus)
+    linear, coefficients, powers, modulus, mean, cos, sin, frequency = system.kernel_arrays()
+    one = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
+    nb = table.factors.size
+    residual, matrix = np.empty(3 * nb), np.empty((3 * nb, 3 * nb)) if with_matrix else _NO_MATRIX
+    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, nb)))
+    balance(one, table.arrays, np.ascontiguousarray(u), 1.0, residual, matrix, scratch)
+    return residual, matrix
 
 
 def start_of_branch(family: Family, harmonics: int) -> tuple[Curve, Floats]:
@@ -124,20 +146,28 @@ def start_of_branch(family: Family, harmonics: int) -> tuple[Curve, Floats]:
 
 
 def follow_branch(
-    curve: Curve, start: Floats, points: int = 2000, limits: tuple[float, float] = (0.0, 1.0)
-) -> tuple[Floats, list[int]]:
-    """Points of a branch from a start until the parameter leaves its limits, through folds.
+    curve: Curve,
+    start: Floats,
+    points: int = 2000,
+    limits: tuple[float, float] = (0.0, 1.0),
+    *,
+    along: Floats | None = None,
+    go_on: Callable[[Floats], bool] = lambda _: True,
+) -> tuple[Path, list[int]]:
+    """Points of a branch from a start until the parameter leaves its limits, through folds, or until it closes.
 
     Parameters
     ----------
     curve : Curve
     start : (m + 1,) float         a point of it
     points : int                   at the most
-    limits : (low, high)           of the parameter
+    limits : (low, high)           of the parameter; the last point is the first one beyond them
+    along : (m + 1,) float         direction to set off to; by default that of a rising parameter
+    go_on : function               of a point: False ends the branch there
 
     Returns
     -------
-    points : (n, m + 1) float      scaled unknowns and parameter
+    path : Path                    scaled unknowns and parameter
     folds : list of int            which points are folds, located to rounding
 
     Notes
@@ -146,31 +176,51 @@ def follow_branch(
 
     Examples
     --------
+    >>> from quartering.motion.equations import Model
     >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.1, 0), (0, 0, 0)).system
     >>> curve, start = start_of_branch(lambda t: replace(system, frequency=np.array([0.8 + 0.7 * t])), harmonics=1)
     >>> path, folds = follow_branch(curve, start)
-    >>> (0.8 + 0.7 * path[folds, -1]).round(2).tolist()
+    >>> (0.8 + 0.7 * path.points[folds, -1]).round(2).tolist()
     [1.26, 1.1]
     """
-    found, folds, length = [start], [], _FIRST_STEP
-    along = np.zeros(start.size)
-    along[-1] = 1.0
-    tangent = curve.tangent(start, along)
-    while len(found) < points and length > 1e-6:
-        point = curve.corrected(found[-1] + length * tangent, tangent)
-        turned = curve.tangent(point, tangent) if point is not None else tangent
-        if point is None or turned @ tangent < 0.95:
-            length *= 0.5
-            continue
-        if turned[-1] * tangent[-1] < 0:
+    if along is None:
+        along = np.zeros(start.size)
+        along[-1] = 1.0
+
+    def inside(point: Floats) -> bool:
+        return limits[0] <= point[-1] <= limits[1] and go_on(point)
+
+    path = follow(curve.residual, start, along, inside, points=points)
+    found, tangents, folds = [path.points[0]], [path.tangents[0]], []
+    for i in range(1, len(path.points)):
+        before, tangent = path.points[i - 1], path.tangents[i - 1]
+        if path.tangents[i, -1] * tangent[-1] < 0:
             folds.append(len(found))
-            found.append(_fold(curve, found[-1], tangent, 2.0 * length))
-        found.append(point)
-        tangent, length = turned, min(1.3 * length, _LONGEST_STEP)
-        if not limits[0] <= point[-1] <= limits[1]:
-            break
-    return np.array(found), folds
+            found.append(_fold(curve, before, tangent, 2.0 * float(np.linalg.norm(path.points[i] - before))))
+            tangents.append(tangent_at(curve.residual, found[-1], tangent))
+        found.append(path.points[i])
+        tangents.append(path.tangents[i])
+    return Path(np.array(found), np.array(tangents), path.closed), folds
+
+
+def within(curve: Curve, steepest: float) -> Callable[[Floats], bool]:
+    """Whether a motion rolls no further than an angle.
+
+    Parameters
+    ----------
+    curve : Curve
+    steepest : float    [rad]
+
+    Returns
+    -------
+    function of a point, as `follow_branch` takes it
+
+    Notes
+    -----
+    Source: none needed.
+    """
+    return lambda point: bool(roll_peaks(*curve.motions(point[None]))[0] <= steepest)
 
 
 def _fold(curve: Curve, before: Floats, tangent: Floats, reach: float) -> Floats:
@@ -178,112 +228,12 @@ def _fold(curve: Curve, before: Floats, tangent: Floats, reach: float) -> Floats
     from scipy.optimize import brentq
 
     def at(length: float) -> Floats:
-        point = curve.corrected(before + length * tangent, tangent)
+        point = corrected(curve.residual, before + length * tangent, tangent)
         return before if point is None else point
 
     def slope(length: float) -> float:
-        return float(curve.tangent(at(length), tangent)[-1])
+        return float(tangent_at(curve.residual, at(length), tangent)[-1])
 
     while slope(reach) * slope(0.0) > 0:
         reach *= 1.5
     return at(brentq(slope, 0.0, reach, xtol=1e-13))
-
-
-def all_motions(model: Model, harmonics: int = 9) -> list[Motion]:
-    """Every periodic motion found in one condition, from the smallest roll to the largest.
-
-    Parameters
-    ----------
-    model : Model
-    harmonics : int    of the motions returned, odd
-
-    Returns
-    -------
-    list of Motion     with the wave's period; judge each with `stability`
-
-    Raises
-    ------
-    InputError         `harmonics` even or not positive
-
-    Notes
-    -----
-    Three searches: from the linear solution, along the branch from rest to twice the excitation, and Newton's method from a
-    grid of roll amplitudes and phases.  Nothing proves that no further motion exists.
-    Source: [Krack19]; [H71] eq. (A-11) has up to as many roots as its cubics allow.
-
-    Examples
-    --------
-    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
-    >>> model = Model(np.eye(3), terms, 1.2, (0, 0.1, 0), (0, 0, 0))
-    >>> [round(float(m.amplitude[1]), 2) for m in all_motions(model, 5)]
-    [0.23, 1.63, 1.76]
-    """
-    orders = orders_for(model.system, harmonics)
-    columns = basis(orders, model.system.degree, model.system.has_modulus).factors.size
-    starts = [u[None] for u in (*_from_branch(model), *_from_grid(model.system))]
-    motions: list[tuple[Floats, int, float]] = []
-    if starts:
-        padded = np.zeros((len(starts), 3, columns))
-        for i, u in enumerate(starts):
-            padded[i, :, : u.shape[2]] = u[0]
-        u, status, residual = harmonic_balance(_copies(model.system, len(starts)), orders, start=padded)
-        for one, code, error in zip(u, status, residual, strict=True):
-            if Status(code).ok and not any(_same(one, known) for known, _, _ in motions):
-                motions.append((one, int(code), float(error)))
-    records = [motion_record(model, u, orders, code, error, "harmonic balance") for u, code, error in motions]
-    return sorted(records, key=lambda m: float(m.amplitude[1]))
-
-
-def _same(a: Floats, b: Floats) -> bool:
-    size = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1)) + 1e-12
-    return bool((np.abs(a - b).max(axis=1) < 1e-6 * size + 1e-12).all())
-
-
-def _copies(system: System, count: int) -> System:
-    arrays = {
-        name: np.repeat(getattr(system, name), count, axis=0)
-        for name in ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    }
-    return replace(system, **arrays)
-
-
-def _from_branch(model: Model) -> list[Floats]:
-    """One-harmonic motions where the branch over the excitation passes its full value, and the linear start's."""
-    low = orders_for(model.system, 1)
-    direct, status, _ = harmonic_balance(model.system, low)
-    found = [direct[0]] if Status(status[0]).ok else []
-
-    def raised(share: float) -> System:
-        s, factor = model.system, 2.0 * share
-        return replace(s, mean=factor * s.mean, cos=factor * s.cos, sin=factor * s.sin)
-
-    try:
-        curve, start = start_of_branch(raised, 1)
-    except InputError:
-        return found
-    path, _ = follow_branch(curve, start, 1500, (-1.0, 1.0))
-    for a, b in pairwise(path):
-        if (a[-1] - 0.5) * (b[-1] - 0.5) <= 0 and a[-1] != b[-1]:
-            part = (0.5 - a[-1]) / (b[-1] - a[-1])
-            found.append(curve.coefficients(a + part * (b - a)))
-    return found
-
-
-def _from_grid(system: System) -> list[Floats]:
-    """One-harmonic motions reached by Newton's method from a grid of roll amplitudes and phases."""
-    low = orders_for(system, 1)
-    first = 1 if low[0] == 0 else 0
-    stiffness = np.abs(system.linear[0, 1, 1])
-    hard = np.abs(system.coefficients[0, 1, (system.powers == [0, 3, 0, 0]).all(axis=1)]).sum()
-    largest = min(2.0, 2.0 * np.sqrt(stiffness / hard)) if hard > 0 else 1.5
-    sizes = largest * (np.arange(_SIZES) + 1) / _SIZES
-    angles = 2 * np.pi * np.arange(_ANGLES) / _ANGLES
-    start = np.zeros((_SIZES * _ANGLES, 3, 2 + first))
-    start[:, 1, first] = np.outer(sizes, np.cos(angles)).ravel()
-    start[:, 1, first + 1] = np.outer(sizes, np.sin(angles)).ravel()
-    u, status, _ = harmonic_balance(_copies(system, len(start)), low, start=start)
-    unique: list[Floats] = []
-    for one in u[status == Status.CONVERGED]:
-        if not any(_same(one, known) for known in unique):
-            unique.append(one)
-    return unique

@@ -86,8 +86,8 @@ def duffing_model(beta: float, force: float, frequency: float, damping: float = 
 
     Examples
     --------
-    >>> from quartering.motion.branch import all_motions
-    >>> [round(float(m.cos[0, 1]), 3) for m in all_motions(duffing_model(0.2, 0.3, 1.1), 9)]
+    >>> from quartering.motion.search import periodic_motions
+    >>> [round(float(m.cos[0, 1]), 3) for m in periodic_motions(duffing_model(0.2, 0.3, 1.1), 9)]
     [1.613]
     """
     terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -beta, "K_p": -damping}

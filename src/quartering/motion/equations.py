@@ -122,7 +122,7 @@ def canonical(
 
     Raises
     ------
-    InputError    an inertia matrix that is singular
+    InputError    every inertia matrix is singular; where only some of many are, their conditions come back as NaN
 
     Notes
     -----
@@ -137,13 +137,17 @@ def canonical(
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
     masses = np.asarray(inertia, dtype=float)
     scale = np.sqrt(np.abs(np.diagonal(masses, axis1=-2, axis2=-1)))
-    balanced = np.abs(np.linalg.det(masses / (scale[..., :, None] * scale[..., None, :]))) if scale.all() else 0.0
-    if not np.all(balanced > 1e-12):
+    whole = np.where((scale > 0).all(axis=-1)[..., None], scale, np.inf)
+    balanced = np.abs(np.linalg.det(masses / (whole[..., :, None] * whole[..., None, :])))
+    singular = ~(balanced > 1e-12)
+    if singular.all():
         raise InputError(
             "the inertia matrix (rigid body plus added mass) is singular or has a zero on its diagonal;"
             " give mass, roll and yaw inertia greater than zero"
         )
-    inverse = np.linalg.inv(masses)
+    # One condition of many without an inverse gets NaN, and with it a status of its own; the others go on.
+    inverse = np.linalg.inv(np.where(singular[..., None, None], np.eye(3), masses))
+    inverse = np.where(singular[..., None, None], np.nan, inverse)
 
     def row(force: ArrayLike) -> Floats:
         forces = np.broadcast_to(np.asarray(force, dtype=float), (w.size, 3))

@@ -19,6 +19,7 @@ from quartering.motion.status import Status
 from quartering.threads import in_threads
 
 _CONVERGED, _BY_FOLLOWING = int(Status.CONVERGED), int(Status.CONVERGED_BY_FOLLOWING)
+_RUNAWAY = 1e9
 _NO_MOTION, _SINGULAR, _NOT_FINITE = int(Status.NO_MOTION_FOUND), int(Status.SINGULAR), int(Status.NOT_FINITE)
 
 _WORTH_A_ROW = 8
@@ -197,6 +198,8 @@ def _finished(
     status = np.where(system.finite, _CONVERGED, _NOT_FINITE).astype(np.int8)
     if waiting.any():
         in_threads(_solve, system.count, *given, u, waiting, status, residual)
+    with np.errstate(invalid="ignore"):
+        status[np.abs(u).max(axis=(1, 2)) > _RUNAWAY] = _SINGULAR  # an undamped resonance, but for rounding
     failed = (status != _CONVERGED) & (status != _BY_FOLLOWING)
     u[failed], residual[failed] = np.nan, np.nan
     return u, status, residual

@@ -45,7 +45,8 @@ _ADVICE = {
     " try a lower wave or simulate",
     Status.SINGULAR: "the balance equations are singular here: a fold or an undamped resonance; change the frequency"
     " a little or add damping",
-    Status.NOT_FINITE: "a coefficient or force is not a finite number; check the ship and the wave",
+    Status.NOT_FINITE: "a coefficient or force is not a finite number, the frequency is zero, or the inertia matrix is"
+    " singular; check the ship and the wave",
     Status.ENCOUNTER_FREQUENCY_NEAR_ZERO: "the ship keeps pace with the wave: no periodic motion, surf-riding and"
     " broaching are possible; change speed or heading",
     Status.BEYOND_VANISHING_ANGLE: "the motion rolls past the angle where the righting moment vanishes: the polynomial"

@@ -28,8 +28,8 @@ class Motion:
 
     Parameters
     ----------
-    frequency : float          w [rad/s]
-    orders : tuple of int      harmonics present, without the mean
+    frequency : float          of the motion [rad/s]: the wave's, w, or w/2 where it takes two wave periods
+    orders : tuple of int      harmonics of that frequency present, without the mean
     cos, sin : (h, 3) float    coefficients of sway, roll, yaw
     mean : (3,) float          mean sway velocity [m/s], heel [rad], yaw rate [rad/s]
     status : Status            how it was found; ``status.advice`` says what to do when it was not
@@ -37,6 +37,7 @@ class Motion:
     method : str               "modified Struble" or "harmonic balance"
     heading : float or None    mean heading off course where an autopilot holds it, then the mean yaw rate is 0 [rad]; None
                                where the heading is free
+    periods : int              wave periods after which the motion repeats
     """
 
     frequency: float
@@ -49,11 +50,13 @@ class Motion:
     method: str
     references: tuple[str, ...] = ("H71",)
     heading: float | None = None
+    periods: int = 1
 
     @property
     def amplitude(self) -> Floats:
-        """Amplitude (3,) of the fundamental: sway [m], roll [rad], yaw [rad]."""
-        return np.hypot(self.cos[0], self.sin[0])
+        """Amplitude (3,) at the wave's frequency: sway [m], roll [rad], yaw [rad]."""
+        own = self.orders.index(self.periods)
+        return np.hypot(self.cos[own], self.sin[own])
 
     @property
     def peak(self) -> Floats:

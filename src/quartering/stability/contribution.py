@@ -45,7 +45,7 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
     ('K_p', -0.05)
     """
     inverse = np.linalg.inv(model.inertia)
-    times = 2 * np.pi / model.frequency * np.arange(128) / 128
+    times = 2 * np.pi / motion.frequency * np.arange(128) / 128
     states = motion.state(times)
     parts: dict[str, np.ndarray] = {}
     for name, value in model.terms.items():

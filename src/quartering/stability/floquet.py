@@ -123,8 +123,9 @@ def _spectral_bound(mean: Floats) -> Floats:
     power = np.zeros((mean.shape[0], 4, 4))
     power[:, [0, 2, 3]] = mean
     power[:, 1, 2] = 1.0
-    for _ in range(3):
-        power = power @ power
+    with np.errstate(invalid="ignore", over="ignore"):  # a condition of numbers that are not finite has no bound
+        for _ in range(3):
+            power = power @ power
     return np.asarray(np.sqrt((power**2).sum(axis=(1, 2))) ** (1 / 8))
 
 

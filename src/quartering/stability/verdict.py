@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, Model
 from quartering.motion.steady import Motion
+from quartering.motion.subharmonic import slowed
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.contribution import contributions
 from quartering.stability.first_order import RESONANCES
@@ -37,8 +38,8 @@ class Verdict:
     averaged : (2,) complex    roll pair of the averaged equations (A-10) [1/s]
     combination : float        growth rate of roll and slow modes combined, n2 near 2 omega [1/s]
     mean_jacobian : (4,) complex    eigenvalues of the mean variational matrix [1/s]
-    multipliers : (4,) complex      Floquet multipliers of (v, phi, p, r), the largest first; with an autopilot 5, psi among
-                               them, with a rudder that lags 6
+    multipliers : (4,) complex      Floquet multipliers of (v, phi, p, r) over a period of the motion, the largest first;
+                               with an autopilot 5, psi among them, with a rudder that lags 6
     exponents : (4,) complex        as many Floquet exponents [1/s]
     calm_water : (4,) complex       as many exponents without waves [1/s]
     roll_share : float         participation of roll in the deciding mode, 0 to 1
@@ -99,7 +100,7 @@ def stability(model: Model, motion: Motion) -> Verdict:
     stable: disturbances die out at 0.0325 1/s or faster; first-order theory says the same.
     """
     u = motion.coefficients[None]
-    result = assess(model.system, u, motion.orders_with_mean, _ACCURACY)
+    result = assess(slowed(model.system, motion.periods), u, motion.orders_with_mean, _ACCURACY)
     f, m = result.first_order, result.floquet
     kind = Kind(int(result.kind[0]))
     mode = int(growing_mode(m, result.calm)[0])

@@ -15,6 +15,7 @@ from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.of_ship import equations
 from quartering.names import unit
 from quartering.stability.assessment import assess
+from quartering.study.family import joined
 from quartering.study.grid import loaded
 
 _STEP = 1e-3
@@ -71,7 +72,7 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     if not np.isfinite(base).all():
         raise InputError("no periodic motion in this condition, so nothing to differentiate; try a lower wave")
     names, units, values, systems = _neighbours(ship, wave, speed, heading, model)
-    found = _measures(_joined(systems), orders, np.repeat(base, len(systems), axis=0))
+    found = _measures(joined(systems), orders, np.repeat(base, len(systems), axis=0))
     slopes = np.einsum("o,pom->pm", _WEIGHTS, found.reshape(len(names), _OFFSETS.size, 3)) / _STEP
     here = _measures(model.system, orders, base)[0]
     columns = {"roll": ("deg", "roll amplitude"), "k2": ("1/s2", "K2"), "exponent": ("1/s", "leading Floquet exponent")}
@@ -119,26 +120,6 @@ def _neighbours(
             changed_ship = ship if name in ("speed", "wave_height") else loaded(ship, {name: other})
             systems.append(equations(changed_ship, at_wave, at_speed, heading).system)
     return names, units, values, systems
-
-
-def _joined(systems: list[System]) -> System:
-    """One batch of all systems, their products brought into one order of columns."""
-    products = {(tuple(p), int(m)) for s in systems for p, m in zip(s.powers.tolist(), s.modulus, strict=True)}
-    columns = {key: i for i, key in enumerate(sorted(products))}
-    coefficients = np.zeros((len(systems), 3, len(columns)))
-    for i, s in enumerate(systems):
-        for j, (p, m) in enumerate(zip(s.powers.tolist(), s.modulus, strict=True)):
-            coefficients[i, :, columns[tuple(p), int(m)]] = s.coefficients[0, :, j]
-    stacked = {
-        name: np.concatenate([getattr(s, name) for s in systems])
-        for name in ("linear", "mean", "cos", "sin", "frequency")
-    }
-    return System(
-        coefficients=coefficients,
-        powers=np.array([p for p, _ in columns], dtype=np.int64).reshape(-1, 4),
-        modulus=np.array([m for _, m in columns], dtype=np.int64),
-        **stacked,
-    )
 
 
 def _measures(system: System, orders: tuple[int, ...], start: Floats) -> Floats:

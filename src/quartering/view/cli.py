@@ -41,6 +41,8 @@ _COMMANDS = (
     cli_ships.forces,
     cli_motions.verdict,
     cli_motions.simulate,
+    cli_motions.branch,
+    cli_motions.basin,
     cli_studies.polar,
     cli_studies.sweep,
     cli_studies.worst,

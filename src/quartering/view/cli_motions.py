@@ -56,3 +56,47 @@ def simulate(
         from quartering.view.commands.simulate import run_simulation
 
         run_simulation(ship, (heading, speed, wave_length, wave_height), roll, duration, autopilot, output, json)
+
+
+def branch(
+    ship: Ship,
+    heading: Heading,
+    speed: Speed,
+    wave_length: WaveLength,
+    wave_height: WaveHeight,
+    over: Annotated[
+        str,
+        typer.Option(
+            help="What changes: wave_height, heading, speed, wave_length, frequency, gm, .. or a term, K_ppp."
+        ),
+    ] = "wave_height",
+    limits: Annotated[str | None, typer.Option(help="From and to: 1:6 [m], 20:160 [deg], 5kn:15kn.")] = None,
+    harmonics: Harmonics = 3,
+    output: Picture = None,
+    json: Json = False,
+) -> None:
+    """Follow every motion over one parameter: folds, bifurcations, what is stable."""
+    with answering():
+        from quartering.view.commands.branch import follow_motions
+
+        follow_motions(ship, (heading, speed, wave_length, wave_height), over, limits, harmonics, output, json)
+
+
+def basin(
+    ship: Ship,
+    heading: Heading,
+    speed: Speed,
+    wave_length: WaveLength,
+    wave_height: WaveHeight,
+    wave_heights: Annotated[
+        str | None, typer.Option(help="Heights of the integrity curve: 0:8:9 [m]; by default up to twice the height.")
+    ] = None,
+    periods: Annotated[int, typer.Option(help="Wave periods to go on for.")] = 16,
+    output: Picture = None,
+    json: Json = False,
+) -> None:
+    """From which roll angles and rates the ship survives a wave, and how waves erode that safe basin."""
+    with answering():
+        from quartering.view.commands.basin import erode
+
+        erode(ship, (heading, speed, wave_length, wave_height), wave_heights, periods, output, json)

@@ -59,3 +59,20 @@ def bar(words: str, total: int) -> Iterator[Callable[[int, int], None]]:
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task(words, total=total)
         yield lambda done, _: progress.update(task, completed=done)
+
+
+@contextmanager
+def working(words: str) -> Iterator[None]:
+    """Turning sign on stderr while the body runs, for work whose length is not known; nothing without a terminal.
+
+    Parameters
+    ----------
+    words : str    what is being done
+    """
+    if not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(words):
+        yield

@@ -1,0 +1,272 @@
+"""The equations of a ship or a model as functions of one or more parameters: what branches and edges are followed over."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship
+from quartering.loads.waves import Wave
+from quartering.motion.branch import Family
+from quartering.motion.equations import Floats, Model, System
+from quartering.motion.of_ship import equations, ship_system
+from quartering.motion.terms import parse
+from quartering.study.grid import CONDITION_AXES, LOADING_AXES, loaded
+
+_NODES, _NODES_OF_LOADING = 65, 17
+_ARRAYS = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+
+
+class Parameters(NamedTuple):
+    """Parameters of a ship or a model: names, present values (n,), limits (n,), and the systems (k) at values (k, n)."""
+
+    names: tuple[str, ...]
+    own: Floats
+    low: Floats
+    high: Floats
+    systems: Callable[[Floats], System]
+
+
+def parameters(
+    ship_or_model: Ship | Model,
+    over: Sequence[str],
+    limits: Sequence[tuple[float, float] | None],
+    wave: Wave | None,
+    speed: float,
+    heading: float,
+) -> Parameters:
+    """Parameters by name, their limits checked.
+
+    Parameters
+    ----------
+    ship_or_model : Ship or Model
+    over : sequence of str       as in `quartering.branch`
+    limits : sequence            (low, high) of each, or None for 0.5 to 1.5 times the present value (0 to 2 for an excitation)
+    wave, speed, heading         of a ship [m/s, deg]
+
+    Returns
+    -------
+    Parameters
+
+    Raises
+    ------
+    InputError                   an unknown parameter, limits that do not rise, a ship without a wave
+
+    Examples
+    --------
+    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0}, 0.8, (0, 1, 0), (0, 0, 0))
+    >>> two = parameters(model, ["frequency", "K_phi"], [None, (1.0, 2.0)], None, 0.0, 90.0)
+    >>> float(two.systems(np.array([[0.7, 2.0]])).linear[0, 1, 1])
+    -2.0
+    """
+    if isinstance(ship_or_model, Model):
+        model, of_ship = ship_or_model, False
+        own = {}
+    else:
+        if wave is None:
+            raise InputError("a ship needs a wave here: wave=Wave(length=.., height=..), speed=.., heading=..")
+        model, of_ship = equations(ship_or_model, wave, speed, heading), True
+        own = {"speed": speed, "heading": heading, "wave_length": wave.length, "wave_height": wave.height}
+        own |= {name: getattr(ship_or_model.loading, name, np.nan) for name in LOADING_AXES}
+        own["draught"] = ship_or_model.hull.draught
+    own |= {"frequency": model.frequency, "excitation": 1.0}
+    ends = []
+    for name, pair in zip(over, limits, strict=True):
+        if name not in own:
+            _check_term(model, name, of_ship)
+        centre = own.get(name, 1.0)
+        low, high = pair or ((0.0, 2.0) if name == "excitation" else (0.5 * centre, 1.5 * centre))
+        if not (np.isfinite(low) and np.isfinite(high) and 0 <= low < high) or (name == "frequency" and low == 0):
+            raise InputError(
+                f"limits ({low:g}, {high:g}) of {name} must be two rising numbers, above zero for a frequency"
+            )
+        ends.append((low, high))
+    low_ends, high_ends = np.array(ends, dtype=float).T
+    if isinstance(ship_or_model, Model):
+        systems = _of_model(ship_or_model, tuple(over))
+    else:
+        assert wave is not None
+        systems = _of_ship(ship_or_model, tuple(over), own)
+    return Parameters(tuple(over), np.array([own.get(name, 1.0) for name in over]), low_ends, high_ends, systems)
+
+
+def family(
+    ship_or_model: Ship | Model,
+    over: str,
+    limits: tuple[float, float] | None,
+    wave: Wave | None,
+    speed: float,
+    heading: float,
+) -> tuple[float, float, Family]:
+    """Limits of one parameter, and the system at each share of the way between them.
+
+    Parameters
+    ----------
+    ship_or_model, over, limits, wave, speed, heading    as in `quartering.branch`
+
+    Returns
+    -------
+    low, high : float
+    family : function of the share    a ship's is a spline through its systems at 65 values (17 of a loading)
+
+    Raises
+    ------
+    InputError                        as `parameters`; a ship that keeps pace with the wave between the limits
+
+    Examples
+    --------
+    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0}, 0.8, (0, 1, 0), (0, 0, 0))
+    >>> float(family(model, "frequency", (0.5, 1.5), None, 0.0, 90.0)[2](0.25).frequency[0])
+    0.75
+    """
+    one = parameters(ship_or_model, [over], [limits], wave, speed, heading)
+    return float(one.low[0]), float(one.high[0]), along(one, 0, one.own, splined=isinstance(ship_or_model, Ship))
+
+
+def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Family:
+    """Systems along one parameter, the others held.
+
+    Parameters
+    ----------
+    of : Parameters
+    which : int           the one that changes
+    others : (n,) float   values of the others
+    splined : bool        through a spline, for systems that take long to compute
+
+    Returns
+    -------
+    function of the share of the way between the limits
+
+    Raises
+    ------
+    InputError            the ship keeps pace with the wave between the limits
+
+    Examples
+    --------
+    See `family`.
+    """
+
+    def values(share: Floats) -> Floats:
+        rows = np.repeat(others[None], share.size, axis=0)
+        rows[:, which] = of.low[which] + (of.high[which] - of.low[which]) * share
+        return rows
+
+    if not splined:
+        return lambda t: of.systems(values(np.array([t])))
+    share = np.linspace(0.0, 1.0, _NODES if of.names[which] in CONDITION_AXES else _NODES_OF_LOADING)
+    systems = of.systems(values(share))
+    if not systems.finite.all():
+        raise InputError(
+            f"between {of.names[which]} = {of.low[which]:g} and {of.high[which]:g} the ship keeps pace with the wave;"
+            " take narrower limits"
+        )
+    splines = {name: CubicSpline(share, getattr(systems, name), axis=0) for name in _ARRAYS}
+
+    def at_share(t: float) -> System:
+        return replace(systems, **{name: np.ascontiguousarray(spline(t)[None]) for name, spline in splines.items()})
+
+    return at_share
+
+
+def joined(systems: Sequence[System]) -> System:
+    """Systems as one batch, their products brought into one order of columns.
+
+    Parameters
+    ----------
+    systems : sequence of System    of any numbers of conditions; a product one of them lacks is zero there
+
+    Returns
+    -------
+    System
+
+    Examples
+    --------
+    >>> one, other = ({"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0, name: 0.1} for name in ("K_ppp", "K_phiphiphi"))
+    >>> joined([Model(np.eye(3), terms, 0.8, (0, 1, 0), (0, 0, 0)).system for terms in (one, other)]).coefficients[:, 1]
+    array([[0.1, 0. ],
+           [0. , 0.1]])
+    """
+    first = systems[0]
+    stacked = {name: np.concatenate([getattr(s, name) for s in systems]) for name in _ARRAYS if name != "coefficients"}
+    products = [list(zip(map(tuple, s.powers.tolist()), s.modulus.tolist(), strict=True)) for s in systems]
+    if all(one == products[0] for one in products):
+        return replace(first, coefficients=np.concatenate([s.coefficients for s in systems]), **stacked)
+    where = {key: i for i, key in enumerate(dict.fromkeys(key for one in products for key in one))}
+    blocks = []
+    for s, keys in zip(systems, products, strict=True):
+        block = np.zeros((s.count, 3, len(where)))
+        block[:, :, [where[key] for key in keys]] = s.coefficients
+        blocks.append(block)
+    return System(
+        coefficients=np.concatenate(blocks),
+        powers=np.array([powers for powers, _ in where], dtype=np.int64).reshape(-1, 4),
+        modulus=np.array([modulus for _, modulus in where], dtype=np.int64),
+        **stacked,
+    )
+
+
+def _scaled(s: System, values: Mapping[str, Floats]) -> System:
+    """Systems at other frequencies, or with a share of their excitation, their coefficients held."""
+    if "frequency" in values:
+        s = replace(s, frequency=values["frequency"].copy())
+    if "excitation" in values:
+        factor = values["excitation"][:, None]
+        s = replace(s, mean=factor * s.mean, cos=factor * s.cos, sin=factor * s.sin)
+    return s
+
+
+def _of_model(model: Model, names: tuple[str, ...]) -> Callable[[Floats], System]:
+    terms = [name for name in names if name not in ("frequency", "excitation")]
+
+    def systems(values: Floats) -> System:
+        by_name = dict(zip(names, values.T, strict=True))
+        if not terms:
+            s = joined([model.system] * len(values))
+        else:
+            factors = [{name: float(by_name[name][i]) for name in terms} for i in range(len(values))]
+            changed = [{name: f * model.terms[name] for name, f in row.items()} for row in factors]
+            s = joined([replace(model, terms=dict(model.terms) | row).system for row in changed])
+        return _scaled(s, by_name)
+
+    return systems
+
+
+def _of_ship(ship: Ship, names: tuple[str, ...], own: Mapping[str, float]) -> Callable[[Floats], System]:
+    changes = [name for name in names if name not in (*CONDITION_AXES, "frequency", "excitation")]
+
+    def systems(values: Floats) -> System:
+        by_name = dict(zip(names, values.T, strict=True))
+        u, mu, length, height = (
+            np.array(np.broadcast_to(by_name.get(name, own[name]), len(values)), dtype=float) for name in CONDITION_AXES
+        )
+
+        def of(one: Ship, rows: slice) -> System:
+            at = ship_system(one, 2 * np.pi / length[rows], u[rows], mu[rows])
+            s = at.at_amplitude(0.5 * height[rows, None])
+            if at.encounter_frequency.min() < 0 < at.encounter_frequency.max():
+                return replace(s, frequency=np.full(s.count, np.nan))  # between them the ship keeps pace with the wave
+            return s
+
+        if not changes:
+            return _scaled(of(ship, slice(None)), by_name)
+        rows = [{name: float(by_name[name][i]) for name in changes} for i in range(len(values))]
+        return _scaled(joined([of(loaded(ship, row), slice(i, i + 1)) for i, row in enumerate(rows)]), by_name)
+
+    return systems
+
+
+def _check_term(model: Model, over: str, of_ship: bool) -> None:
+    """Refuse a parameter that is neither a condition nor a term the model has."""
+    known = "'frequency', 'excitation'" + (
+        ", " + ", ".join(map(repr, (*CONDITION_AXES, *LOADING_AXES))) if of_ship else ""
+    )
+    if "_" not in over:
+        raise InputError(f"over={over!r}: a branch can be followed over {known}, or a term such as 'K_ppp'")
+    parse(over)
+    if model.terms.get(over, 0.0) == 0.0:
+        raise InputError(f"over={over!r}: the model has no such term (or it is zero), so there is nothing to multiply")

@@ -1,0 +1,87 @@
+"""`quartering basin`: the safe basin of a wave, and how waves erode it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from quartering.hull.righting import vanishing_angle
+from quartering.hydro.coefficients import coefficients
+from quartering.loads.waves import Wave
+from quartering.motion.ensemble import basin
+from quartering.motion.of_ship import equations
+from quartering.view.commands.conditions import condition, sizes
+from quartering.view.options import values
+from quartering.view.output import PICTURES, claim, write
+from quartering.view.progress import announce_compilation, bar
+from quartering.view.terminal import next_steps, show, show_json, table
+
+_ANGLES, _RATES, _HEIGHTS = 61, 49, 9
+_STEEPEST = 1.0 / 7.0
+
+
+def erode(
+    name: str,
+    typed: tuple[str, str, str, str],
+    heights: str | None,
+    periods: int,
+    output: str | None,
+    as_json: bool,
+) -> None:
+    """Integrate from a grid of starts in each wave, print what is left of the basin, draw it where asked."""
+    one, wave, speed, heading = condition(name, typed)
+    path = claim(output, PICTURES) if output else None
+    limit = min(vanishing_angle(one), 90.0)
+    rate = coefficients(one, 0.0, 0.0).roll_frequency * limit
+    roll, rates = np.linspace(-limit, limit, _ANGLES), np.linspace(-rate, rate, _RATES)
+    top = min(2.0 * wave.height, 0.999 * _STEEPEST * wave.length)
+    chosen = [0.0, *values([heights or f"0:{top}"], "length", sizes(one), "--wave-heights", _HEIGHTS)]
+    announce_compilation()
+    waves = [Wave(wave.length, height) for height in sorted({*chosen, wave.height})]
+    maps = []
+    with bar("waves", len(waves)) as report:
+        for i, each in enumerate(waves):
+            model = equations(one, each, speed, heading)
+            maps.append(basin(model, roll, rates, periods=periods, limit=math.radians(limit)))
+            report(i + 1, len(waves))
+    share = np.array([ds.attrs["safe_share"] for ds in maps])
+    height = np.array([each.height for each in waves])
+    integrity = share / share[0] if share[0] > 0 else np.full(share.size, math.nan)
+    here = maps[int(np.flatnonzero(height == wave.height)[0])]
+    if path is not None:
+        from quartering.view.plots import style
+        from quartering.view.plots.basin import basin_picture
+
+        title = f"{one.name}: heading {heading:g} deg, {speed:.3g} m/s, wave length {wave.length:.4g} m"
+        write(
+            (path, lambda part: style.save(basin_picture(here, (height, integrity), wave.height, limit, title), part))
+        )
+    at = float(integrity[height == wave.height][0])
+    if as_json:
+        curve = [
+            {"wave_height": h, "safe_share": s, "integrity": q}
+            for h, s, q in zip(height, share, integrity, strict=True)
+        ]
+        show_json(
+            {
+                "ship": one.name, "heading": heading, "speed": speed, "wave_length": wave.length,
+                "wave_height": wave.height, "capsize_angle_deg": limit, "periods": periods, "integrity": at,
+                "curve": curve,
+                "picture": None if path is None else str(path),
+            }
+        )  # fmt: skip
+        return
+    show(
+        f"In waves of {wave.height:g} m, {at:.0%} of the starts that are safe in calm water stay below {limit:.3g} deg"
+        f" (the vanishing angle) for {periods} wave periods."
+    )
+    rows = [(f"{h:.3g}", f"{s:.1%}", f"{q:.1%}") for h, s, q in zip(height, share, integrity, strict=True)]
+    show(
+        table("Integrity of the safe basin", ("wave height [m]", "of all starts", "of the safe ones"), rows, (0, 1, 2))
+    )
+    if path is not None:
+        show(f"Wrote {path}")
+    words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
+    first = [f"quartering basin {name} {words} -o basin.png"] if path is None else []
+    show(next_steps(*first, f"quartering branch {name} {words} --over wave_height"))

@@ -1,0 +1,152 @@
+"""`quartering branch`: every motion over one parameter."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from quartering.conventions import SYMBOLS, InputError
+from quartering.hull.ship import Ship
+from quartering.hull.units import Kind as Quantity
+from quartering.stability.kind import Kind
+from quartering.study.branch import branch
+from quartering.study.grid import LOADING_AXES
+from quartering.view.commands.conditions import condition, sizes
+from quartering.view.options import value
+from quartering.view.output import PICTURES, claim, write
+from quartering.view.progress import announce_compilation, working
+from quartering.view.terminal import next_steps, show, show_json, table
+
+_QUANTITIES: dict[str, Quantity] = {
+    "speed": "speed",
+    "heading": "angle",
+    "wave_length": "length",
+    "wave_height": "length",
+}
+_OPTIONS = {"speed": "--speed", "heading": "--heading", "wave_length": "--wave-length", "wave_height": "--wave-height"}
+ORIGINS = {
+    "start": "from the lower limit",
+    "symmetry-breaking": "leaning motions",
+    "period-doubling": "motions of two wave periods",
+    "search": "a curve of its own",
+}
+"""What the curves are, by where they began."""
+
+
+def follow_motions(
+    name: str,
+    typed: tuple[str, str, str, str],
+    over: str,
+    limits: str | None,
+    harmonics: int,
+    output: str | None,
+    as_json: bool,
+) -> None:
+    """Follow the branches, print what happens along them, draw them where asked."""
+    one, wave, speed, heading = condition(name, typed)
+    path = claim(output, PICTURES) if output else None
+    ends = _limits(one, over, limits)
+    announce_compilation()
+    with working("following the motions"):
+        ds = branch(one, over, limits=ends, harmonics=harmonics, wave=wave, speed=speed, heading=heading)
+    if path is not None:
+        from quartering.view.plots import style
+        from quartering.view.plots.branch import branch_picture
+
+        held = {"speed": f"{speed:.3g} m/s", "heading": f"heading {heading:g} deg"}
+        held |= {"wave_length": f"wave length {wave.length:.4g} m", "wave_height": f"wave height {wave.height:.3g} m"}
+        title = f"{one.name}: " + ", ".join(words for key, words in held.items() if key != over)
+        write((path, lambda part: style.save(branch_picture(ds, over, title), part)))
+    if as_json:
+        facts = {"ship": one.name, "over": over, "curves": _curves(ds, over), "events": _events(ds, over)}
+        show_json(facts | {"picture": None if path is None else str(path)})
+        return
+    _print(ds, over)
+    if path is not None:
+        show(f"Wrote {path}")
+    show(next_steps(*_next(ds, name, typed, over, path is None)))
+
+
+def _limits(one: Ship, over: str, text: str | None) -> tuple[float, float] | None:
+    """The two ends as typed."""
+    if text is None:
+        return None
+    ends = text.split(":")
+    if len(ends) != 2:
+        raise InputError(f'--limits "{text}": give two values, from:to, such as 1:6')
+    kind = _QUANTITIES.get(over, "length" if over in LOADING_AXES and over != "roll_damping" else "ratio")
+    low, high = (value(end, kind, sizes(one), "--limits") for end in ends)
+    return low, high
+
+
+def _curves(ds: xr.Dataset, over: str) -> list[dict[str, object]]:
+    """Each curve in numbers."""
+    found = []
+    for number in np.unique(ds["curve"]):
+        own = ds.isel(point=np.flatnonzero(ds["curve"] == number))
+        stable = np.asarray(own["verdict"]) == Kind.STABLE
+        peak = np.asarray(own["roll_peak"])
+        found.append(
+            {
+                "curve": int(number), "origin": str(own["origin"].values[0]), "periods": int(own["periods"].values[0]),
+                "closed": bool(own["closed"].values[0]), "from": float(own[over].min()), "to": float(own[over].max()),
+                "largest_roll_deg": float(peak.max()), "points": int(own.sizes["point"]),
+                "stable_share": float(stable.mean()),
+                "largest_stable_roll_deg": float(peak[stable].max()) if stable.any() else None,
+            }
+        )  # fmt: skip
+    return found
+
+
+def _events(ds: xr.Dataset, over: str) -> list[dict[str, object]]:
+    """Each fold and bifurcation in numbers."""
+    at = np.flatnonzero(ds["event"] != "")
+    return [
+        {
+            "event": str(ds["event"].values[i]), over: float(ds[over][i]),
+            "roll_peak_deg": float(ds["roll_peak"][i]), "curve": int(ds["curve"][i]),
+        }
+        for i in at
+    ]  # fmt: skip
+
+
+def _print(ds: xr.Dataset, over: str) -> None:
+    unit = ds[over].attrs["units"]
+    unit = "" if unit == "1" else f" [{unit}]"
+    curves = [
+        (
+            str(c["curve"]),
+            ORIGINS[str(c["origin"])] + (", closed" if c["closed"] else ""),
+            f"{c['from']:.4g} to {c['to']:.4g}",
+            f"{c['largest_roll_deg']:.3g}",
+            f"{c['stable_share']:.0%}",
+        )
+        for c in _curves(ds, over)
+    ]
+    show(
+        table(
+            "Curves of motions", ("curve", "what", over + unit, "largest roll [deg]", "points stable"), curves, (3, 4)
+        )
+    )
+    rows = [
+        (str(e["event"]), f"{e[over]:.6g}", f"{e['roll_peak_deg']:.3g}", str(e["curve"])) for e in _events(ds, over)
+    ]
+    if rows:
+        show(table("Where stability changes", ("event", over + unit, "largest roll [deg]", "curve"), rows, (1, 2)))
+    else:
+        kinds = {Kind(int(k)).label for k in np.unique(ds["verdict"])}
+        show(f"Stability does not change between these limits: {', '.join(sorted(kinds))} throughout.")
+
+
+def _next(ds: xr.Dataset, name: str, typed: tuple[str, str, str, str], over: str, undrawn: bool) -> list[str]:
+    """What to type next: a verdict just beyond the first event, the basin, the picture."""
+    given = dict(zip(("heading", "speed", "wave_length", "wave_height"), typed, strict=True))
+    words = " ".join(f"{_OPTIONS[key]} {text}" for key, text in given.items())
+    steps = [f"quartering branch {name} {words} --over {over} -o branch.png"] if undrawn else []
+    events = _events(ds, over)
+    if events and over in SYMBOLS and over in given:
+        there = " ".join(
+            f"{_OPTIONS[key]} {events[0][over] if key == over else text:.5}" for key, text in given.items()
+        )
+        steps.append(f"quartering verdict {name} {there}")
+    return [*steps, f"quartering basin {name} {words} -o basin.png"]
