@@ -123,22 +123,27 @@ def main(picture: str = "") -> None:
     along.plot(found["x"] / length, found["strips"] / 1e3, color=BLUE, label="strips")
     along.plot(found["x"] / length, found["panels"] / 1e3, "o", color="k", mfc="none", ms=4, label="panels")
     along.set(
-        title="Series 60, λ = L: sway-roll added mass\nabout the waterline, per metre of ship",
+        title="Series 60, λ = L: sway-roll added mass\nabout the waterline (960 panels a side)",
         xlabel="x/L, bow to the right", ylabel="[t m/m]",
     )  # fmt: skip
     along.legend()
     for name, dash, words in (("series60-cb60", "-", "Series 60"), ("wigley", "--", "Wigley")):
         for key, values in (found := measures(qt.ship(name), RATIOS)).items():
             print(f"{words}, {key}, strips over panels: " + " ".join(f"{v:.3f}" for v in values))
-        for key, colour in (("about the waterline", RED), ("about G", GREY), ("free to sway and yaw", BLUE)):
-            moments.plot(RATIOS, found[key], color=colour, ls=dash, marker="o", ms=3, label=f"{words}, {key}")
-        for key, colour, of in (
-            ("roll", BLUE, "force and coefficients"),
-            ("roll, force by panels on strips", RED, "force alone"),
-        ):
-            motion.plot(RATIOS, found[key], color=colour, ls=dash, marker="o", ms=3, label=f"{words}, {of}")
+        points = (("about the waterline", RED, "s"), ("about G", GREY, "^"), ("free to sway and yaw", BLUE, "o"))
+        for key, colour, mark in points:
+            moments.plot(RATIOS, found[key], color=colour, ls=dash, marker=mark, ms=4, label=f"{words}, {key}")
+        sources = (
+            ("roll", BLUE, "o", "all by strips"),
+            ("roll, force by panels on strips", RED, "s", "force by panels"),
+        )
+        for key, colour, mark, of in sources:
+            motion.plot(RATIOS, found[key], color=colour, ls=dash, marker=mark, ms=4, label=f"{words}, {of}")
     moments.set(title="roll moment in beam seas:\nstrips over panels", ylim=(0.3, 1.5))
-    motion.set(title="roll in beam seas: strips over panels,\nand strips with the panels' force", ylim=(0.8, 1.5))
+    motion.set(
+        title="roll in beam seas over roll by panels,\ncoefficients by strips",
+        ylim=(0.8, 1.5),
+    )
     for axes in (moments, motion):
         axes.axhline(1.0, color="k", lw=0.8)
         axes.set_xlabel("λ/L")
