@@ -14,7 +14,9 @@ import pytest
 import xarray as xr
 
 import quartering as qt
+from quartering.study import estimate as estimates
 from quartering.study import store as stores
+from quartering.study.estimate import timed_block_size
 from quartering.study.grid import grid
 from quartering.study.result import open_result
 from quartering.study.sweep import fill
@@ -247,15 +249,57 @@ def test_heights_of_g_share_the_wave_forces(monkeypatch):
     assert len(asked) == 3
 
 
-def test_blocks_follow_from_the_grid_alone_and_cover_it_once():
-    for heights, gms, points in ((1, 1, 5), (10, 9, 300), (3, 2000, 2), (1, 1, 40_000)):
+@pytest.mark.parametrize(("each", "size"), [(1e-5, 512), (0.01, 100), (1.0, 32)])
+def test_blocks_take_a_second_where_conditions_are_dear(monkeypatch, each, size):
+    """Closed form: 1 s over the time of a condition, from 32 to the usual number."""
+    monkeypatch.setattr(estimates, "_seconds_each", lambda _: each)
+    assert timed_block_size(grid(SHIP, **CONDITIONS)) == size
+
+
+def test_the_time_of_a_condition_is_measured():
+    """Harmonic balance to the ninth order costs more than the paper's method: more than noise, whatever the machine."""
+    axes = {name: values for name, values in CONDITIONS.items() if name != "gm"}
+    cheap, dear = (estimates._seconds_each(grid(SHIP, **axes, harmonics=n)) for n in (1, 9))
+    assert 0 < cheap < dear
+
+
+def test_a_store_keeps_the_blocks_it_was_begun_with_and_the_numbers_do_not_depend_on_them(
+    uninterrupted, tmp_path, monkeypatch
+):
+    """Begun where a condition takes 25 ms, finished where it takes 10 us."""
+    folder = tmp_path / "s"
+
+    def interrupt(done, of):
+        if 0.3 * of < done:
+            raise _Stop
+
+    monkeypatch.setattr(estimates, "_seconds_each", lambda _: 0.025)
+    with pytest.raises(_Stop):
+        qt.sweep(SHIP, **CONDITIONS, store=folder, progress=interrupt)
+    assert json.loads((folder / "case.json").read_text())["block_size"] == 40
+    kept = _blocks(folder)
+    monkeypatch.setattr(estimates, "_seconds_each", lambda _: 1e-5)
+    result = qt.sweep(SHIP, **CONDITIONS, store=folder)
+    assert kept.items() < _blocks(folder).items()
+    assert len(_blocks(folder)) > len(grid(SHIP, **CONDITIONS).blocks)
+    xr.testing.assert_identical(result.load(), uninterrupted)
+
+
+def test_blocks_cover_the_grid_once():
+    for heights, gms, points, size in (
+        (1, 1, 5, 0),
+        (10, 9, 300, 0),
+        (3, 2000, 2, 0),
+        (1, 1, 40_000, 0),
+        (10, 9, 300, 77),
+    ):
         wanted = grid(
             SHIP, 5.0, np.linspace(0, 180, points), LENGTH, np.linspace(0.5, 3, heights), K_ppp=np.linspace(0.5, 2, gms)
-        )
+        ).in_blocks_of(size)
         seen = np.zeros((gms, points), int)
         for block in wanted.blocks:
             seen[block.loadings, block.points] += 1
-            assert seen[block.loadings, block.points].size * heights <= max(16_384, heights)
+            assert seen[block.loadings, block.points].size * heights <= max(size or 16_384, heights)
         assert (seen == 1).all()
 
 

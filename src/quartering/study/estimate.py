@@ -24,6 +24,9 @@ LONGEST = 3600.0
 """Seconds a run may be expected to take without being confirmed."""
 LARGEST = 10e9
 """Bytes a run may put on the disk without being confirmed."""
+SECONDS_OF_A_BLOCK = 1.0
+"""Time one block should take on one core."""
+_FEWEST_IN_A_BLOCK = 32
 _SAMPLE = 1024
 _LIGHTEST_WAVE_FROM_SIDE = 0.1
 
@@ -101,12 +104,9 @@ def estimate(grid: Grid) -> Estimate:
     >>> estimate(grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, [1.0, 2.0])).conditions
     4
     """
-    sample = _sampled(grid)
-    alone(lambda i: evaluate_block(sample, i), 0)
-    begin = time.perf_counter()
-    for i in range(len(sample.blocks)):
-        alone(lambda j: evaluate_block(sample, j), i)
-    each = (time.perf_counter() - begin) / sample.count
+    each = _seconds_each(grid)
+    if not grid.block_size:
+        grid = grid.in_blocks_of(_size_of_blocks(grid, each))
     return Estimate(
         conditions=grid.count,
         blocks=len(grid.blocks),
@@ -114,6 +114,47 @@ def estimate(grid: Grid) -> Estimate:
         disk=float(BYTES * grid.count + 8000 * len(grid.blocks)),
         missed=missed_resonance(grid),
     )
+
+
+def timed_block_size(grid: Grid) -> int:
+    """Conditions of one block that takes about a second on one core, at most the usual number.
+
+    Parameters
+    ----------
+    grid : Grid
+
+    Returns
+    -------
+    int
+
+    Notes
+    -----
+    Measured on about a thousand of the grid's own conditions. A killed run loses the blocks being worked on: seconds, be the
+    conditions cheap (the paper's method) or dear (harmonic balance to a high order).
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.grid import grid
+    >>> some = grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, [1.0, 2.0])
+    >>> 0 < timed_block_size(some) <= some.usual_block_size
+    True
+    """
+    return _size_of_blocks(grid, _seconds_each(grid))
+
+
+def _size_of_blocks(grid: Grid, each: float) -> int:
+    return min(grid.usual_block_size, max(int(SECONDS_OF_A_BLOCK / each), _FEWEST_IN_A_BLOCK))
+
+
+def _seconds_each(grid: Grid) -> float:
+    """Time of one condition on one core, by some from all over the grid; compiles first."""
+    sample = _sampled(grid)
+    alone(lambda i: evaluate_block(sample, i), 0)
+    begin = time.perf_counter()
+    for i in range(len(sample.blocks)):
+        alone(lambda j: evaluate_block(sample, j), i)
+    return (time.perf_counter() - begin) / sample.count
 
 
 def check_size(found: Estimate, folder: str | Path | None = None, *, yes: bool = False) -> None:

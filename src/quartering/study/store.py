@@ -93,6 +93,26 @@ def open_store(folder: str | Path, grid: Grid) -> Store:
     return Store(path, content)
 
 
+def begun_block_size(folder: str | Path) -> int | None:
+    """Conditions of a block in the store that a folder holds, None where it holds none yet.
+
+    Parameters
+    ----------
+    folder : str or Path
+
+    Returns
+    -------
+    int or None
+
+    Raises
+    ------
+    InputError    what `read_store` refuses
+    """
+    if not (Path(folder) / MANIFEST).exists():
+        return None
+    return int(read_store(folder).content.get("block_size", 0))
+
+
 def read_store(folder: str | Path) -> Store:
     """The store in a folder, its manifest checked.
 
@@ -236,6 +256,7 @@ def _manifest(grid: Grid) -> dict[str, Any]:
         "hash": fingerprint(grid.described),
         "case": grid.described,
         "text": grid.text,
+        "block_size": grid.block_size,
         "blocks": [[b.loadings.start, b.loadings.stop, b.points.start, b.points.stop] for b in grid.blocks],
         "attributes": plain_attributes(heading_of(grid.ship, form=grid.form, harmonics=grid.harmonics)),
     }
