@@ -16,10 +16,12 @@ import xarray as xr
 import quartering as qt
 from quartering.study import estimate as estimates
 from quartering.study import store as stores
+from quartering.study import zarr_store
 from quartering.study.estimate import timed_block_size
 from quartering.study.grid import grid
 from quartering.study.result import open_result
 from quartering.study.sweep import fill
+from quartering.study.zarr_store import write_zarr
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
@@ -347,8 +349,27 @@ def test_memory_does_not_grow_with_the_number_of_conditions():
     assert peak[large] < 1000
 
 
-def test_a_stored_sweep_goes_to_zarr(stored, uninterrupted, tmp_path):
+def test_a_stored_sweep_goes_to_zarr_part_by_part(stored, uninterrupted, tmp_path, monkeypatch):
     pytest.importorskip("zarr")
-    open_result(stored).to_zarr(tmp_path / "all.zarr", consolidated=False)
-    with xr.open_zarr(tmp_path / "all.zarr", chunks=None, consolidated=False) as back:
-        np.testing.assert_array_equal(back["exponent"], uninterrupted["exponent"])
+    monkeypatch.setattr(zarr_store, "_AT_A_TIME", 400)  # of 1,620: several parts
+    written = write_zarr(open_result(stored), tmp_path / "all.zarr")
+    with xr.open_zarr(written, chunks=None, consolidated=False) as back:
+        xr.testing.assert_equal(back.load(), uninterrupted)
+        assert back["roll"].attrs["units"] == "deg"
+        assert back["verdict"].attrs["flag_meanings"] == uninterrupted["verdict"].attrs["flag_meanings"]
+    assert [f.name for f in tmp_path.iterdir()] == ["all.zarr"]
+    with pytest.raises(qt.InputError, match="there already"):
+        write_zarr(uninterrupted, tmp_path / "all.zarr")
+    with pytest.raises(qt.InputError, match="no folder"):
+        write_zarr(uninterrupted, tmp_path / "none" / "all.zarr")
+    one = write_zarr(
+        uninterrupted.isel(loading=0, speed=0, heading=3, wave_length=2, wave_height=1), tmp_path / "one.zarr"
+    )
+    with xr.open_zarr(one, chunks=None, consolidated=False) as back:
+        assert float(back["roll"]) == float(uninterrupted["roll"][0, 0, 3, 2, 1])
+
+
+def test_zarr_that_is_not_installed_is_named(uninterrupted, tmp_path, monkeypatch):
+    monkeypatch.setattr(zarr_store, "find_spec", lambda _: None)
+    with pytest.raises(qt.InputError, match=r"quartering\[zarr\]"):
+        write_zarr(uninterrupted, tmp_path / "all.zarr")
