@@ -254,14 +254,14 @@ def test_heights_of_g_share_the_wave_forces(monkeypatch):
 @pytest.mark.parametrize(("each", "size"), [(1e-5, 512), (0.01, 100), (1.0, 32)])
 def test_blocks_take_a_second_where_conditions_are_dear(monkeypatch, each, size):
     """Closed form: 1 s over the time of a condition, from 32 to the usual number."""
-    monkeypatch.setattr(estimates, "_seconds_each", lambda _: each)
+    monkeypatch.setattr(estimates, "_seconds_each", lambda *_: each)
     assert timed_block_size(grid(SHIP, **CONDITIONS)) == size
 
 
 def test_the_time_of_a_condition_is_measured():
     """Harmonic balance to the ninth order costs more than the paper's method: more than noise, whatever the machine."""
     axes = {name: values for name, values in CONDITIONS.items() if name != "gm"}
-    cheap, dear = (estimates._seconds_each(grid(SHIP, **axes, harmonics=n)) for n in (1, 9))
+    cheap, dear = (estimates._seconds_each(grid(SHIP, **axes, harmonics=n), 500) for n in (1, 9))
     assert 0 < cheap < dear
 
 
@@ -275,12 +275,12 @@ def test_a_store_keeps_the_blocks_it_was_begun_with_and_the_numbers_do_not_depen
         if 0.3 * of < done:
             raise _Stop
 
-    monkeypatch.setattr(estimates, "_seconds_each", lambda _: 0.025)
+    monkeypatch.setattr(estimates, "_seconds_each", lambda *_: 0.025)
     with pytest.raises(_Stop):
         qt.sweep(SHIP, **CONDITIONS, store=folder, progress=interrupt)
     assert json.loads((folder / "case.json").read_text())["block_size"] == 40
     kept = _blocks(folder)
-    monkeypatch.setattr(estimates, "_seconds_each", lambda _: 1e-5)
+    monkeypatch.setattr(estimates, "_seconds_each", lambda *_: 1e-5)
     result = qt.sweep(SHIP, **CONDITIONS, store=folder)
     assert kept.items() < _blocks(folder).items()
     assert len(_blocks(folder)) > len(grid(SHIP, **CONDITIONS).blocks)

@@ -101,7 +101,7 @@ def estimate(grid: Grid) -> Estimate:
     >>> estimate(grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, [1.0, 2.0])).conditions
     4
     """
-    each = _seconds_each(grid)
+    each = _seconds_each(grid, _SAMPLE)
     if not grid.block_size:
         grid = grid.in_blocks_of(_size_of_blocks(grid, each))
     return Estimate(
@@ -126,8 +126,8 @@ def timed_block_size(grid: Grid) -> int:
 
     Notes
     -----
-    Measured on about a thousand of the grid's own conditions. A killed run loses the blocks being worked on: seconds, be the
-    conditions cheap (the paper's method) or dear (harmonic balance to a high order).
+    Measured on a twentieth of the grid's own conditions, a thousand at most. A killed run loses the blocks being worked on:
+    seconds, be the conditions cheap (the paper's method) or dear (harmonic balance to a high order).
 
     Examples
     --------
@@ -137,16 +137,16 @@ def timed_block_size(grid: Grid) -> int:
     >>> 0 < timed_block_size(some) <= some.usual_block_size
     True
     """
-    return _size_of_blocks(grid, _seconds_each(grid))
+    return _size_of_blocks(grid, _seconds_each(grid, min(_SAMPLE, max(grid.count // 20, 64))))
 
 
 def _size_of_blocks(grid: Grid, each: float) -> int:
     return min(grid.usual_block_size, max(int(SECONDS_OF_A_BLOCK / each), _FEWEST_IN_A_BLOCK))
 
 
-def _seconds_each(grid: Grid) -> float:
-    """Time of one condition on one core, by some from all over the grid; compiles first."""
-    sample = _sampled(grid)
+def _seconds_each(grid: Grid, most: int) -> float:
+    """Time of one condition on one core, by up to `most` from all over the grid; compiles first."""
+    sample = _sampled(grid, most)
     alone(lambda i: evaluate_block(sample, i), 0)
     begin = time.perf_counter()
     for i in range(len(sample.blocks)):
@@ -188,15 +188,15 @@ def check_size(found: Estimate, folder: str | Path | None = None, *, yes: bool =
         )
 
 
-def _sampled(grid: Grid) -> Grid:
+def _sampled(grid: Grid, most: int) -> Grid:
     """A small grid from all over a large one."""
     axes, loadings = dict(grid.axes), dict(grid.loadings)
     if loadings:
         kept = _thinned(grid.loading_count, 3)
         loadings = {name: column[kept] for name, column in loadings.items()}
-    left = _SAMPLE // max(1, min(grid.loading_count, 3))
-    for name, most in (("wave_height", 10), ("speed", 3), ("wave_length", 4), ("heading", 6)):
-        kept = _thinned(axes[name].size, min(most, max(1, left)))
+    left = most // max(1, min(grid.loading_count, 3))
+    for name, few in (("wave_height", 10), ("speed", 3), ("wave_length", 4), ("heading", 6)):
+        kept = _thinned(axes[name].size, min(few, max(1, left)))
         axes[name] = axes[name][kept]
         left //= max(1, len(kept))
     return replace(grid, axes=axes, loadings=loadings)
