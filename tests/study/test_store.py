@@ -212,6 +212,10 @@ def test_another_version_and_a_foreign_or_broken_folder_are_refused(tmp_path):
     manifest.write_text("{half")
     with pytest.raises(qt.InputError, match="cannot be read"):
         qt.sweep(SHIP, **conditions, store=folder)
+    manifest.unlink()  # blocks without a case are of no known case
+    with pytest.raises(qt.InputError, match=r"case\.json is missing"):
+        qt.sweep(SHIP, **conditions, store=folder)
+    assert len(_blocks(folder)) == 1
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "thesis.txt").write_text("mine")
     with pytest.raises(qt.InputError, match="holds other files"):

@@ -82,6 +82,11 @@ def open_store(folder: str | Path, grid: Grid) -> Store:
         raise InputError(
             f'store "{path}" holds other files and no {MANIFEST}, so it is not a sweep; give a new or empty folder'
         )
+    if any((path / _BLOCKS).glob("*.nc")):
+        raise InputError(
+            f'store "{path}" holds blocks of a case that is not known, since {MANIFEST} is missing; put that file back, or give'
+            " another folder"
+        )
     content = _manifest(grid)
     try:
         (path / _BLOCKS).mkdir(parents=True, exist_ok=True)
