@@ -124,10 +124,6 @@ def cut(result: xr.Dataset, **where: float) -> xr.Dataset:
     ------
     InputError                 a name the result has no values of
 
-    Notes
-    -----
-    Source: [H71].
-
     Examples
     --------
     >>> from quartering.hull.ship import ship
