@@ -24,6 +24,7 @@ from quartering.hull.stations import hull_from_offsets
 from quartering.hydro.sixmodes import hydrodynamics6
 from quartering.loads.bem import bem_forces
 from quartering.loads.comparison import compare_forces
+from quartering.view.plots.forces import LOOKS
 
 TESTS = Path(__file__).parents[1] / "tests"
 PANELS = find_spec("capytaine") is not None
@@ -219,19 +220,13 @@ def series60(picture: Path | None) -> None:
     over_heading = compared(ship, [length], headings)
     over_length = compared(ship, ratios * length, np.array([90.0]))
     figure, panels = plt.subplots(2, 3, figsize=(13, 7.4), layout="constrained")
-    looks = {
-        "froude-krylov": (GREY, ":"), "paper": (RED, "-."), "paper-corrected": (RED, "--"),
-        "relative-motion": (GREEN, "--"), "stf": (BLUE, "-"), "bem": ("k", ""),
-    }  # fmt: skip
     for column, mode in enumerate(MODES):
         for form in over_heading.form.to_numpy():
-            colour, dash = looks[str(form)]
-            mark = {"marker": "o", "mfc": "none", "ms": 4} if form == "bem" else {}
             values = over_heading.amplitude.sel(form=form, mode=mode)[0] / 1e6
-            panels[0, column].plot(headings, values, color=colour, ls=dash or "none", label=str(form), **mark)
+            panels[0, column].plot(headings, values, label=str(form), **LOOKS[str(form)])
             if column < 2:
                 values = over_length.amplitude.sel(form=form, mode=mode)[:, 0] / 1e6
-                panels[1, column].plot(ratios, values, color=colour, ls=dash or "none", **mark)
+                panels[1, column].plot(ratios, values, **LOOKS[str(form)])
         unit = "MN/m" if mode == "sway" else "MN m/m"
         panels[0, column].set(
             title=f"{mode}, λ = L [{unit}]", xlabel="heading [deg]", xticks=range(0, 181, 30), ylim=(0, None)
@@ -239,8 +234,7 @@ def series60(picture: Path | None) -> None:
         if column < 2:
             panels[1, column].set(title=f"{mode}, beam sea [{unit}]", xlabel="λ/L", ylim=(0, None))
     panels[0, 0].legend(fontsize=7.5)
-    print(over_heading.largest_difference.to_pandas().round(3))
-    print(over_length.largest_difference.to_pandas().round(3))
+    print(over_heading.largest_difference[:, 0].to_pandas().round(3))
     if PANELS:
         ends(panels[1, 2], ship, ratios[[2, 3, 5, 6, 7]])
     else:

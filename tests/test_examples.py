@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-SLOW = {"plot_how_good"}
+SLOW = {"plot_how_good", "plot_roll_excitation"}
+NEEDS = {"plot_roll_excitation": "capytaine"}
 EXAMPLES = [
     pytest.param(script, id=script.stem, marks=[pytest.mark.slow] if script.stem in SLOW else [])
     for script in sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
@@ -16,6 +17,8 @@ EXAMPLES = [
 
 @pytest.mark.parametrize("script", EXAMPLES)
 def test_example_draws_its_picture(script, tmp_path):
+    if script.stem in NEEDS:
+        pytest.importorskip(NEEDS[script.stem])
     picture = tmp_path / "picture.png"
     environment = os.environ | {"MPLBACKEND": "Agg"}
     subprocess.run(

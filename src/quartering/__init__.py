@@ -26,7 +26,10 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Loading, Ship, ship
     from quartering.hydro.coefficients import coefficients
     from quartering.hydro.sections import section_coefficients
+    from quartering.hydro.sixmodes import hydrodynamics6
     from quartering.hydro.strip import hydrodynamics
+    from quartering.loads.bem import bem_forces, bem_hydrodynamics
+    from quartering.loads.comparison import compare_forces
     from quartering.loads.forces import wave_forces
     from quartering.loads.waves import Wave, encounter_frequency
     from quartering.motion.equations import Model
@@ -57,7 +60,11 @@ _HOMES = {
     "coefficients": "hydro.coefficients",
     "section_coefficients": "hydro.sections",
     "hydrodynamics": "hydro.strip",
+    "hydrodynamics6": "hydro.sixmodes",
     "wave_forces": "loads.forces",
+    "bem_forces": "loads.bem",
+    "bem_hydrodynamics": "loads.bem",
+    "compare_forces": "loads.comparison",
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
     "all_motions": "study.coexisting",
@@ -88,14 +95,18 @@ __all__ = [
     "Verdict",
     "Wave",
     "all_motions",
+    "bem_forces",
+    "bem_hydrodynamics",
     "branch",
     "cite",
     "coefficients",
+    "compare_forces",
     "cures",
     "edge",
     "encounter_frequency",
     "equations",
     "hydrodynamics",
+    "hydrodynamics6",
     "hydrostatics",
     "irregular",
     "polar",

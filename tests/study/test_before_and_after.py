@@ -1,16 +1,18 @@
 """Before a run, while it goes, and questions to its result."""
 
 import csv
+import re
 
 import numpy as np
 import pytest
 
 import quartering as qt
 from quartering.hydro.calm_water import calm_water_exponents
-from quartering.study.estimate import BYTES, Estimate, check_size, estimate, missed_resonance
+from quartering.study.estimate import BYTES, Estimate, check_size, estimate
 from quartering.study.grid import grid
 from quartering.study.progress import failures, outcome, progress_line, summary
-from quartering.study.query import worst, worst_by, write_csv
+from quartering.study.query import cut, worst, worst_by, write_csv
+from quartering.study.resonance import missed_resonance
 from quartering.study.result import open_result
 from quartering.study.sweep import fill
 from quartering.study.uncertainty import uncertain
@@ -56,6 +58,59 @@ def test_a_grid_that_steps_over_the_roll_resonance_is_told_where():
     assert missed_resonance(grid(SHIP, 0.0, 90.0, [0.3 * peak, 0.5 * peak], 1.0)) == ()
     assert missed_resonance(grid(SHIP, 0.0, [0.0, 180.0], [0.5 * peak, 2.0 * peak], 1.0)) == ()
     assert missed_resonance(grid(SHIP, 0.0, 90.0, np.linspace(0.5, 2.0, 60) * peak, 1.0)) == ()
+
+
+def test_speeds_that_step_over_the_roll_resonance_are_told():
+    """Closed form: in quartering seas omega = sigma - k U cos(mu) falls through n2 between rest and some speed."""
+    length, heading = 60.0, 45.0
+    k = 2 * np.pi / length
+    fast = 8.0
+    speeds = np.linspace(0.0, fast, 401)
+    omega = np.sqrt(9.81 * k) - k * speeds * np.cos(np.radians(heading))
+    roots = [calm_water_exponents(SHIP, float(u)) for u in speeds[::20]]
+    n2 = np.interp(speeds, speeds[::20], [abs(z[np.argmax(z.imag)]) for z in roots])
+    peak = float(speeds[np.argmin(np.abs(omega - n2))])
+    assert 1.0 < peak < 7.5
+    (said,) = missed_resonance(grid(SHIP, [0.0, fast], heading, length, 1.0))
+    assert said.startswith("speeds between 0 and 8 m/s step over")
+    assert missed_resonance(grid(SHIP, [0.0, peak, fast], heading, length, 1.0)) == ()
+    assert missed_resonance(grid(SHIP, [0.0, 0.5 * peak], heading, length, 1.0)) == ()
+
+
+@pytest.mark.parametrize("axis", ["speed", "wave_length"])
+def test_what_a_warning_advises_makes_it_go(axis):
+    """Both ways: a value where it says, or its steps over the whole range."""
+    axes = {"speed": [0.0, 8.0], "heading": [45.0], "wave_length": [60.0]}
+    if axis == "wave_length":
+        axes = {"speed": [5.0], "heading": [90.0], "wave_length": [100.0, 900.0]}
+    (said,) = missed_resonance(grid(SHIP, **axes, wave_height=1.0))
+    near, step = (float(x) for x in re.search(r"values near (\S+), or take steps of (\S+) there", said).groups())
+    low, high = axes[axis]
+    for values in ([low, near, high], np.arange(low, high + step, step)):
+        assert missed_resonance(grid(SHIP, **(axes | {axis: values}), wave_height=1.0)) == ()
+
+
+def test_a_warning_counts_every_line():
+    """Two of three headings: waves from ahead do not roll the ship."""
+    (said,) = missed_resonance(grid(SHIP, 5.0, [45.0, 90.0, 180.0], [60.0, 1500.0], 1.0))
+    assert " on 2 of 2 lines" in said
+    first, last = (float(x) for x in re.search(r"values near (\S+) to (\S+),", said).groups())
+    for heading, peak in ((45.0, first), (90.0, last)):
+        assert missed_resonance(grid(SHIP, 5.0, heading, [60.0, peak, 1500.0], 1.0)) == ()
+
+
+def test_a_grid_without_a_warning_sees_the_peak():
+    """What the warning is for: on waves low enough to be linear a grid it passes sees 0.7 of the largest roll or more."""
+    n2 = abs(max(calm_water_exponents(SHIP, 0.0), key=lambda z: z.imag))
+    peak = 2 * np.pi * 9.81 / n2**2
+    fine = qt.sweep(SHIP, 0.0, 90.0, np.linspace(0.8, 1.25, 91) * peak, 0.02)["roll"].max()
+    seen = []
+    for first in np.linspace(0.5, 0.8, 7):
+        lengths = peak * np.arange(first, 2.0, 0.19)
+        if missed_resonance(grid(SHIP, 0.0, 90.0, lengths, 0.02)) == ():
+            seen.append(float(qt.sweep(SHIP, 0.0, 90.0, lengths, 0.02)["roll"].max() / fine))
+    assert seen
+    assert min(seen) > 0.7
 
 
 def test_progress_tells_rate_time_left_and_outcome(stored):
@@ -118,6 +173,19 @@ def test_a_slice_goes_to_a_table_with_units(stored, tmp_path):
         write_csv(ds, tmp_path / "x.csv", headin=3.0)
     with pytest.raises(qt.InputError, match="cannot be written"):
         write_csv(ds, tmp_path / "none" / "x.csv")
+
+
+def test_a_cut_takes_the_nearest_value_of_a_dimension_or_a_loading():
+    ds = qt.sweep(SHIP, 5.0, [60.0, 30.0], LENGTH, [1.0, 2.0], gm=[0.6, 0.9, 1.2], K_ppp=[1.0, 2.0])
+    one = cut(ds, gm=1.0, K_ppp=1.9, heading=35.0)
+    np.testing.assert_array_equal(one["roll"].values, ds["roll"].isel(loading=3, heading=1).values)
+    assert (float(one["gm"]), float(one["K_ppp"]), float(one["heading"])) == (0.9, 2.0, 30.0)
+    two = cut(ds, K_ppp=1.0)
+    np.testing.assert_array_equal(two["gm"].values, [0.6, 0.9, 1.2])
+    np.testing.assert_array_equal(two["roll"].values, ds["roll"].isel(loading=[0, 2, 4]).values)
+    for wrong in ("gmm", "resonance", "verdict"):
+        with pytest.raises(qt.InputError, match=r"can be cut at .*wave_height.*gm, K_ppp"):
+            cut(ds, **{wrong: 1.0})
 
 
 def _edge():

@@ -57,13 +57,15 @@ def test_a_killed_worker_costs_nothing_but_time(tmp_path):
 
         def progress(done, of):
             if done > 0.2 * of and not killed:
-                killed.append(done)
-                next(iter(workers.workers.values())).process.process.kill()
+                process = next(iter(workers.workers.values())).process.process
+                killed.append(process.pid)
+                process.kill()
 
         result = qt.sweep(
             SHIP, **CONDITIONS, store=tmp_path / "s", cluster=workers.scheduler_address, progress=progress
         )
-    assert killed
+        assert killed
+        assert killed[0] not in {worker.process.process.pid for worker in workers.workers.values() if worker.process}
     xr.testing.assert_identical(result.load(), expected)
 
 

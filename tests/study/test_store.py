@@ -15,9 +15,13 @@ import xarray as xr
 
 import quartering as qt
 from quartering import publish
+from quartering.study import estimate as estimates
+from quartering.study import zarr_store
+from quartering.study.estimate import timed_block_size
 from quartering.study.grid import grid
 from quartering.study.result import open_result
 from quartering.study.sweep import fill
+from quartering.study.zarr_store import write_zarr
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
@@ -208,6 +212,10 @@ def test_another_version_and_a_foreign_or_broken_folder_are_refused(tmp_path):
     manifest.write_text("{half")
     with pytest.raises(qt.InputError, match="cannot be read"):
         qt.sweep(SHIP, **conditions, store=folder)
+    manifest.unlink()  # blocks without a case are of no known case
+    with pytest.raises(qt.InputError, match=r"case\.json is missing"):
+        qt.sweep(SHIP, **conditions, store=folder)
+    assert len(_blocks(folder)) == 1
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "thesis.txt").write_text("mine")
     with pytest.raises(qt.InputError, match="holds other files"):
@@ -247,15 +255,57 @@ def test_heights_of_g_share_the_wave_forces(monkeypatch):
     assert len(asked) == 3
 
 
-def test_blocks_follow_from_the_grid_alone_and_cover_it_once():
-    for heights, gms, points in ((1, 1, 5), (10, 9, 300), (3, 2000, 2), (1, 1, 40_000)):
+@pytest.mark.parametrize(("each", "size"), [(1e-5, 512), (0.01, 100), (1.0, 32)])
+def test_blocks_take_a_second_where_conditions_are_dear(monkeypatch, each, size):
+    """Closed form: 1 s over the time of a condition, from 32 to the usual number."""
+    monkeypatch.setattr(estimates, "_seconds_each", lambda *_: each)
+    assert timed_block_size(grid(SHIP, **CONDITIONS)) == size
+
+
+def test_the_time_of_a_condition_is_measured():
+    """Harmonic balance to the ninth order costs more than the paper's method: more than noise, whatever the machine."""
+    axes = {name: values for name, values in CONDITIONS.items() if name != "gm"}
+    cheap, dear = (estimates._seconds_each(grid(SHIP, **axes, harmonics=n), 500) for n in (1, 9))
+    assert 0 < cheap < dear
+
+
+def test_a_store_keeps_the_blocks_it_was_begun_with_and_the_numbers_do_not_depend_on_them(
+    uninterrupted, tmp_path, monkeypatch
+):
+    """Begun where a condition takes 25 ms, finished where it takes 10 us."""
+    folder = tmp_path / "s"
+
+    def interrupt(done, of):
+        if 0.3 * of < done:
+            raise _Stop
+
+    monkeypatch.setattr(estimates, "_seconds_each", lambda *_: 0.025)
+    with pytest.raises(_Stop):
+        qt.sweep(SHIP, **CONDITIONS, store=folder, progress=interrupt)
+    assert json.loads((folder / "case.json").read_text())["block_size"] == 40
+    kept = _blocks(folder)
+    monkeypatch.setattr(estimates, "_seconds_each", lambda *_: 1e-5)
+    result = qt.sweep(SHIP, **CONDITIONS, store=folder)
+    assert kept.items() < _blocks(folder).items()
+    assert len(_blocks(folder)) > len(grid(SHIP, **CONDITIONS).blocks)
+    xr.testing.assert_identical(result.load(), uninterrupted)
+
+
+def test_blocks_cover_the_grid_once():
+    for heights, gms, points, size in (
+        (1, 1, 5, 0),
+        (10, 9, 300, 0),
+        (3, 2000, 2, 0),
+        (1, 1, 40_000, 0),
+        (10, 9, 300, 77),
+    ):
         wanted = grid(
             SHIP, 5.0, np.linspace(0, 180, points), LENGTH, np.linspace(0.5, 3, heights), K_ppp=np.linspace(0.5, 2, gms)
-        )
+        ).in_blocks_of(size)
         seen = np.zeros((gms, points), int)
         for block in wanted.blocks:
             seen[block.loadings, block.points] += 1
-            assert seen[block.loadings, block.points].size * heights <= max(16_384, heights)
+            assert seen[block.loadings, block.points].size * heights <= max(size or 16_384, heights)
         assert (seen == 1).all()
 
 
@@ -303,8 +353,27 @@ def test_memory_does_not_grow_with_the_number_of_conditions():
     assert peak[large] < 1000
 
 
-def test_a_stored_sweep_goes_to_zarr(stored, uninterrupted, tmp_path):
+def test_a_stored_sweep_goes_to_zarr_part_by_part(stored, uninterrupted, tmp_path, monkeypatch):
     pytest.importorskip("zarr")
-    open_result(stored).to_zarr(tmp_path / "all.zarr", consolidated=False)
-    with xr.open_zarr(tmp_path / "all.zarr", chunks=None, consolidated=False) as back:
-        np.testing.assert_array_equal(back["exponent"], uninterrupted["exponent"])
+    monkeypatch.setattr(zarr_store, "_AT_A_TIME", 400)  # of 1,620: several parts
+    written = write_zarr(open_result(stored), tmp_path / "all.zarr")
+    with xr.open_zarr(written, chunks=None, consolidated=False) as back:
+        xr.testing.assert_equal(back.load(), uninterrupted)
+        assert back["roll"].attrs["units"] == "deg"
+        assert back["verdict"].attrs["flag_meanings"] == uninterrupted["verdict"].attrs["flag_meanings"]
+    assert [f.name for f in tmp_path.iterdir()] == ["all.zarr"]
+    with pytest.raises(qt.InputError, match="there already"):
+        write_zarr(uninterrupted, tmp_path / "all.zarr")
+    with pytest.raises(qt.InputError, match="no folder"):
+        write_zarr(uninterrupted, tmp_path / "none" / "all.zarr")
+    one = write_zarr(
+        uninterrupted.isel(loading=0, speed=0, heading=3, wave_length=2, wave_height=1), tmp_path / "one.zarr"
+    )
+    with xr.open_zarr(one, chunks=None, consolidated=False) as back:
+        assert float(back["roll"]) == float(uninterrupted["roll"][0, 0, 3, 2, 1])
+
+
+def test_zarr_that_is_not_installed_is_named(uninterrupted, tmp_path, monkeypatch):
+    monkeypatch.setattr(zarr_store, "find_spec", lambda _: None)
+    with pytest.raises(qt.InputError, match=r"quartering\[zarr\]"):
+        write_zarr(uninterrupted, tmp_path / "all.zarr")

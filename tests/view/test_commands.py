@@ -76,6 +76,42 @@ def test_forces_are_those_of_the_library(run, tmp_path):
     assert (tmp_path / "f.png").exists()
 
 
+def test_forces_say_how_far_the_forms_are_apart_and_what_they_rest_on(run):
+    shown = run("forces", "wigley", "--speed", "5", "--wave-lengths", "1L,2L")
+    facts = json.loads(run("forces", "wigley", "--speed", "5", "--wave-lengths", "1L,2L", "--json").stdout)
+    assert set(facts["forms"]) == {"froude-krylov", "paper", "paper-corrected", "relative-motion", "stf"}
+    length = qt.ship("wigley").hull.length
+    assert facts["wave_length"] == [length, 2 * length]
+    first, second = (
+        qt.wave_forces(qt.ship("wigley"), qt.Wave(length, 2.0), 5.0, facts["heading"], form=form)["total"]
+        .sel(mode="roll")
+        .to_numpy()
+        @ [1, -1j]
+        for form in ("paper", "stf")
+    )
+    by_hand = np.abs(first - second).max() / np.abs(second).max()
+    assert facts["largest_difference_from_stf"]["paper"]["roll"][0] == pytest.approx(by_hand, rel=1e-9)
+    assert f"{by_hand:.1%}" in shown.stdout
+    words = " ".join(shown.stdout.split())
+    for said in ("centre of gravity G", "5 m/s", "Haddara, M. R. (1971)", "Salvesen"):
+        assert said in words, said
+
+
+@pytest.mark.slow
+def test_forces_stand_beside_panels_with_their_mesh(run):
+    pytest.importorskip("capytaine")
+    facts = json.loads(
+        run("forces", "wigley", "--speed", "0", "--wave-lengths", "2L", "--form", "bem", "--json").stdout
+    )
+    assert set(facts["forms"]) == {"stf", "bem"}
+    assert "40 x 12 panels" in facts["panels"]
+    sway = {form: np.max(modes["sway"]) for form, modes in facts["forms"].items()}
+    assert sway["bem"] == pytest.approx(
+        sway["stf"], rel=0.1
+    )  # the aim of 10 % beyond 0.8 L, see tests/loads/test_bem.py
+    assert 0 < facts["largest_difference_from_stf"]["bem"]["sway"][0] < 0.1
+
+
 def test_verdict_is_that_of_the_library(run):
     facts = json.loads(run("verdict", "series60-cb60", *CONDITION, "--json").stdout)
     ship = qt.ship("series60-cb60")
@@ -202,6 +238,8 @@ BAD = [
     (["new", "series60-cb6", "my.yaml"], "series60-cb60"),
     (["new", "wigley", "nowhere/my.yaml"], "folder"),
     (["forces", "wigley", "--form", "cfd"], "stf"),
+    (["forces", "wigley", "--form", "bem"], "--speed 0"),
+    (["forces", "wigley", "--wave-lengths", "0"], "above 0"),
     (["hull", "wigley", "-o", "/proc/hull.png"], "cannot be written"),
 ]
 

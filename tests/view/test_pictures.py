@@ -8,6 +8,7 @@ from matplotlib.text import Text
 
 import quartering as qt
 from quartering.hull.righting import righting_polynomial
+from quartering.loads.comparison import compare_forces
 from quartering.stability.kind import Kind
 from quartering.view.plots.forces import forces_picture
 from quartering.view.plots.hull import hull_picture
@@ -96,15 +97,22 @@ def test_hull_picture_has_both_halves_and_the_tangent_gm():
     assert tangent.get_ydata()[-1] / np.radians(tangent.get_xdata()[-1]) == pytest.approx(SHIP.loading.gm)
 
 
-def test_forces_picture_has_a_panel_a_mode_and_a_line_a_length_and_form():
-    headings = np.arange(0.0, 181.0, 30.0)
-    values = np.arange(2.0 * 7 * 3).reshape(2, 7, 3) * 1e6
-    coords = {"heading": headings, "mode": ["sway", "roll", "yaw"], "ratio": ("wave_length", [0.5, 1.0])}
-    field = xr.DataArray(values, dims=("wave_length", "heading", "mode"), coords=coords)
-    figure = forces_picture({"stf": field, "paper": 2 * field}, "title", "note")
-    assert [len(axes.lines) for axes in figure.axes] == [4, 4, 4]
-    assert [axes.get_ylabel().split("[")[1] for axes in figure.axes] == ["MN/m]", "MN m/m]", "MN m/m]"]
-    np.testing.assert_allclose(figure.axes[1].lines[0].get_ydata(), values[0, :, 1] / 1e6)
+@pytest.mark.parametrize("modes", [("sway", "roll", "yaw"), ("roll",)])
+def test_forces_picture_has_a_panel_a_wave_and_mode_and_a_line_a_form(modes):
+    compared = compare_forces(SHIP, SHIP.hull.length * np.array([0.5, 2.0]), np.arange(0.0, 181.0, 30.0))
+    chosen = compared.sel(form=["froude-krylov", "paper", "stf"])
+    figure = forces_picture(chosen, "title", "note", modes)
+    assert [len(axes.lines) for axes in figure.axes] == [3] * 2 * len(modes)
+    titles = [axes.get_title() for axes in figure.axes]
+    assert titles == [f"{mode}, λ/L = {ratio:g}" for ratio in (0.5, 2.0) for mode in modes]
+    for axes in figure.axes:
+        mode, ratio = axes.get_title().split(", λ/L = ")
+        line = next(line for line in axes.lines if line.get_label() == "paper")
+        wanted = chosen.amplitude.sel(form="paper", mode=mode)[0 if ratio == "0.5" else 1]
+        scale = {"MN/m": 1e6, "MN m/m": 1e6}[axes.get_ylabel().split("[")[1][:-1]]
+        np.testing.assert_allclose(line.get_ydata(), wanted / scale)
+    dashes = {(str(line._unscaled_dash_pattern), line.get_marker()) for line in figure.axes[0].lines}
+    assert len(dashes) == 3  # told apart without colour
 
 
 def test_response_marks_what_is_unstable(small_map):

@@ -10,6 +10,7 @@ import time
 import numpy as np
 import pytest
 import xarray as xr
+from matplotlib.figure import Figure
 from typer.testing import CliRunner
 
 from quartering.study.result import open_result
@@ -76,6 +77,34 @@ def test_show_writes_a_map_and_a_table_without_computing(case, tmp_path):
     assert len((tmp_path / "t.csv").read_text().splitlines()) == 1 + 2 * 2 * 13 * 8
     ds = open_result(folder / "my").sel(wave_height=3.0)
     np.testing.assert_allclose(np.max(facts["roll_peak"]), float(ds["roll_peak"].max()))
+
+
+def test_show_takes_the_loading_asked_for(case, tmp_path, monkeypatch):
+    drawn = []
+    monkeypatch.setattr("quartering.view.plots.polar_map.polar_map", lambda ds: drawn.append(ds) or Figure())
+    folder, _ = case
+    ds = open_result(folder / "my")
+    for asked, gm, index in (("0.95", 1.0, 1), ("0.5", 0.6, 0)):
+        words = ("show", folder / "my", "--at", f"gm={asked}", "--at", "wave_height=3", "-o", tmp_path / "m.png")
+        facts = json.loads(_run(*words, "--json").stdout)
+        assert facts["at"] == {"gm": gm, "wave_height": 3.0}
+        largest = ds["roll_peak"].isel(loading=index, wave_height=1).max(["wave_length"])
+        np.testing.assert_array_equal(np.array(facts["roll_peak"], dtype=float), largest)
+        np.testing.assert_array_equal(drawn[-1]["roll"], ds["roll"].isel(loading=index, wave_height=1))
+        assert drawn[-1].attrs["loading"].startswith(f"gm {gm:.4g};")
+    _run("show", folder / "my", "-o", tmp_path / "m.png")
+    assert drawn[-1].attrs["loading"].startswith("gm 0.6 (loading 1 of 2);")
+    shown = _run("show", folder / "my", "--at", "gm=0.95").stdout
+    assert "at gm [m] 1" in " ".join(shown.split())
+
+
+def test_show_writes_a_zarr_store_of_the_cut(case, tmp_path):
+    pytest.importorskip("zarr")
+    folder, _ = case
+    found = _run("show", folder / "my", "--at", "gm=1", "--zarr", tmp_path / "my.zarr")
+    assert found.exit_code == 0, found.output
+    with xr.open_zarr(tmp_path / "my.zarr", chunks=None, consolidated=False) as back:
+        np.testing.assert_array_equal(back["roll"], open_result(folder / "my")["roll"].isel(loading=1))
 
 
 def test_uncertainty_writes_probabilities(case, tmp_path):

@@ -52,9 +52,9 @@ def compare_forces(
     -------
     Dataset    force (form, wave_length, heading, part, mode), amplitude (form, wave_length, heading, mode) per metre of
                wave amplitude [N/m; N m/m about G]; difference (form, wave_length, heading, mode) and
-               largest_difference (form, mode): modulus of the difference from "stf", over the largest force of "stf" in
-               that mode [1]; forms "froude-krylov", "paper", "paper-corrected", "relative-motion", "stf", "bem", and
-               "database" for a ship with its own
+               largest_difference (form, wave_length, mode): modulus of the difference from "stf", over the largest force
+               of "stf" at any heading in that wave and mode [1]; forms "froude-krylov", "paper", "paper-corrected",
+               "relative-motion", "stf", "bem", and "database" for a ship with its own
 
     Raises
     ------
@@ -82,7 +82,8 @@ def compare_forces(
         force[OWN] = _own_forces(ship, length, mu, speed)
     if bem is not None:
         force[PANELS] = _panel_forces(bem, length, mu, speed)
-    return _dataset(ship, length, mu, speed, force, omega)
+    made = _dataset(ship, length, mu, speed, force, omega)
+    return made if bem is None else made.assign_attrs(panels=str(bem.attrs.get("method", "of unknown make")))
 
 
 def _strip_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> tuple[dict[str, Phasors], Floats]:
@@ -124,12 +125,12 @@ def _dataset(
 ) -> xr.Dataset:
     names = [name for name in MEANINGS if name in force]
     phasor = np.stack([force[name] for name in names])
-    largest = np.abs(force[MEASURE]).max(axis=(0, 1))
+    largest = np.abs(force[MEASURE]).max(axis=1, keepdims=True)
     apart = np.abs(phasor - force[MEASURE])
-    share = np.divide(apart, largest, out=np.zeros_like(apart), where=largest > 0)
+    share = np.divide(apart, largest, out=np.zeros_like(apart), where=np.broadcast_to(largest > 0, apart.shape))
     where, unit = ("form", "wave_length", "heading"), "N/m (sway), N m/m (roll, yaw)"
     words = "wave force and moments per metre of wave amplitude"
-    over = "difference from stf over its largest"
+    over = "difference from stf over its largest at any heading"
     fields: dict[str, Any] = {
         "force": (
             (*where, "part", "mode"), np.stack([phasor.real, -phasor.imag], axis=-2),
@@ -138,7 +139,8 @@ def _dataset(
         "amplitude": ((*where, "mode"), np.abs(phasor), {"units": unit, "symbol": "|Y|, |K|, |N|", "long_name": words}),
         "difference": ((*where, "mode"), share, {"units": "1", "symbol": "", "long_name": over}),
         "largest_difference": (
-            ("form", "mode"), share.max(axis=(1, 2)), {"units": "1", "symbol": "", "long_name": f"largest {over}"},
+            ("form", "wave_length", "mode"), share.max(axis=2),
+            {"units": "1", "symbol": "", "long_name": f"largest {over}"},
         ),
         "encounter_frequency": (
             where[1:], omega, dict(zip(("symbol", "units", "long_name"), SYMBOLS["encounter_frequency"], strict=True)),

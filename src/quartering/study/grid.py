@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 from typing import Any, NamedTuple
@@ -21,7 +21,6 @@ Floats = NDArray[np.float64]
 LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught")
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
 LARGEST_BLOCK, SMALLEST_BLOCK = 16_384, 512
-"""Conditions of one block: they bound the memory, and what a killed run has to do again."""
 _BLOCKS_WANTED = 64
 _POINTS_WANTED = 512
 _DRAUGHTS_TOGETHER = 4
@@ -47,6 +46,7 @@ class Grid:
     harmonics : int                            of the steady motion
     form : str                                 of the diffraction force
     text : str                                 case file the grid was read from, for the record
+    block_size : int                           conditions of one block; 0: by their number alone
     """
 
     ship: Ship
@@ -55,6 +55,7 @@ class Grid:
     harmonics: int = 1
     form: Form = "stf"
     text: str = ""
+    block_size: int = 0
     _ships: dict[int, Ship] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -86,11 +87,16 @@ class Grid:
         """Number of conditions."""
         return self.loading_count * self.point_count * self.axes["wave_height"].size
 
+    @property
+    def usual_block_size(self) -> int:
+        """Conditions of one block, by their number alone: they bound the memory, and what a killed run has to do again."""
+        return min(max(self.count // _BLOCKS_WANTED, SMALLEST_BLOCK), LARGEST_BLOCK)
+
     @cached_property
     def blocks(self) -> tuple[Block, ...]:
-        """The parts the grid is computed in; they follow from the grid alone, whatever machine computes them."""
+        """The parts the grid is computed in; the numbers do not depend on them."""
         heights, loadings, points = self.axes["wave_height"].size, self.loading_count, self.point_count
-        size = min(max(self.count // _BLOCKS_WANTED, SMALLEST_BLOCK), LARGEST_BLOCK)
+        size = self.block_size or self.usual_block_size
         together = min(max(size // (heights * min(points, _POINTS_WANTED)), 1), loadings)
         if "draught" in self.loadings:  # hulls of few draughts are kept at a time
             together = min(together, _DRAUGHTS_TOGETHER)
@@ -111,6 +117,12 @@ class Grid:
             "harmonics": self.harmonics,
             "form": self.form,
         }
+
+    def in_blocks_of(self, size: int) -> Grid:
+        """The same grid in blocks of another size."""
+        made = replace(self, block_size=size)
+        made._ships.update(self._ships)
+        return made
 
     def points(self, part: slice) -> tuple[Floats, Floats, Floats]:
         """Speed [m/s], heading [deg] and wave length [m] of some points."""

@@ -108,6 +108,43 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
     return largest
 
 
+def cut(result: xr.Dataset, **where: float) -> xr.Dataset:
+    """The part of a result at given values, the nearest ones taken.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
+    **where : float            value by name: heading=30 [deg], wave_height=4 [m], or of a loading: gm=0.7 [m], K_ppp=2
+
+    Returns
+    -------
+    xarray.Dataset             without the dimensions cut; the dimension "loading" stays while several loadings have the value
+
+    Raises
+    ------
+    InputError                 a name the result has no values of
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> ds = sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0, gm=[0.6, 0.9], K_ppp=[1.0, 2.0])
+    >>> dict(cut(ds, gm=0.8).sizes)["loading"], float(cut(ds, gm=0.8, K_ppp=1.0)["gm"])
+    (2, 0.9)
+    """
+    dims = result["verdict"].dims
+    allowed = [str(n) for n, v in result.coords.items() if v.dims == ("loading",) or (v.dims == (n,) and n in dims)]
+    for name, value in where.items():
+        if name not in allowed:
+            raise InputError(f"a cut at {name} is asked for; this result can be cut at {', '.join(allowed)}")
+        values = result[name].values
+        if not values.ndim:  # one loading is left, and no choice
+            continue
+        nearest = np.flatnonzero(values == values[np.nanargmin(np.abs(values - value))])
+        result = result.isel({result[name].dims[0]: nearest if nearest.size > 1 else int(nearest[0])})
+    return result
+
+
 def write_csv(result: xr.Dataset, path: str | Path, variables: Sequence[str] | None = None, **where: float) -> int:
     """Write a slice of a result as a table: one line a condition, units in the head.
 
@@ -116,7 +153,7 @@ def write_csv(result: xr.Dataset, path: str | Path, variables: Sequence[str] | N
     result : xarray.Dataset              of `sweep`, `polar` or `open_result`
     path : str or Path                   complete or not there at all
     variables : sequence of str          columns after the coordinates; by default the amplitudes, exponent and verdict
-    **where : float                      value of a dimension to cut at, the nearest one taken: heading=30, wave_height=4
+    **where : float                      as in `cut`
 
     Returns
     -------
@@ -124,7 +161,7 @@ def write_csv(result: xr.Dataset, path: str | Path, variables: Sequence[str] | N
 
     Raises
     ------
-    InputError                           an unknown variable or dimension, a file that cannot be written
+    InputError                           an unknown variable, what `cut` refuses, a file that cannot be written
 
     Notes
     -----
@@ -138,36 +175,32 @@ def write_csv(result: xr.Dataset, path: str | Path, variables: Sequence[str] | N
     unknown = [name for name in names if name not in result.data_vars]
     if unknown:
         raise InputError(f'"{unknown[0]}" is not in this result; it has {", ".join(map(str, result.data_vars))}')
-    for dim in where:
-        if dim not in result.dims or dim not in result.coords:
-            allowed = ", ".join(str(d) for d in result["verdict"].dims if d in result.coords)
-            raise InputError(f"a slice at {dim} is asked for; this result can be cut at {allowed}")
-    cut = result.sel(where, method="nearest") if where else result
-    dims = cut["verdict"].dims
-    table = {name: cut[name].load().broadcast_like(cut["verdict"]).transpose(*dims, ...) for name in names}
-    columns = _columns(cut, dims, table)
+    part = cut(result, **where)
+    dims = part["verdict"].dims
+    table = {name: part[name].load().broadcast_like(part["verdict"]).transpose(*dims, ...) for name in names}
+    columns = _columns(part, dims, table)
     target = Path(path)
-    part = target.with_name(f".{target.name}.{os.getpid()}.part")
+    half = target.with_name(f".{target.name}.{os.getpid()}.part")
     try:
-        with open(part, "w", newline="", encoding="utf-8") as file:
+        with open(half, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
             writer.writerow(columns)
             writer.writerows(zip(*columns.values(), strict=True))
-        os.replace(part, target)
+        os.replace(half, target)
     except OSError as error:
         raise InputError(f'"{target}" cannot be written ({error.strerror or error}); write elsewhere') from None
     finally:
-        part.unlink(missing_ok=True)
-    return int(cut["verdict"].size)
+        half.unlink(missing_ok=True)
+    return int(part["verdict"].size)
 
 
-def _columns(cut: xr.Dataset, dims: Sequence[Any], table: dict[str, xr.DataArray]) -> dict[str, list[Any]]:
+def _columns(part: xr.Dataset, dims: Sequence[Any], table: dict[str, xr.DataArray]) -> dict[str, list[Any]]:
     """Head and values of every column."""
     columns: dict[str, list[Any]] = {}
-    shape = cut["verdict"].shape
-    for name, coordinate in cut.coords.items():
+    shape = part["verdict"].shape
+    for name, coordinate in part.coords.items():
         if set(coordinate.dims) <= set(dims):
-            grid = coordinate.broadcast_like(cut["verdict"]).transpose(*dims).values
+            grid = coordinate.broadcast_like(part["verdict"]).transpose(*dims).values
             columns[_head(str(name), coordinate)] = np.broadcast_to(grid, shape).ravel().tolist()
     for name, values in table.items():
         if name == "verdict":

@@ -80,6 +80,11 @@ def open_store(folder: str | Path, grid: Grid) -> Store:
         raise InputError(
             f'store "{path}" holds other files and no {MANIFEST}, so it is not a sweep; give a new or empty folder'
         )
+    if any((path / _BLOCKS).glob("*.nc")):
+        raise InputError(
+            f'store "{path}" holds blocks of a case that is not known, since {MANIFEST} is missing; put that file back, or give'
+            " another folder"
+        )
     content = _manifest(grid)
     try:
         (path / _BLOCKS).mkdir(parents=True, exist_ok=True)
@@ -89,6 +94,26 @@ def open_store(folder: str | Path, grid: Grid) -> Store:
             f'store "{path}" cannot be written ({error.strerror or error}); give a folder you may write to'
         ) from None
     return Store(path, content)
+
+
+def begun_block_size(folder: str | Path) -> int | None:
+    """Conditions of a block in the store that a folder holds, None where it holds none yet.
+
+    Parameters
+    ----------
+    folder : str or Path
+
+    Returns
+    -------
+    int or None
+
+    Raises
+    ------
+    InputError    what `read_store` refuses
+    """
+    if not (Path(folder) / MANIFEST).exists():
+        return None
+    return int(read_store(folder).content.get("block_size", 0))
 
 
 def read_store(folder: str | Path) -> Store:
@@ -234,6 +259,7 @@ def _manifest(grid: Grid) -> dict[str, Any]:
         "hash": fingerprint(grid.described),
         "case": grid.described,
         "text": grid.text,
+        "block_size": grid.block_size,
         "blocks": [[b.loadings.start, b.loadings.stop, b.points.start, b.points.stop] for b in grid.blocks],
         "attributes": plain_attributes(heading_of(grid.ship, form=grid.form, harmonics=grid.harmonics)),
     }

@@ -15,10 +15,11 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.study.conditions import warn_outside_range
 from quartering.study.dataset import heading_of
+from quartering.study.estimate import timed_block_size
 from quartering.study.executor import computed
 from quartering.study.grid import LOADING_AXES, Grid, axis, grid
 from quartering.study.result import in_memory, open_result
-from quartering.study.store import block_counts, counted, open_store, write_block
+from quartering.study.store import begun_block_size, block_counts, counted, open_store, write_block
 
 __all__ = ["LOADING_AXES", "axis", "fill", "sweep"]
 
@@ -126,9 +127,11 @@ def fill(
 
     Notes
     -----
-    However it ends, the blocks finished stay, and the next call goes on from them.  Memory holds the blocks being worked on and
-    nothing else.
+    However it ends, the blocks finished stay, and the next call goes on from them.  Their size is chosen when a store is begun,
+    by the time a condition takes here, and stays with it: the numbers do not depend on it.  Memory holds the blocks being
+    worked on and nothing else.
     """
+    wanted = sized(wanted, folder)
     store = open_store(folder, wanted)
     missing = store.missing()
     todo = set(missing)
@@ -147,6 +150,28 @@ def fill(
         if told is not None:
             told(conditions_of(total), total)
     return total
+
+
+def sized(wanted: Grid, folder: str | Path) -> Grid:
+    """The grid in blocks as its store was begun with, or of about a second where none is begun.
+
+    Parameters
+    ----------
+    wanted : Grid
+    folder : str or Path
+
+    Returns
+    -------
+    Grid
+
+    Raises
+    ------
+    InputError    what `read_store` refuses
+    """
+    begun = begun_block_size(folder)
+    if begun is not None:
+        return wanted.in_blocks_of(begun)
+    return wanted if wanted.block_size else wanted.in_blocks_of(timed_block_size(wanted))
 
 
 def _in_turn(wanted: Grid, missing: list[int]) -> list[int]:

@@ -64,13 +64,14 @@ def forces(
     speed: Speed = "0.2Fn",
     wave_lengths: Annotated[str, typer.Option(help="Wave lengths: 0.5L,1L,2L or from:to:count.")] = "0.5L,1L,1.5L,2L",
     form: Annotated[
-        list[str] | None, typer.Option(help="Diffraction form, repeatable; by default stf and paper.")
+        list[str] | None,
+        typer.Option(help="Form to show beside stf, repeatable; by default all but bem (Capytaine, at --speed 0)."),
     ] = None,
     output: Picture = None,
     json: Json = False,
 ) -> None:
-    """Wave force and moments over heading, for several wave lengths and forms of the diffraction force."""
+    """Wave force and moments over heading, for several wave lengths, the forms side by side."""
     with answering():
         from quartering.view.commands.forces import compare_forms
 
-        compare_forms(ship, speed, wave_lengths, form or ["stf", "paper"], output, json)
+        compare_forms(ship, speed, wave_lengths, form or [], output, json)

@@ -72,13 +72,16 @@ def worst(
 
 def show(
     result: Annotated[str, typer.Argument(help="Folder of a sweep, or a .nc file.")],
-    at: Annotated[list[str] | None, typer.Option(help="Cut at wave_height=4, repeatable.")] = None,
+    at: Annotated[
+        list[str] | None, typer.Option(help="Cut at wave_height=4, gm=0.7, .., repeatable; the nearest value is taken.")
+    ] = None,
     output: Picture = None,
     csv: Annotated[str | None, typer.Option(help="Table of the cut to write (.csv).")] = None,
+    zarr: Annotated[str | None, typer.Option(help="Zarr store of the cut to write (a new folder).")] = None,
     json: Json = False,
 ) -> None:
     """What a stored result holds: the worst of every speed and heading; its map, or a table, without computing again."""
     with answering():
         from quartering.view.commands.result import show_result
 
-        show_result(result, at or [], output, csv, json)
+        show_result(result, at or [], output, csv, zarr, json)

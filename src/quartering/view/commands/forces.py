@@ -1,4 +1,4 @@
-"""`quartering forces`: the wave force over heading, the forms of the diffraction force side by side."""
+"""`quartering forces`: the forms of the wave force side by side, over heading."""
 
 from __future__ import annotations
 
@@ -6,68 +6,125 @@ from collections.abc import Sequence
 
 import numpy as np
 import xarray as xr
+from rich.table import Table
 
+from quartering.conventions import InputError
 from quartering.hull.ship import Ship, ship
-from quartering.loads.forces import FORMS, Form, wave_forces
-from quartering.loads.waves import Wave
+from quartering.loads.comparison import MEANINGS, MEASURE, PANELS, compare_forces
+from quartering.references import REFERENCES
 from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import metric_prefix, speed_words
 
 _HEADINGS = np.arange(0.0, 181.0, 5.0)
-_PRINTED = (30.0, 60.0, 90.0, 120.0, 150.0)
-_SMALL_HEIGHT = 2.0
-MODES = (("sway", "|Y| / A", "N/m"), ("roll", "|K| / A", "N m/m"), ("yaw", "|N| / A", "N m/m"))
+_UNITS = {"sway": "N/m", "roll": "N m/m", "yaw": "N m/m"}
 
 
 def compare_forms(
     name: str, speed: str, wave_lengths: str, forms: Sequence[str], output: str | None, as_json: bool
 ) -> None:
-    """Print and draw force amplitudes per metre of wave amplitude."""
+    """Print and draw force amplitudes per metre of wave amplitude, and how far the forms are apart."""
+    chosen = _chosen(forms)
     one = ship(name)
     path = claim(output, PICTURES) if output else None
     u = value(speed, "speed", sizes(one), "--speed")
     lengths = values([wave_lengths], "length", sizes(one), "--wave-lengths", 5)
-    fields = {form: _amplitudes(one, lengths, u, form) for form in forms}
+    if PANELS in chosen and u != 0:
+        raise InputError(f"--form {PANELS} with --speed {speed}: the panels are at zero speed; give --speed 0")
+    panels = _panels(one, lengths) if PANELS in chosen else None
+    compared = compare_forces(one, lengths, _HEADINGS, u, bem=panels).sel(form=chosen)
+    title = f"{one.name}: wave forces per metre of wave amplitude, {speed_words(u, one.hull.length)}"
     if path is not None:
         from quartering.view.plots import style
         from quartering.view.plots.forces import forces_picture
 
-        title = f"{one.name}: wave forces per metre of wave amplitude, {speed_words(u, one.hull.length)}"
-        note = "About G. " + "; ".join(f"{form}: {FORMS[form]}" for form in fields) + "."
-        write((path, lambda part: style.save(forces_picture(fields, title, note), part)))
+        picture = forces_picture(compared, title, small_print(compared))
+        write((path, lambda part: style.save(picture, part)))
     if as_json:
-        show_json(
-            {"ship": one.name, "speed": u, "heading": _HEADINGS, "forms": {f: _plain(a) for f, a in fields.items()}}
-        )
+        show_json(_facts(compared) | {"picture": str(path) if path else None})
         return
-    for mode, words, unit in MODES:
-        scale, prefix = metric_prefix(max(float(field.sel(mode=mode).max()) for field in fields.values()))
-        rows = [
-            (f"{float(r):.3g}", form, *(f"{float(a.sel(heading=h, mode=mode)) / scale:.4g}" for h in _PRINTED))
-            for form, field in fields.items()
-            for r, a in zip(field["ratio"].values, field, strict=True)
-        ]
-        columns = ("lambda/L", "form", *(f"{h:g} deg" for h in _PRINTED))
-        show(table(f"{one.name}: {mode}, {words} [{prefix}{unit}] over heading", columns, rows, (0, 2, 3, 4, 5, 6)))
+    show(_by_wave(compared, title), small_print(compared))
     if path is not None:
         show(f"Wrote {path}")
     show(next_steps(f"quartering verdict {name} --heading 60 --speed {speed} --wave-length 1L --wave-height 2"))
 
 
-def _amplitudes(one: Ship, lengths: Sequence[float], speed: float, form: str) -> xr.DataArray:
-    """Amplitudes (wave_length, heading, mode) per metre of wave amplitude."""
-    parts: list[xr.DataArray] = []
-    for length in lengths:
-        wave = Wave(length, min(_SMALL_HEIGHT, length / 20))
-        chosen: Form = form  # type: ignore[assignment]  # wave_forces refuses an unknown one
-        total = wave_forces(one, wave, speed, _HEADINGS, form=chosen)["total"]
-        parts.append((total**2).sum("part") ** 0.5 / wave.amplitude)
-    field = xr.concat(parts, xr.DataArray(list(lengths), dims="wave_length", name="wave_length"))
-    return field.assign_coords(ratio=("wave_length", np.array(lengths) / one.hull.length))
+def small_print(compared: xr.Dataset) -> str:
+    """What the forms of a comparison are, about which point, from which source, by which mesh.
+
+    Parameters
+    ----------
+    compared : Dataset    of `compare_forces`
+
+    Returns
+    -------
+    str
+    """
+    meanings = "; ".join(f"{form}: {MEANINGS[form]}" for form in map(str, compared["form"].to_numpy()))
+    mesh = f" Panels: {compared.attrs['panels']}." if PANELS in compared["form"] else ""
+    papers = (REFERENCES[key].partition(")")[0] + ")" for key in compared.attrs["references"].split(", "))
+    return f"Moments about {compared.attrs['reference_point']}. {meanings}.{mesh} Sources: {'; '.join(papers)}."
 
 
-def _plain(field: xr.DataArray) -> dict[str, object]:
-    return {"wave_length": field["wave_length"].values} | {m: field.sel(mode=m).values for m, _, _ in MODES}
+def _chosen(forms: Sequence[str]) -> list[str]:
+    """The forms named and the one they are measured by, in their usual order; without names all but the panels."""
+    unknown = [form for form in forms if form not in MEANINGS]
+    if unknown:
+        raise InputError(f"form {unknown[0]!r} given; allowed: {', '.join(MEANINGS)}; try '{MEASURE}'")
+    return [form for form in MEANINGS if (form in (*forms, MEASURE) if forms else form != PANELS)]
+
+
+def _panels(one: Ship, lengths: Sequence[float]) -> xr.Dataset:
+    """Forces by panels, wave by wave."""
+    from quartering.loads.bem import bem_forces
+
+    parts: list[xr.Dataset] = []
+    with bar("wave lengths by panels", len(lengths)) as report:
+        for length in lengths:
+            parts.append(bem_forces(one, [length], _HEADINGS))
+            report(len(parts), len(lengths))
+    return xr.concat(parts, "wave_length", data_vars="minimal", combine_attrs="override")
+
+
+def _by_wave(compared: xr.Dataset, title: str) -> Table:
+    """Largest amplitude over heading and largest difference, by wave length and form."""
+    columns, cells = ["lambda/L", "form"], []
+    for mode, unit in _UNITS.items():
+        largest = compared["amplitude"].sel(mode=mode).max("heading").transpose("wave_length", "form").to_numpy()
+        apart = compared["largest_difference"].sel(mode=mode).transpose("wave_length", "form").to_numpy()
+        scale, prefix = metric_prefix(float(largest.max()))
+        columns += [f"{mode} [{prefix}{unit}]", f"from {MEASURE}"]
+        cells += [[[f"{v / scale:.4g}" for v in row] for row in largest], [[f"{v:.1%}" for v in row] for row in apart]]
+    rows = [
+        (f"{ratio:.3g}", str(form), *(column[i][j] for column in cells))
+        for i, ratio in enumerate(compared["ratio"].to_numpy())
+        for j, form in enumerate(compared["form"].to_numpy())
+    ]
+    return table(
+        f"{title}; largest over heading, and largest difference in % of it", columns, rows, (0, *range(2, len(columns)))
+    )
+
+
+def _facts(compared: xr.Dataset) -> dict[str, object]:
+    """Everything, with where it stands and what it rests on."""
+    keys = ("ship", "speed", "reference_point", "heading_convention", "references", "panels")
+    difference = compared["largest_difference"].transpose("form", "mode", "wave_length")
+    amplitude = compared["amplitude"].transpose("form", "mode", "wave_length", "heading")
+
+    def by_mode(values: xr.DataArray) -> dict[str, object]:
+        return {mode: values.sel(mode=mode).to_numpy() for mode in _UNITS}
+
+    return {
+        **{key: compared.attrs[key] for key in keys if key in compared.attrs},
+        "heading": compared["heading"].to_numpy(),
+        "wave_length": compared["wave_length"].to_numpy(),
+        "unit": _UNITS,
+        "meaning": {str(form): MEANINGS[str(form)] for form in compared["form"].to_numpy()},
+        "forms": {str(form): by_mode(amplitude.sel(form=form)) for form in compared["form"].to_numpy()},
+        "largest_difference_from_stf": {
+            str(form): by_mode(difference.sel(form=form)) for form in compared["form"].to_numpy()
+        },
+    }

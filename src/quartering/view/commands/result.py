@@ -10,8 +10,9 @@ import xarray as xr
 
 from quartering.conventions import InputError
 from quartering.stability.kind import Kind
-from quartering.study.query import Measure, worst, worst_by, write_csv
+from quartering.study.query import Measure, cut, worst, worst_by, write_csv
 from quartering.study.result import open_result
+from quartering.study.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
 
@@ -36,37 +37,38 @@ def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
     show(next_steps(f"quartering show {result}"))
 
 
-def show_result(result: str, cuts: list[str], output: str | None, table_file: str | None, as_json: bool) -> None:
-    """Print the worst of every speed and heading; draw the map of a slice, or write it as a table."""
+def show_result(
+    result: str, cuts: list[str], output: str | None, table_file: str | None, store: str | None, as_json: bool
+) -> None:
+    """Print the worst of every speed and heading; draw the map of a part, or write it as a table or a Zarr store."""
     picture = claim(output, PICTURES) if output else None
     target = claim(table_file, (".csv",)) if table_file else None
-    ds, where = opened(result), dict(split_cut(cut) for cut in cuts)
-    named = [dim for dim in where if dim not in ds["verdict"].dims or dim not in ds.coords]
-    if named:
-        raise InputError(f"--at {named[0]}: this result can be cut at {', '.join(_axes(ds))}")
+    ds, where = opened(result), dict(split_cut(typed) for typed in cuts)
+    part = cut(ds, **where)
+    taken = {name: float(part[name]) for name in where if not part[name].dims}
+    if store is not None:
+        write_zarr(part, store)
     if target is not None:
-        write_csv(ds, target, None, **where)
-    cut = ds.sel(where, method="nearest") if where else ds
+        write_csv(part, target)
     if picture is not None:
-        _draw(cut, picture)
-    by = worst_by(cut, [dim for dim in ("speed", "heading") if dim in cut["verdict"].dims])
-    files = {"picture": str(picture) if picture else None, "table": str(target) if target else None}
+        _draw(part, picture)
+    by = worst_by(part, [dim for dim in ("speed", "heading") if dim in part["verdict"].dims])
+    files = {
+        "picture": str(picture) if picture else None, "table": str(target) if target else None, "zarr": store
+    }  # fmt: skip
     if as_json:
-        show_json(_facts(ds, by) | files)
+        show_json(_facts(ds, by) | {"at": taken} | files)
         return
     stacked = by.stack(line=[*by["roll_peak"].dims]) if by["roll_peak"].dims else by.expand_dims("line")
     rows = [_row(stacked.isel(line=i)) for i in range(stacked.sizes["line"])]
-    show(
-        table(
-            f"{ds.attrs['title']}: {_sizes(ds)}", ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, (0, 1, 2, 3, 4, 5)
-        )
-    )
+    title = f"{ds.attrs['title']}: {_sizes(ds)}"
+    if taken:
+        title += "; at " + ", ".join(f"{_head(name, part)} {value:.4g}" for name, value in taken.items())
+    show(table(title, ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, (0, 1, 2, 3, 4, 5)))
     show(*(f"Wrote {path}" for path in files.values() if path))
-    show(
-        next_steps(
-            f"quartering worst {result}", f"quartering show {result} --at wave_height=2 -o map.png --csv slice.csv"
-        )
-    )
+    names = [n for n in ("wave_height", *_loading_names(ds)) if n in ds.coords and ds[n].dims in ((n,), ("loading",))]
+    example = "".join(f" --at {name}={float(ds[name][0]):.4g}" for name in names)
+    show(next_steps(f"quartering worst {result}", f"quartering show {result}{example} -o map.png --csv slice.csv"))
 
 
 def opened(result: str) -> xr.Dataset:
@@ -117,27 +119,28 @@ def _facts(ds: xr.Dataset, by: xr.Dataset) -> dict[str, Any]:
     }
 
 
-def _draw(cut: xr.Dataset, picture: Path) -> None:
-    """The polar map of a slice with one wave height and one loading."""
+def _draw(part: xr.Dataset, picture: Path) -> None:
+    """The polar map of a part with one wave height and one loading: the highest and the first, where several are left."""
     from quartering.view.plots import style
     from quartering.view.plots.polar_map import polar_map
 
-    if "loading" in cut.dims:
-        several, cut = cut.sizes["loading"], cut.isel(loading=0)
-        own = ", ".join(f"{name} {float(cut[name]):.4g}" for name in _loading_names(cut))
-        cut = cut.assign_attrs(loading=f"{own} (loading 1 of {several}); the rest as the ship's own")
-    if "wave_height" in cut["verdict"].dims:
-        cut = cut.isel(wave_height=-1)
+    several = ""
+    if "loading" in part.dims:
+        several, part = f" (loading 1 of {part.sizes['loading']})", part.isel(loading=0)
+    if "wave_height" in part["verdict"].dims:
+        part = part.isel(wave_height=-1)
     for dim in ("speed", "heading", "wave_length"):
-        if dim not in cut["verdict"].dims:
+        if dim not in part["verdict"].dims:
             raise InputError(f"a map needs all values of {dim}; leave out --at {dim}")
-    height = float(cut["wave_height"])
-    flat = cut.drop_vars("wave_height").assign_coords(
-        wave_height=("wave_length", np.full(cut.sizes["wave_length"], height), cut["wave_height"].attrs)
+    height = float(part["wave_height"])
+    flat = part.drop_vars("wave_height").assign_coords(
+        wave_height=("wave_length", np.full(part.sizes["wave_length"], height), part["wave_height"].attrs)
     )
-    if _loading_names(flat):
-        flat = flat.assign_attrs(natural_roll_frequency=small_roll_frequency(flat))
-    write((picture, lambda part: style.save(polar_map(flat.load()), part)))
+    if own := ", ".join(f"{name} {float(flat[name]):.4g}" for name in _loading_names(flat)):
+        flat = flat.assign_attrs(
+            loading=f"{own}{several}; the rest as the ship's own", natural_roll_frequency=small_roll_frequency(flat)
+        )
+    write((picture, lambda half: style.save(polar_map(flat.load()), half)))
 
 
 def small_roll_frequency(ds: xr.Dataset) -> float:
@@ -152,10 +155,6 @@ def _loading_names(ds: xr.Dataset) -> list[str]:
     """Coordinates that tell one loading from another."""
     usual = {"speed", "heading", "wave_length", "wave_height", "resonance", "rank"}
     return [str(name) for name in ds.coords if name not in usual]
-
-
-def _axes(ds: xr.Dataset) -> list[str]:
-    return [str(dim) for dim in ds["verdict"].dims if dim in ds.coords]
 
 
 def _sizes(ds: xr.Dataset) -> str:

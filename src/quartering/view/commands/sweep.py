@@ -16,7 +16,7 @@ from quartering.study.case import case_grid, starting_case
 from quartering.study.estimate import check_size, estimate
 from quartering.study.grid import Grid
 from quartering.study.progress import failures, progress_line, summary
-from quartering.study.sweep import fill
+from quartering.study.sweep import fill, sized
 from quartering.study.uncertainty import uncertain
 from quartering.view.output import claim, write
 from quartering.view.progress import announce_compilation, bar
@@ -47,6 +47,7 @@ def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_
     wanted = case_grid(case)
     folder = Path(output or Path(case).with_suffix(""))
     announce_compilation()
+    wanted = sized(wanted, folder)
     _before(wanted, folder, yes)
     begin, seen = time.monotonic(), _Progress(wanted.count)
     try:

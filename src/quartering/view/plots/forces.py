@@ -1,53 +1,73 @@
-"""Wave forces over heading: sway force, roll and yaw moment, for several wave lengths and diffraction forms."""
+"""Wave forces over heading: the forms side by side, a row a wave length, a column a mode."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
+from typing import Any, Final
 
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from quartering.view.plots import style
 from quartering.view.wording import metric_prefix
 
-PANELS = (("sway", "sway force |Y| / A", "N/m"), ("roll", "roll moment |K| / A", "N m/m"),
-          ("yaw", "yaw moment |N| / A", "N m/m"))  # fmt: skip
+WORDS: Final = {
+    "sway": ("sway force |Y| / A", "N/m"), "roll": ("roll moment |K| / A", "N m/m"), "yaw": ("yaw moment |N| / A", "N m/m"),
+}  # fmt: skip
+"""Mode -> what is drawn, and its unit."""
+_SKY = "#56B4E9"
+LOOKS: Final[dict[str, dict[str, Any]]] = {
+    "froude-krylov": {"color": style.QUIET, "linestyle": ":", "linewidth": 2.0},
+    "paper": {"color": style.CONTRAST[1], "linestyle": "-.", "linewidth": 1.4},
+    "paper-corrected": {"color": style.CONTRAST[3], "linestyle": (0, (6, 2)), "linewidth": 1.4},
+    "relative-motion": {"color": _SKY, "linestyle": (0, (4, 1, 1, 1, 1, 1)), "linewidth": 1.4},
+    "stf": {"color": style.CONTRAST[0], "linestyle": "-", "linewidth": 1.8},
+    "bem": {"color": style.INK, "linestyle": "none", "marker": "o", "markersize": 3.5, "markerfacecolor": "none"},
+}
+"""Form -> how it is drawn: told apart by dash and mark alone."""
 
 
-def forces_picture(amplitudes: Mapping[str, xr.DataArray], title: str, note: str) -> Figure:
-    """Amplitude of the wave forces per metre of wave amplitude.
+def forces_picture(
+    compared: xr.Dataset, title: str, note: str, modes: Sequence[str] = ("sway", "roll", "yaw")
+) -> Figure:
+    """Amplitude of the wave forces per metre of wave amplitude, over heading.
 
     Parameters
     ----------
-    amplitudes : mapping of form to DataArray    dims wave_length, heading, mode; coordinate ``ratio`` = length / L [N/m]
+    compared : Dataset           of `compare_forces`; choose forms by ``compared.sel(form=[..])``
     title, note : str
+    modes : sequence of str      one column each; a single mode has its wave lengths side by side
 
     Returns
     -------
-    Figure
+    Figure    one axes for each wave length and mode, lines are the forms; all wave lengths of a mode on one scale
     """
-    made = style.figure(13.0, 5.2, bottom=0.45)
-    panels = made.subplots(1, 3)
-    lengths = next(iter(amplitudes.values()))["ratio"].values
-    colours = style.sequence(len(lengths))
-    for ax, (mode, words, unit) in zip(panels, PANELS, strict=True):
-        scale, prefix = metric_prefix(max(float(field.sel(mode=mode).max()) for field in amplitudes.values()))
-        for (_, field), dash in zip(amplitudes.items(), style.DASHES, strict=False):
-            for i, colour in enumerate(colours):
-                shown = field.isel(wave_length=i).sel(mode=mode)
-                ax.plot(np.asarray(field["heading"]), shown / scale, color=colour, linestyle=dash, linewidth=1.5)
+    count = compared.sizes["wave_length"]
+    rows, columns = (1, count) if len(modes) == 1 else (count, len(modes))
+    made = style.figure(max(4.2 * columns, 8.5), 2.3 * rows + 1.9, bottom=0.55)
+    cells = np.asarray(made.subplots(rows, columns, squeeze=False, sharex=True))
+    cells = cells.T if len(modes) == 1 else cells
+    for mode, column in zip(modes, cells.T, strict=True):
+        values = compared["amplitude"].sel(mode=mode)
+        scale, prefix = metric_prefix(float(values.max()))
+        top = 1.06 * float(values.max()) / scale
+        for i, ax in enumerate(column):
+            _draw(ax, values.isel(wave_length=i) / scale)
+            ax.set_ylim(0.0, top or 1.0)
+            ax.set_title(f"{mode}, λ/L = {float(compared['ratio'][i]):.3g}")
+            ax.set_ylabel(f"{WORDS[mode][0]} [{prefix}{WORDS[mode][1]}]")
+    for ax in cells[-1] if len(modes) > 1 else cells[:, 0]:
         style.headings(ax)
-        ax.set_ylim(bottom=0.0)
-        ax.set_ylabel(f"{words} [{prefix}{unit}]")
-        ax.set_title(mode.capitalize())
-    handles = [Line2D([], [], color=c, label=f"λ/L = {x:.3g}") for c, x in zip(colours, lengths, strict=True)]
-    handles += [
-        Line2D([], [], color=style.INK, linestyle=dash, label=form)
-        for form, dash in zip(amplitudes, style.DASHES, strict=False)
-    ]
-    made.legend(handles=handles, loc="outside right center", frameon=False)
+    made.legend(*cells[0, 0].get_legend_handles_labels(), loc="outside right center", frameon=False)
     style.title(made, title)
     style.footnote(made, note)
     return made
+
+
+def _draw(ax: Axes, values: xr.DataArray) -> None:
+    """The forms of one mode in one wave."""
+    heading = np.asarray(values["heading"])
+    for form in values["form"].to_numpy():
+        ax.plot(heading, values.sel(form=form), label=str(form), **LOOKS[str(form)])
