@@ -78,3 +78,33 @@ def modified_model(of: Ship | None = None, strength: float = 1.0) -> Ship:
         raise InputError(f"strength {strength} of the modification: give a value from 0 (none) to 1 (Table I)")
     factors = {name: 1.0 + strength * (ratio - 1.0) for name, ratio in table_ratios().items()}
     return (of or ship(PAPER_SHIP)).with_(coefficients=factors)
+
+
+FEEDING: Final = -40.0
+"""Multiplier of K_prr in `feeding_model`: invented, for a demonstration."""
+
+
+def feeding_model(of: Ship | None = None, multiplier: float = FEEDING) -> Ship:
+    """The modified model with K_prr turned round, so that yaw feeds roll: the paper's mechanism, made strong enough to show.
+
+    Parameters
+    ----------
+    of : Ship, optional    by default Series 60, CB 0.60, as built in
+    multiplier : float     of the ship's own K_prr, in place of the table's 0
+
+    Returns
+    -------
+    Ship
+
+    Notes
+    -----
+    In the paper's numbers I3 = 0.1 K_vrr + K_prr goes from -0.575 to +3.92, and yaw feeds roll where it took from it. With
+    cross-flow drag the same ratios leave I3 negative.  Source: [H71] Table I, I3; the multiplier is invented.
+
+    Examples
+    --------
+    >>> feeding_model().multipliers["K_prr"]
+    -40.0
+    """
+    factors = table_ratios() | {"K_prr": multiplier}
+    return (of or ship(PAPER_SHIP)).with_(coefficients=factors)
