@@ -1,4 +1,4 @@
-"""The paper's curves over heading: wave forces (Figs. 2-4), response (5-10), effect of the loading (14-21)."""
+"""The paper's curves: wave forces (Figs. 2-4), response (5-10), effect of loading (14-21), of coefficients (22)."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.forces import wave_forces
+from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
 from quartering.study.grid import LOADING_AXES
 from quartering.study.paper_conditions import FROUDE, HEADINGS, RATIOS, speed_of, wave_of
@@ -149,3 +150,47 @@ def loading_curves(
     axes: dict[str, Any] = {name: values}
     found = sweep(ship, speed_of(ship, froude), headings, wave.length, wave.height, **axes)
     return found.isel(speed=0, wave_length=0, wave_height=0)
+
+
+def coefficient_curves(
+    ship: Ship, names: Sequence[str], changes: ArrayLike, wave: Wave, speed: float, heading: float
+) -> xr.Dataset:
+    """Stability against the change of one coefficient at a time.
+
+    Parameters
+    ----------
+    ship : Ship
+    names : sequence of str    coefficients, such as "K_ppp"
+    changes : (c,) float       of the coefficient [%]: -100 takes it away, 100 doubles it
+    wave : Wave
+    speed, heading : float     [m/s, deg]
+
+    Returns
+    -------
+    xarray.Dataset             results of `sweep` over (coefficient, change)
+
+    Raises
+    ------
+    InputError                 what `sweep` refuses
+
+    Notes
+    -----
+    The steady motion is found anew for each value.  Source: [H71] Fig. 22.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> found = coefficient_curves(ship("wigley"), ["K_ppp"], [-50.0, 0.0], Wave(100.0, 1.0), 5.0, 60.0)
+    >>> bool(found["k2"][0, 0] > found["k2"][0, 1])    # less roll damping: K2 nearer to instability
+    True
+    """
+    percent = np.atleast_1d(np.asarray(changes, dtype=float))
+    parts = []
+    for name in names:
+        axes: dict[str, Any] = {name: 1.0 + percent / 100.0}
+        found = sweep(ship, speed, heading, wave.length, wave.height, **axes)
+        one = found.isel(speed=0, heading=0, wave_length=0, wave_height=0).drop_vars(name)
+        parts.append(one.rename(loading="change").assign_coords(change=percent))
+    joined = xr.concat(parts, xr.DataArray(list(names), dims="coefficient", name="coefficient"))
+    joined["change"].attrs.update(units="%", long_name="change of the coefficient")
+    return joined

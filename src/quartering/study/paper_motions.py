@@ -31,7 +31,7 @@ def integration_check(ship: Ship, wave: Wave, speed: float, headings: ArrayLike)
 
     Returns
     -------
-    xarray.Dataset           ``roll_peak`` [deg] and ``yaw_rate_peak`` [deg/s] over (method, heading); methods "struble" (one
+    xarray.Dataset           ``roll_peak`` [deg] and ``yaw_rate_peak`` [deg/s] over (solution, heading); "struble" (one
                              harmonic and a linear third), "balance" (nine harmonics), "integration" (after 60 periods from
                              the approximate motion's own start)
 
@@ -43,12 +43,12 @@ def integration_check(ship: Ship, wave: Wave, speed: float, headings: ArrayLike)
     --------
     >>> from quartering.hull.ship import ship
     >>> roll = integration_check(ship("wigley"), Wave(100.0, 1.0), 5.0, [60.0])["roll_peak"]
-    >>> bool(np.allclose(roll.sel(method="struble"), roll.sel(method="integration"), rtol=0.01))
+    >>> bool(np.allclose(roll.sel(solution="struble"), roll.sel(solution="integration"), rtol=0.01))
     True
     """
     angles = np.atleast_1d(np.asarray(headings, dtype=float))
-    methods = ("struble", "balance", "integration")
-    peaks = np.full((2, len(methods), angles.size), np.nan)
+    solutions = ("struble", "balance", "integration")
+    peaks = np.full((2, len(solutions), angles.size), np.nan)
     for i, heading in enumerate(angles):
         model = equations(ship, wave, speed, float(heading))
         struble, balance = (steady_motion(model, harmonics, start="rest") for harmonics in (1, 9))
@@ -61,10 +61,10 @@ def integration_check(ship: Ship, wave: Wave, speed: float, headings: ArrayLike)
         peaks[:, 2, i] = [float(np.abs(last[name]).max()) for name in ("roll", "yaw_rate")]
     names = (("roll_peak", "deg", "largest roll"), ("yaw_rate_peak", "deg/s", "largest yaw rate"))
     data = {
-        name: (("method", "heading"), peaks[k], {"units": unit, "long_name": words})
+        name: (("solution", "heading"), peaks[k], {"units": unit, "long_name": words})
         for k, (name, unit, words) in enumerate(names)
     }
-    return xr.Dataset(data, {"method": list(methods), "heading": angles})
+    return xr.Dataset(data, {"solution": list(solutions), "heading": angles})
 
 
 def _peaks(motion: Motion) -> Floats:

@@ -1,0 +1,171 @@
+"""Duffing's equation over frequency, exact to many harmonics, and what the formulas of the paper's Appendix C say of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+import xarray as xr
+
+from quartering.conventions import InputError
+from quartering.motion.branch import Family, all_motions, follow_branch, start_of_branch
+from quartering.motion.duffing import FORMULAS, duffing_amplitudes, duffing_model
+from quartering.motion.equations import Floats, Model, System, canonical
+from quartering.motion.steady import roll_peaks
+from quartering.motion.terms import term_table
+from quartering.stability.assessment import assess
+
+HARMONICS: Final = 21
+NEUTRAL: Final = 1e-5
+"""A growth rate below this is none: without damping every multiplier of a stable motion lies on the unit circle."""
+
+_POINTS = 3000
+
+
+def duffing_curves(
+    beta: float,
+    force: float,
+    damping: float = 0.0,
+    limits: tuple[float, float] = (0.5, 2.0),
+    harmonics: int = HARMONICS,
+) -> xr.Dataset:
+    """Every periodic motion of Duffing's equation that a curve from either end of a range of frequencies leads to.
+
+    Parameters
+    ----------
+    beta, force, damping : float    of x'' + damping x' + x + beta x^3 = force cos(omega t)
+    limits : (low, high)            of omega, above 0
+    harmonics : int                 odd
+
+    Returns
+    -------
+    xarray.Dataset                  along ``point``: ``curve`` (0 from the low end, 1 from the high end), ``frequency``,
+                                    ``fundamental`` and ``peak``, negative where opposite in phase to the force, ``growth``
+                                    (largest Floquet exponent of x), ``stable``, ``fold``
+
+    Raises
+    ------
+    InputError                      numbers that are not finite, limits that do not rise from above 0, negative damping
+
+    Notes
+    -----
+    Pseudo-arclength continuation of the harmonic balance.  Source: [H71] Fig. 23; [Krack19].  Valid: motions joined to neither
+    end (isolated ones) are not found.
+
+    Examples
+    --------
+    >>> curves = duffing_curves(0.2, 0.1, damping=0.04, limits=(0.8, 1.5), harmonics=1)
+    >>> curves["frequency"][curves["fold"]].values.round(2).tolist()
+    [1.26, 1.1]
+    """
+    _check(beta, force, damping, limits)
+    paths: list[tuple[Floats, list[int], Floats]] = []
+    for first, last in (limits, limits[::-1]):
+        family = _over_frequency(duffing_model(beta, force, first, damping), first, last)
+        curve, start = start_of_branch(family, harmonics)
+        path, folds = follow_branch(curve, start, _POINTS)
+        u = np.array([curve.coefficients(point) for point in path])
+        frequency = first + (last - first) * path[:, -1]
+        if not paths or not _joined(paths[0], frequency, u):
+            paths.append((frequency, folds, u))
+    parts = [_described(duffing_model(beta, force, 1.0, damping), *path, i) for i, path in enumerate(paths)]
+    attributes: dict[str, object] = {"beta": beta, "force": force, "damping": damping, "harmonics": harmonics}
+    return xr.concat(parts, "point").assign_attrs(attributes | {"references": "H71, Krack19"})
+
+
+def _check(beta: float, force: float, damping: float, limits: tuple[float, float]) -> None:
+    if not (np.isfinite([beta, force, damping]).all() and damping >= 0):
+        raise InputError(f"beta {beta}, force {force}, damping {damping}: give finite numbers, a damping of 0 or more")
+    if not (np.isfinite(limits).all() and 0 < limits[0] < limits[1]):
+        raise InputError(f"frequencies {limits[0]:g} to {limits[1]:g}: give two rising numbers above 0, such as 0.5:2")
+
+
+def _over_frequency(model: Model, first: float, last: float) -> Family:
+    return lambda share: replace(model.system, frequency=np.array([first + (last - first) * share]))
+
+
+def _joined(known: tuple[Floats, list[int], Floats], frequency: Floats, u: Floats) -> bool:
+    """Does the first curve end where this one begins: is it the same curve?"""
+    before, after = known[0][-2:]
+    part = (frequency[0] - before) / (after - before)
+    end = known[2][-2] + part * (known[2][-1] - known[2][-2])
+    return bool(0.0 <= part <= 1.0 and np.abs(end - u[0]).max() < 0.02 * np.abs(u[0]).max())
+
+
+def _described(model: Model, frequency: Floats, folds: list[int], u: Floats, index: int) -> xr.Dataset:
+    """One curve as a dataset, judged."""
+    orders = tuple(range(1, u.shape[2], 2))
+    system = canonical(np.eye(3), term_table(model.terms), frequency, model.force_cos, model.force_sin)
+    growth = _growth(system, u, orders)
+    side = np.where(u[:, 1, 0] < 0, -1.0, 1.0)
+    columns = {
+        "curve": (np.full(frequency.size, index), "which end it was followed from: 0 low, 1 high frequency"),
+        "frequency": (frequency, "frequency of the force, natural one 1"),
+        "fundamental": (side * np.hypot(u[:, 1, 0], u[:, 1, 1]), "amplitude of the fundamental"),
+        "peak": (side * roll_peaks(u, orders), "largest value over a cycle"),
+        "growth": (growth, "largest real Floquet exponent"),
+        "stable": (growth < NEUTRAL, "does no small disturbance grow"),
+        "fold": (np.isin(np.arange(frequency.size), folds), "the frequency turns back here"),
+    }
+    return xr.Dataset({name: ("point", v, {"units": "1", "long_name": words}) for name, (v, words) in columns.items()})
+
+
+def _growth(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
+    """Largest exponent of the oscillator itself; the idle sway and yaw die out at rate 1."""
+    return np.asarray(assess(system, u, orders, accuracy=1e-10).floquet.exponents.real.max(axis=1))
+
+
+def duffing_table(beta: float, force: float, frequency: float, damping: float = 0.0) -> list[dict[str, float | bool]]:
+    """Motions of Duffing's equation at one frequency, and the nearest answer of each formula of Appendix C.
+
+    Parameters
+    ----------
+    beta, force, damping : float    of x'' + damping x' + x + beta x^3 = force cos(omega t)
+    frequency : float               omega > 0
+
+    Returns
+    -------
+    list of dict                    a motion each, smallest first: ``frequency``, ``fundamental``, ``peak`` (negative: opposite
+                                    in phase), ``stable``, and under "C-3", "C-4", "C-5" the formula's amplitude on the
+                                    same side of the force, NaN where it has none
+
+    Raises
+    ------
+    InputError                      what `duffing_amplitudes` and `duffing_curves` refuse
+
+    Notes
+    -----
+    Formulas are of the undamped equation. C-3 and C-4 give the fundamental. What P of C-5 is depends on where: the peak to
+    first order in beta away from resonance, the fundamental to second order on the backbone curve, omega^2 - 1 = 3/4 beta P^2.
+    Source: [H71] Appendix C; closed form by putting the third harmonic beta A^3/(4 (9 omega^2 - 1)) into each.
+
+    Examples
+    --------
+    >>> for row in duffing_table(0.2, 0.3, 1.6):
+    ...     print(*(f"{row[name]:.4f}" for name in ("fundamental", "C-4", "C-5", "peak")), row["stable"])
+    -0.1930 -0.1930 -0.1930 -0.1930 True
+    -3.0828 -3.1241 -3.0866 -3.1612 False
+    3.2695 3.3171 3.2796 3.3652 True
+    """
+    _check(beta, force, damping, (frequency, frequency + 1.0))
+    model = duffing_model(beta, force, frequency, damping)
+    rows: list[dict[str, float | bool]] = []
+    for motion in all_motions(model, HARMONICS):
+        side = -1.0 if motion.cos[0, 1] < 0 else 1.0
+        growth = _growth(model.system, motion.coefficients[None], motion.orders_with_mean)[0]
+        own = {"C-3": side * motion.amplitude[1], "C-5": side * motion.peak[1]}
+        own["C-4"] = own["C-3"]
+        nearest = {name: _nearest(duffing_amplitudes(name, beta, force, frequency), own[name]) for name in FORMULAS}
+        row: dict[str, float | bool] = {
+            "frequency": frequency, "fundamental": float(own["C-3"]), "peak": float(own["C-5"]),
+            "stable": bool(growth < NEUTRAL),
+        }  # fmt: skip
+        rows.append(row | nearest)
+    return rows
+
+
+def _nearest(roots: Floats, amplitude: float) -> float:
+    """Root on the same side of the force, nearest in amplitude."""
+    same = roots[roots * amplitude > 0]
+    return float(same[np.argmin(np.abs(same - amplitude))]) if same.size else float("nan")

@@ -1,0 +1,39 @@
+"""The small print of the paper's figures: ship, condition, loading, and what is estimated."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+
+from quartering.view.wording import notes, speed_words, steepness_words
+
+OURS = "The condition is ours: the paper's own is not in the text at hand."
+
+
+def caption(ds: xr.Dataset, *more: str, waves: bool = True, loading: str = "") -> str:
+    """Ship, speed, waves, loading, what is estimated.
+
+    Parameters
+    ----------
+    ds : Dataset       of `study.paper_curves`
+    *more : str        further sentences
+    waves : bool       name the waves
+    loading : str      in place of the dataset's own loading
+
+    Returns
+    -------
+    str
+    """
+    words = [f"{ds.attrs['ship']}, {speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}"]
+    if waves:
+        words.append(wave_of(ds))
+    said = "; ".join((*words, loading or str(ds.attrs["loading"])))
+    return "\n".join((f"{said}. {OURS}", *notes(ds), *more))
+
+
+def wave_of(ds: xr.Dataset) -> str:
+    """Length and steepness of the waves of a dataset."""
+    length, height = (np.atleast_1d(np.asarray(ds[name], dtype=float)) for name in ("wave_length", "wave_height"))
+    share = length / float(ds.attrs["ship_length"])
+    shown = ", ".join(f"{x:.3g}" for x in share)
+    return f"waves λ/L = {shown}, H/λ = {steepness_words(float(height[0] / length[0]))}"
