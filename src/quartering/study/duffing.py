@@ -156,7 +156,7 @@ def duffing_table(beta: float, force: float, frequency: float, damping: float = 
         growth = _growth(model.system, motion.coefficients[None], motion.orders_with_mean)[0]
         own = {"C-3": side * motion.amplitude[1], "C-5": side * motion.peak[1]}
         own["C-4"] = own["C-3"]
-        nearest = {name: _nearest(duffing_amplitudes(name, beta, force, frequency), own[name]) for name in FORMULAS}
+        nearest = {name: nearest_root(duffing_amplitudes(name, beta, force, frequency), own[name]) for name in FORMULAS}
         row: dict[str, float | bool] = {
             "frequency": frequency, "fundamental": float(own["C-3"]), "peak": float(own["C-5"]),
             "stable": bool(growth < NEUTRAL),
@@ -165,7 +165,26 @@ def duffing_table(beta: float, force: float, frequency: float, damping: float = 
     return rows
 
 
-def _nearest(roots: Floats, amplitude: float) -> float:
-    """Root on the same side of the force, nearest in amplitude."""
+def nearest_root(roots: Floats, amplitude: float) -> float:
+    """Root on the same side of the force, nearest in amplitude.
+
+    Parameters
+    ----------
+    roots : (m,) float    as from `duffing_amplitudes`
+    amplitude : float     signed
+
+    Returns
+    -------
+    float                 NaN where no root is on that side
+
+    Notes
+    -----
+    Source: closed form.
+
+    Examples
+    --------
+    >>> nearest_root(np.array([-3.1, -0.2, 3.3]), -0.5)
+    -0.2
+    """
     same = roots[roots * amplitude > 0]
     return float(same[np.argmin(np.abs(same - amplitude))]) if same.size else float("nan")

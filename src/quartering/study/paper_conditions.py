@@ -18,7 +18,7 @@ FROUDE: Final = 0.25
 MARINER_FROUDE: Final = 0.20
 """Near the 15 knots at which the Mariner's set was measured."""
 
-HEADINGS: Final = np.arange(0.0, 181.0, 3.0)
+HEADINGS: Final = np.arange(0.0, 181.0, 1.0)
 RATIOS: Final = (0.75, 1.0, 1.5)
 """Wave lengths over the ship's."""
 

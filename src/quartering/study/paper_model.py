@@ -80,7 +80,7 @@ def modified_model(of: Ship | None = None, strength: float = 1.0) -> Ship:
     return (of or ship(PAPER_SHIP)).with_(coefficients=factors)
 
 
-FEEDING: Final = -40.0
+FEEDING: Final = -35.0
 """Multiplier of K_prr in `feeding_model`: invented, for a demonstration."""
 
 
@@ -104,7 +104,7 @@ def feeding_model(of: Ship | None = None, multiplier: float = FEEDING) -> Ship:
     Examples
     --------
     >>> feeding_model().multipliers["K_prr"]
-    -40.0
+    -35.0
     """
     factors = table_ratios() | {"K_prr": multiplier}
     return (of or ship(PAPER_SHIP)).with_(coefficients=factors)

@@ -8,11 +8,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from quartering.motion.duffing import duffing_amplitudes
+from quartering.study.duffing import nearest_root
 from quartering.view.plots import style
 
 _FORMULAS = {"C-3": ("Struble", ":"), "C-4": ("modified method", "-."), "C-5": ("Hsu", "--")}
 _FREQUENCIES = 600
 _POLE = 0.02
+_WORST = 6.0
+"""Largest error shown [%]."""
 
 
 def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
@@ -27,8 +30,8 @@ def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
     -------
     Figure
     """
-    made = style.figure(12.5, 6.0, bottom=0.62)
-    panels = made.subplots(1, 2, sharex=True, sharey=True)
+    made = style.figure(12.5, 8.0, bottom=0.62)
+    panels, errors = made.subplots(2, 2, sharex=True, sharey="row", height_ratios=(2.0, 1.0))
     top = 1.05 * float(np.abs(ds["peak"]).max())
     for ax, quantity, words in zip(
         panels, ("fundamental", "peak"), ("amplitude of the fundamental |P|", "largest value |x|"), strict=True
@@ -38,10 +41,17 @@ def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
             _formula(ax, ds, name, colour)
         ax.set_ylim(0.0, top)
         ax.set_xlim(float(ds["frequency"].min()), float(ds["frequency"].max()))
-        ax.set_xlabel("frequency ω (natural frequency 1)")
         ax.set_ylabel(words)
         ax.set_title(quantity)
         ax.set_gid(quantity)
+    for ax, quantity in zip(errors, ("fundamental", "peak"), strict=True):
+        for name, colour in zip(_FORMULAS, style.CONTRAST[:3], strict=True):
+            _error(ax, ds, quantity, name, colour)
+        ax.axhline(0.0, color=style.INK, linewidth=0.8)
+        ax.set_ylim(-_WORST, _WORST)
+        ax.set_xlabel("frequency ω (natural frequency 1)")
+        ax.set_ylabel(f"formula minus {quantity} [%],\nmotion in phase")
+        ax.set_gid(f"{quantity}_error")
     handles, labels = panels[0].get_legend_handles_labels()
     made.legend(handles, labels, loc="outside right center", frameon=False)
     a = ds.attrs
@@ -55,6 +65,20 @@ def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
         "from resonance and the fundamental on the backbone curve.",
     )
     return made
+
+
+def _error(ax: Axes, ds: xr.Dataset, quantity: str, name: str, colour: str) -> None:
+    """How far a formula is from the exact motion in phase with the force."""
+    here = ds[quantity].values > 0
+    order = np.argsort(ds["frequency"].values[here], kind="stable")
+    frequency, exact = ds["frequency"].values[here][order], ds[quantity].values[here][order]
+    keep = np.abs(frequency - 1 / 3) > (_POLE if name == "C-5" else 0.0)
+    frequency, exact = frequency[keep], exact[keep]
+    found = [
+        nearest_root(duffing_amplitudes(name, ds.attrs["beta"], ds.attrs["force"], float(w)), float(p))
+        for w, p in zip(frequency, exact, strict=True)
+    ]
+    ax.plot(frequency, 100 * (np.array(found) / exact - 1), color=colour, linestyle=_FORMULAS[name][1], linewidth=1.4)
 
 
 def _exact(ax: Axes, ds: xr.Dataset, quantity: str) -> None:

@@ -71,30 +71,37 @@ def _plan(ax: Axes, ship: Ship, heading: float) -> None:
     ax.text(start[0] - 0.03, start[1], "wave", color=style.CONTRAST[0], ha="right", va="center")
     for vector, words, place in (
         ((0.0, 0.78), "x (bow), U", (0.02, 0.78)),
-        ((0.42, 0.0), "y (starboard)", (0.30, 0.03)),
+        ((0.42, 0.0), "y (starboard)", (0.24, -0.07)),
     ):
         ax.annotate("", vector, (0.0, 0.0), arrowprops=_ARROW, zorder=3)
         ax.text(*place, words, va="bottom")
-    ax.plot([0.0, 0.6 * right], [0.0, 0.6 * up], color=style.CONTRAST[0], linewidth=0.9, linestyle=":")
+    ax.plot([0.0, 0.46 * right], [0.0, 0.46 * up], color=style.CONTRAST[0], linewidth=0.9, linestyle=":")
     ax.plot([0.0, -0.3 * right], [0.0, -0.3 * up], color=style.CONTRAST[0], linewidth=0.9, linestyle=":")
-    ax.text(-0.1 * right + 0.02, -0.2 * up, "x̄", color=style.CONTRAST[0])
+    ax.text(-0.22 * right + 0.02, -0.22 * up, "x̄", va="top", color=style.CONTRAST[0])
     ax.add_patch(Arc((0.0, 0.0), 0.9, 0.9, theta1=90.0 - heading, theta2=90.0, color=style.CONTRAST[1], linewidth=1.6))
     middle = np.radians(90.0 - heading / 2)
-    ax.text(0.49 * np.cos(middle), 0.49 * np.sin(middle), f"μ = {heading:g}°", color=style.CONTRAST[1])
+    ax.text(
+        0.5 * np.cos(middle),
+        0.49 * np.sin(middle),
+        f"μ = {heading:g}°",
+        ha="center",
+        va="bottom",
+        color=style.CONTRAST[1],
+    )
     ax.add_patch(Arc((0.0, 0.0), 0.5, 0.5, theta1=90.0, theta2=270.0 - heading, color=style.CONTRAST[2], linewidth=1.6))
     middle = np.radians(180.0 - heading / 2)
     ax.text(0.28 * np.cos(middle), 0.28 * np.sin(middle), "δ = 180° − μ", color=style.CONTRAST[2], ha="right")
     ax.annotate("", (0.10, 0.66), (-0.10, 0.66), arrowprops=_ARROW | {"connectionstyle": "arc3,rad=-0.5"})
     ax.text(-0.12, 0.66, "yaw ψ, r", ha="right", va="center")
     ax.plot(0.0, 0.0, marker="o", color=style.INK, markersize=4)
-    ax.text(-0.03, -0.03, "G", ha="right", va="top")
+    ax.text(-0.02, 0.02, "G", ha="right", va="bottom")
     ax.set_title("seen from above")
     ax.set_xlim(-0.75, 0.75)
     ax.set_ylim(-0.9, 0.9)
 
 
 def _section(ax: Axes, ship: Ship) -> None:
-    hull, beam = strips(ship.hull), ship.hull.beam
+    hull, beam = strips(ship.hull, 240), ship.hull.beam
     middle = int(np.argmin(np.abs(hull.x)))
     centre = ship.loading.kg - ship.hull.draught
     y = np.concatenate([[0.0], hull.y[middle], [hull.half_breadth[middle]]]) / beam
@@ -105,7 +112,7 @@ def _section(ax: Axes, ship: Ship) -> None:
     ax.text(-0.8, 0.02, "calm water", color=style.CONTRAST[0], va="bottom")
     g = centre / beam
     for vector, words, place in (
-        ((0.62, g), "y (starboard)", (0.55, g + 0.03)),
+        ((0.62, g), "y (starboard)", (0.52, g - 0.07)),
         ((0.0, g - 0.55), "z (down)", (0.03, g - 0.55)),
     ):
         ax.annotate("", vector, (0.0, g), arrowprops=_ARROW)

@@ -28,7 +28,7 @@ def caption(ds: xr.Dataset, *more: str, waves: bool = True, loading: str = "") -
     if waves:
         words.append(wave_of(ds))
     said = "; ".join((*words, loading or str(ds.attrs["loading"])))
-    return "\n".join((f"{said}. {OURS}", *notes(ds), *more))
+    return "\n".join(part for part in (f"{said}. {OURS}", *notes(ds), *more) if part)
 
 
 def wave_of(ds: xr.Dataset) -> str:

@@ -26,7 +26,7 @@ FORCES: Final = {
 """Mode -> panel name, words and unit of its force."""
 
 _LOADINGS: Final = {"gm": ("GM", "B"), "gyradius_roll": ("k_xx", "B"), "gyradius_yaw": ("k_zz", "L")}
-_EVERY: Final = 6
+_EVERY: Final = 18
 """Headings between markers on a line."""
 
 
@@ -60,8 +60,8 @@ def force_picture(ds: xr.Dataset, mode: str, title: str) -> Figure:
             loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False,
         )  # fmt: skip
         style.headings(ax)
-        ax.set_ylim(bottom=0.0)
         ax.set_gid(name)
+    panels[0].set_ylim(bottom=0.0)
     panels[0].set_ylabel(f"{words} [{prefix}{unit}]")
     _legend(made, looks, [f"λ/L = {x:.3g}" for x in ratio], dashes=False)
     style.title(made, title)
@@ -91,7 +91,10 @@ def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
         _mark_unstable(ax, one, name)
         for heading in resonances(one):
             ax.plot(heading, 0.0, color=look["color"], marker=look["marker"], markersize=9, clip_on=False, zorder=4)
-    _heading_panel(ax, name)
+    style.headings(ax)
+    ax.set_ylim(bottom=0.0)
+    ax.set_ylabel(f"{name} amplitude [{SYMBOLS[name].unit}]")
+    ax.set_gid(name)
     _legend(made, looks, [f"λ/L = {x:.3g}" for x in _ratio(ds)], _unstable_handles([ds]))
     style.title(made, title)
     marks = "Large marks on the heading axis: encounter at the natural roll frequency."
@@ -99,20 +102,20 @@ def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
     return made
 
 
-def loading_picture(sets: Mapping[str, xr.Dataset], name: str, title: str) -> Figure:
+def loading_picture(sets: Mapping[str, xr.Dataset], name: str, title: str, note: str = "") -> Figure:
     """One response over heading for several values of each loading quantity.
 
     Parameters
     ----------
     sets : mapping of loading quantity to Dataset    of `loading_curves`
     name : str                                       "sway", "roll" or "yaw"
-    title : str
+    title, note : str
 
     Returns
     -------
     Figure
     """
-    made = style.figure(6.2 * len(sets) + 0.8, 5.6, bottom=0.72)
+    made = style.figure(_width(sets), 5.6, bottom=0.88)
     panels = np.atleast_1d(made.subplots(1, len(sets), sharey=True))
     for ax, (quantity, ds) in zip(panels, sets.items(), strict=True):
         looks = style.looks(ds.sizes["loading"])
@@ -120,39 +123,41 @@ def loading_picture(sets: Mapping[str, xr.Dataset], name: str, title: str) -> Fi
             one = ds.isel(loading=i)
             ax.plot(ds["heading"], one[name], **look, markevery=_EVERY, markersize=4, label=label)
             _mark_unstable(ax, one, name)
-        _heading_panel(ax, name)
+        style.headings(ax)
+        ax.set_gid(name)
         ax.legend(frameon=False, loc="upper right")
+    panels[0].set_ylim(bottom=0.0)
     panels[0].set_ylabel(f"{name} amplitude [{SYMBOLS[name].unit}]")
     style.title(made, title)
     one = next(iter(sets.values()))
-    style.footnote(made, caption(one, *_marked(list(sets.values())), loading=_other_loading(one)))
+    style.footnote(made, caption(one, note, *_marked(list(sets.values())), loading=_other_loading(one)))
     return made
 
 
-def stability_picture(sets: Mapping[str, xr.Dataset], title: str) -> Figure:
+def stability_picture(sets: Mapping[str, xr.Dataset], title: str, note: str = "") -> Figure:
     """K2, and beside its growth rate the largest Floquet exponent, over heading for several values of each quantity.
 
     Parameters
     ----------
     sets : mapping of loading quantity to Dataset    of `loading_curves`
-    title : str
+    title, note : str
 
     Returns
     -------
     Figure
     """
-    made = style.figure(6.2 * len(sets) + 0.8, 8.0, bottom=0.88)
+    made = style.figure(_width(sets), 8.4, bottom=1.04)
     panels = made.subplots(2, len(sets), sharex=True, sharey="row", squeeze=False)
     for (upper, lower), (quantity, ds) in zip(panels.T, sets.items(), strict=True):
         looks = style.looks(ds.sizes["loading"])
         for i, (look, label) in enumerate(zip(looks, _loading_labels(ds, quantity), strict=True)):
             _stability_lines(upper, lower, ds["heading"], ds.isel(loading=i), look, label)
-        upper.legend(frameon=False, loc="upper right")
+        upper.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
         style.headings(lower)
     _stability_axes(panels)
     style.title(made, title)
     one = next(iter(sets.values()))
-    style.footnote(made, caption(one, *_told(list(sets.values())), loading=_other_loading(one)))
+    style.footnote(made, caption(one, note, *_told(list(sets.values())), loading=_other_loading(one)))
     return made
 
 
@@ -173,7 +178,7 @@ def coefficient_picture(sets: Mapping[str, xr.Dataset], title: str) -> Figure:
     for (upper, lower), (words, ds) in zip(panels.T, sets.items(), strict=True):
         looks = style.looks(ds.sizes["coefficient"])
         for i, (look, label) in enumerate(zip(looks, ds["coefficient"].values, strict=True)):
-            _stability_lines(upper, lower, ds["change"], ds.isel(coefficient=i), look, str(label), every=4)
+            _stability_lines(upper, lower, ds["change"], ds.isel(coefficient=i), look, str(label), every=2)
         upper.set_title(words)
         lower.set_xlabel("change of the coefficient [%]")
     _stability_axes(panels)
@@ -193,15 +198,12 @@ def resonances(ds: xr.Dataset) -> list[float]:
     return [float(heading[i] - gap[i] * (heading[i + 1] - heading[i]) / (gap[i + 1] - gap[i])) for i in here]
 
 
+def _width(sets: Mapping[str, xr.Dataset]) -> float:
+    return 9.5 if len(sets) == 1 else 13.2
+
+
 def _ratio(ds: xr.Dataset) -> np.ndarray:
     return np.asarray(ds["wave_length"]) / float(ds.attrs["ship_length"])
-
-
-def _heading_panel(ax: Axes, name: str) -> None:
-    style.headings(ax)
-    ax.set_ylim(bottom=0.0)
-    ax.set_ylabel(f"{name} amplitude [{SYMBOLS[name].unit}]")
-    ax.set_gid(name)
 
 
 def _legend(
@@ -237,10 +239,10 @@ def _marked(sets: Sequence[xr.Dataset]) -> list[str]:
 
 
 def _stability_lines(
-    upper: Axes, lower: Axes, along: xr.DataArray, ds: xr.Dataset, look: dict[str, object], label: str, every: int = 3
+    upper: Axes, lower: Axes, along: xr.DataArray, ds: xr.Dataset, look: dict[str, object], label: str, every: int = 9
 ) -> None:
     """K2 above; below, the largest Floquet exponent as a line and K2/(2 n2) as open marks of the same colour."""
-    upper.plot(along, ds["k2"], **look, markevery=_EVERY if every == 3 else every, markersize=4, label=label)
+    upper.plot(along, ds["k2"], **look, markevery=2 * every, markersize=4, label=label)
     lower.plot(along, ds["exponent"], color=look["color"], linestyle=look["linestyle"])
     marks = {"color": look["color"], "marker": look["marker"], "markerfacecolor": "none", "linestyle": "none"}
     lower.plot(along, -ds["index"], **marks, markevery=every, markersize=5)
@@ -252,8 +254,9 @@ def _stability_axes(panels: np.ndarray) -> None:
     for upper, lower in panels.T:
         upper.set_gid("k2")
         lower.set_gid("growth")
+        lower.set_title("line: largest Floquet exponent; open marks: K2/(2 n2)", fontsize=9)
     panels[0, 0].set_ylabel("K2 [1/s²], positive is unstable")
-    panels[1, 0].set_ylabel("growth rate [1/s]\nline: largest Floquet exponent; open marks: K2/(2 n2)")
+    panels[1, 0].set_ylabel("growth rate [1/s]")
 
 
 def _told(sets: Sequence[xr.Dataset]) -> list[str]:

@@ -52,7 +52,7 @@ def integration_picture(ds: xr.Dataset, time: xr.Dataset, at: float, title: str,
     upper.legend(frameon=False)
     lower.set_ylabel("difference from\nintegration [%]")
     right.plot(time["time"], time["approximate"], **_SOLUTIONS["struble"][1], label=_SOLUTIONS["struble"][0])
-    every = slice(None, None, 6)
+    every = slice(None, None, 5)
     right.plot(
         time["time"][every], time["integrated"][every], **_SOLUTIONS["integration"][1], label="integrated from rest"
     )
@@ -102,7 +102,11 @@ def growth_picture(cases: Sequence[Growth], linear: bool, title: str, note: str)
                 words = f"steady motion, ±{case.steady_roll:.3g}°" if side > 0 else None
                 ax.axhline(side * case.steady_roll, color=style.INK, linestyle="--", linewidth=0.9, label=words)
         ax.set_ylabel("disturbance of roll [deg]" if linear else "roll [deg]")
-        ax.set_title(f"{case.words}: {case.verdict.kind}", loc="left")
+        ax.set_title(
+            f"{case.words}: {'stable' if case.verdict.stable else 'unstable, ' + case.verdict.kind}; "
+            f"K2 {case.verdict.k2:+.4f} 1/s², largest Floquet exponent {case.verdict.exponents[0].real:+.4f} 1/s",
+            loc="left",
+        )
         ax.legend(frameon=False, loc="upper left", ncols=3)
         low, high = ax.get_ylim()
         ax.set_ylim(low, high + 0.25 * (high - low))

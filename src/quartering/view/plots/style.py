@@ -91,7 +91,7 @@ def title(made: Figure, text: str) -> None:
 
 def footnote(made: Figure, text: str) -> None:
     """Small print at the foot of a figure, wrapped to its width."""
-    characters = int(18.5 * made.get_figwidth())
+    characters = int(17.8 * made.get_figwidth())
     lines = "\n".join(textwrap.fill(line, characters) for line in text.splitlines())
     made.text(0.01, 0.06 / made.get_figheight(), lines, ha="left", va="bottom", fontsize=7.5, color=QUIET)
 
