@@ -9,9 +9,11 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import InputError
-from quartering.motion.branch import Family, all_motions, follow_branch, start_of_branch
+from quartering.motion.branch import Family, follow_branch, start_of_branch
 from quartering.motion.duffing import FORMULAS, duffing_amplitudes, duffing_model
 from quartering.motion.equations import Floats, Model, System, canonical
+from quartering.motion.harmonic import harmonic_balance
+from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks
 from quartering.motion.terms import term_table
 from quartering.stability.assessment import assess
@@ -136,8 +138,10 @@ def duffing_table(beta: float, force: float, frequency: float, damping: float = 
 
     Notes
     -----
-    Formulas are of the undamped equation. C-3 and C-4 give the fundamental. What P of C-5 is depends on where: the peak to
-    first order in beta away from resonance, the fundamental to second order on the backbone curve, omega^2 - 1 = 3/4 beta P^2.
+    The motions are those that one harmonic knows, all of them in closed form, carried to many; motions born of a superharmonic
+    resonance are not looked for. The formulas are of the undamped equation; C-3 and C-4 give the fundamental. What P of C-5 is
+    depends on where: the peak to first order in beta away from resonance, the fundamental to second order on the backbone
+    curve, omega^2 - 1 = 3/4 beta P^2.
     Source: [H71] Appendix C; closed form by putting the third harmonic beta A^3/(4 (9 omega^2 - 1)) into each.
 
     Examples
@@ -149,20 +153,36 @@ def duffing_table(beta: float, force: float, frequency: float, damping: float = 
     3.2695 3.3171 3.2796 3.3652 True
     """
     _check(beta, force, damping, (frequency, frequency + 1.0))
+    starts = _one_harmonic(beta, force, frequency, damping)
+    orders = tuple(range(1, HARMONICS + 1, 2))
     model = duffing_model(beta, force, frequency, damping)
+    system = canonical(
+        np.eye(3), term_table(model.terms), np.full(len(starts), frequency), model.force_cos, model.force_sin
+    )
+    guess = np.zeros((len(starts), 3, 2 * len(orders)))
+    guess[:, 1, :2] = starts
+    u, status, _ = harmonic_balance(system, orders, start=guess)
+    growth = _growth(system, u, orders)
     rows: list[dict[str, float | bool]] = []
-    for motion in all_motions(model, HARMONICS):
-        side = -1.0 if motion.cos[0, 1] < 0 else 1.0
-        growth = _growth(model.system, motion.coefficients[None], motion.orders_with_mean)[0]
-        own = {"C-3": side * motion.amplitude[1], "C-5": side * motion.peak[1]}
-        own["C-4"] = own["C-3"]
-        nearest = {name: nearest_root(duffing_amplitudes(name, beta, force, frequency), own[name]) for name in FORMULAS}
+    for i in np.flatnonzero(status == Status.CONVERGED):
+        side = -1.0 if u[i, 1, 0] < 0 else 1.0
+        fundamental = float(side * np.hypot(*u[i, 1, :2]))
         row: dict[str, float | bool] = {
-            "frequency": frequency, "fundamental": float(own["C-3"]), "peak": float(own["C-5"]),
-            "stable": bool(growth < NEUTRAL),
+            "frequency": frequency, "fundamental": fundamental, "peak": float(side * roll_peaks(u[i : i + 1], orders)[0]),
+            "stable": bool(growth[i] < NEUTRAL),
         }  # fmt: skip
-        rows.append(row | nearest)
-    return rows
+        roots = {name: duffing_amplitudes(name, beta, force, frequency) for name in FORMULAS}
+        rows.append(row | {name: nearest_root(found, fundamental) for name, found in roots.items()})
+    return sorted(rows, key=lambda row: abs(row["fundamental"]))
+
+
+def _one_harmonic(beta: float, force: float, frequency: float, damping: float) -> Floats:
+    """Cosine and sine parts (m, 2) of every motion of one harmonic: [(1 - w^2 + 3/4 beta P^2)^2 + (d w)^2] P^2 = X0^2."""
+    c, d = 1.0 - frequency**2, damping * frequency
+    squares = np.roots([9 / 16 * beta**2, 1.5 * beta * c, c**2 + d**2, -(force**2)])
+    real = np.abs(squares.imag) < 1e-9 * (1 + np.abs(squares))
+    stiffness = c + 0.75 * beta * squares.real[real & (squares.real > 0)]
+    return np.asarray(force * np.column_stack([stiffness, np.full_like(stiffness, d)]) / (stiffness**2 + d**2)[:, None])
 
 
 def nearest_root(roots: Floats, amplitude: float) -> float:

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from quartering.motion.duffing import duffing_amplitudes
 from quartering.study.duffing import nearest_root
 from quartering.view.plots import style
+from quartering.view.wording import duffing_words
 
 _FORMULAS = {"C-3": ("Struble", ":"), "C-4": ("modified method", "-."), "C-5": ("Hsu", "--")}
 _FREQUENCIES = 600
@@ -55,11 +56,10 @@ def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
     handles, labels = panels[0].get_legend_handles_labels()
     made.legend(handles, labels, loc="outside right center", frameon=False)
     a = ds.attrs
-    damping = f" + {a['damping']:g} x'" if a["damping"] else ""
     style.title(made, title)
     style.footnote(
         made,
-        f"x''{damping} + x + {a['beta']:g} x³ = {a['force']:g} cos ωt. Exact: harmonic balance to harmonic {a['harmonics']}, "
+        f"{duffing_words(a['beta'], a['force'], a['damping'])}. Exact: harmonic balance to harmonic {a['harmonics']}, "
         "its curves followed through their folds, stability by Floquet multipliers (without damping stable means neutral). "
         "The formulas (undamped) are the same in both panels: C-3 and C-4 are of the fundamental; P of C-5 is the peak away "
         "from resonance and the fundamental on the backbone curve.",

@@ -10,24 +10,37 @@ from quartering.view.wording import notes, speed_words, steepness_words
 OURS = "The condition is ours: the paper's own is not in the text at hand."
 
 
-def caption(ds: xr.Dataset, *more: str, waves: bool = True, loading: str = "") -> str:
+def force_caption(ds: xr.Dataset) -> str:
+    """Ship, speed, height of G, and what the forces are about.
+
+    Parameters
+    ----------
+    ds : Dataset    of `force_curves`
+
+    Returns
+    -------
+    str
+    """
+    where = f"{ds.attrs['ship']}, {speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}"
+    loading = ", ".join(str(ds.attrs["loading"]).split(", ")[:2])
+    return f"{where}; {loading} (GM assumed). Per metre of wave amplitude A; moments about G. {OURS}"
+
+
+def caption(ds: xr.Dataset, *more: str, loading: str = "") -> str:
     """Ship, speed, waves, loading, what is estimated.
 
     Parameters
     ----------
     ds : Dataset       of `study.paper_curves`
     *more : str        further sentences
-    waves : bool       name the waves
     loading : str      in place of the dataset's own loading
 
     Returns
     -------
     str
     """
-    words = [f"{ds.attrs['ship']}, {speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}"]
-    if waves:
-        words.append(wave_of(ds))
-    said = "; ".join((*words, loading or str(ds.attrs["loading"])))
+    where = f"{ds.attrs['ship']}, {speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}"
+    said = "; ".join((where, wave_of(ds), loading or str(ds.attrs["loading"])))
     return "\n".join(part for part in (f"{said}. {OURS}", *notes(ds), *more) if part)
 
 

@@ -15,7 +15,7 @@ from quartering.conventions import SYMBOLS
 from quartering.stability.kind import Kind
 from quartering.study.paper_curves import PARTS
 from quartering.view.plots import style
-from quartering.view.plots.paper_caption import caption
+from quartering.view.plots.paper_caption import caption, force_caption
 from quartering.view.wording import metric_prefix
 
 FORCES: Final = {
@@ -65,7 +65,7 @@ def force_picture(ds: xr.Dataset, mode: str, title: str) -> Figure:
     panels[0].set_ylabel(f"{words} [{prefix}{unit}]")
     _legend(made, looks, [f"λ/L = {x:.3g}" for x in ratio], dashes=False)
     style.title(made, title)
-    style.footnote(made, caption(ds, "Per metre of wave amplitude A; moments about G.", waves=False))
+    style.footnote(made, force_caption(ds))
     return made
 
 

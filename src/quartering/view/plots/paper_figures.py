@@ -134,6 +134,11 @@ def _growth(linear: bool, title: str) -> Figure:
         f"{_where(one, _instability_wave(one))}, heading {INSTABILITY_HEADING:g} deg. {OURS} Coefficients estimated "
         "(cross-flow drag, regression); the unit, inertia and linear coefficients of Table I are not printed, so its ratios "
         f"are applied to ours. K_prr × {FEEDING:g} is invented, to show the mechanism: yaw feeds roll."
+        + (
+            ""
+            if linear
+            else " Beyond 40 deg of roll the fitted righting arm is extrapolated; the trace ends at 90 deg."
+        )
     )
     return growth_picture(growing_cases(linear), linear, title, note)
 

@@ -103,7 +103,7 @@ def growth_picture(cases: Sequence[Growth], linear: bool, title: str, note: str)
                 ax.axhline(side * case.steady_roll, color=style.INK, linestyle="--", linewidth=0.9, label=words)
         ax.set_ylabel("disturbance of roll [deg]" if linear else "roll [deg]")
         ax.set_title(
-            f"{case.words}: {'stable' if case.verdict.stable else 'unstable, ' + case.verdict.kind}; "
+            f"{case.words}: {'stable' if case.verdict.stable else f'unstable ({case.verdict.kind})'}; "
             f"K2 {case.verdict.k2:+.4f} 1/s², largest Floquet exponent {case.verdict.exponents[0].real:+.4f} 1/s",
             loc="left",
         )
