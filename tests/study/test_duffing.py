@@ -41,7 +41,7 @@ def test_damped_curve_of_one_harmonic_lies_on_its_closed_form():
 
 def test_damped_motion_is_unstable_exactly_between_its_folds():
     """Floquet multipliers against the turning of the curve, found without them; the points next to a fold are left out."""
-    curves = duffing_curves(0.2, 0.3, 0.05)
+    curves = duffing_curves(0.2, 0.3, 0.05, harmonics=7)
     first, last = np.flatnonzero(curves["fold"])
     inside = np.zeros(curves.sizes["point"], dtype=bool)
     inside[first + 1 : last] = True
@@ -54,7 +54,7 @@ def test_damped_motion_is_unstable_exactly_between_its_folds():
 def test_table_and_curves_find_the_same_motions(beta, force, w, damping):
     """Two ways to them: from the closed form at one frequency, and along the curve from both ends."""
     found = duffing_table(beta, force, w, damping)
-    curves = duffing_curves(beta, force, damping, (0.5, 2.0))
+    curves = duffing_curves(beta, force, damping, (0.5, 2.0), harmonics=5)
     passed = []
     for index in np.unique(curves["curve"]):
         own = curves.isel(point=np.flatnonzero(curves["curve"] == index))
@@ -98,3 +98,13 @@ def test_numbers_that_cannot_be_are_refused():
         duffing_curves(0.2, 0.3, -0.1)
     with pytest.raises(InputError, match="rising"):
         duffing_curves(0.2, 0.3, 0.0, (2.0, 1.0))
+    with pytest.raises(InputError, match="no forced motion at frequency 1;"):
+        duffing_table(0.0, 0.3, 1.0)
+    with pytest.raises(InputError, match="other than 0"):
+        duffing_table(0.2, 0.0, 0.9)
+
+
+def test_a_curve_may_start_at_the_natural_frequency():
+    """Closed form of one harmonic there: 3/4 beta P^3 = X0. Without damping there is no linear motion to start from."""
+    curves = duffing_curves(0.2, 0.3, limits=(1.0, 1.5), harmonics=1)
+    assert float(curves["fundamental"][0]) == pytest.approx(np.cbrt(0.3 / (0.75 * 0.2)), rel=1e-9)

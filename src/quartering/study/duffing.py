@@ -9,10 +9,10 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import InputError
-from quartering.motion.branch import Family, follow_branch, start_of_branch
+from quartering.motion.branch import Curve, follow_branch
 from quartering.motion.duffing import FORMULAS, duffing_amplitudes, duffing_model
 from quartering.motion.equations import Floats, Model, System, canonical
-from quartering.motion.harmonic import harmonic_balance
+from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks
 from quartering.motion.terms import term_table
@@ -64,8 +64,9 @@ def duffing_curves(
     _check(beta, force, damping, limits)
     paths: list[tuple[Floats, list[int], Floats]] = []
     for first, last in (limits, limits[::-1]):
-        family = _over_frequency(duffing_model(beta, force, first, damping), first, last)
-        curve, start = start_of_branch(family, harmonics)
+        curve, start = _start(
+            duffing_model(beta, force, first, damping), beta, force, damping, (first, last), harmonics
+        )
         path, folds = follow_branch(curve, start, _POINTS)
         u = np.array([curve.coefficients(point) for point in path])
         frequency = first + (last - first) * path[:, -1]
@@ -83,8 +84,49 @@ def _check(beta: float, force: float, damping: float, limits: tuple[float, float
         raise InputError(f"frequencies {limits[0]:g} to {limits[1]:g}: give two rising numbers above 0, such as 0.5:2")
 
 
-def _over_frequency(model: Model, first: float, last: float) -> Family:
-    return lambda share: replace(model.system, frequency=np.array([first + (last - first) * share]))
+def _start(
+    model: Model, beta: float, force: float, damping: float, ends: tuple[float, float], harmonics: int
+) -> tuple[Curve, Floats]:
+    """The curve over frequency from one end to the other, and its smallest motion at the first.
+
+    The linear motion, from which branches start elsewhere, does not exist without damping at the natural frequency.
+    """
+    first, last = ends
+    orders = orders_for(model.system, harmonics)
+    u, _ = _motions(beta, force, np.array(ends), damping, orders, smallest=True)
+    size = np.abs(u).max(axis=(0, 2))
+    scale = np.repeat(np.maximum(size, 1e-3 * size.max()), u.shape[2])
+
+    def family(share: float) -> System:
+        return replace(model.system, frequency=np.array([first + (last - first) * share]))
+
+    return Curve(family, orders, scale), np.append(u[0].ravel() / scale, 0.0)
+
+
+def _motions(
+    beta: float, force: float, frequency: Floats, damping: float, orders: tuple[int, ...], *, smallest: bool
+) -> tuple[Floats, System]:
+    """Motions (m, 3, b) that one harmonic knows, or the smallest at each frequency, carried to many harmonics; their system."""
+    starts = [_one_harmonic(beta, force, float(w), damping) for w in frequency]
+    chosen = [found[:1] if smallest else found for found in starts]
+    empty = [w for w, found in zip(frequency, chosen, strict=True) if not len(found)]
+    if empty:
+        raise InputError(
+            f"Duffing's equation with beta {beta:g}, force {force:g}, damping {damping:g} has no forced motion at frequency"
+            f" {empty[0]:g}; give a force other than 0, and at the natural frequency 1 some cubic stiffness or damping"
+        )
+    model = duffing_model(beta, force, 1.0, damping)
+    repeated = np.repeat(frequency, [len(found) for found in chosen])
+    system = canonical(np.eye(3), term_table(model.terms), repeated, model.force_cos, model.force_sin)
+    guess = np.zeros((repeated.size, 3, 2 * len(orders)))
+    guess[:, 1, :2] = np.concatenate(chosen)
+    u, status, _ = harmonic_balance(system, orders, start=guess)
+    if (status != Status.CONVERGED).any():
+        raise InputError(
+            f"Duffing's equation with beta {beta:g}, force {force:g} at frequency {repeated[status != Status.CONVERGED][0]:g}:"
+            " its motion has no convergent harmonics there; take a smaller force or another frequency"
+        )
+    return u, system
 
 
 def _joined(known: tuple[Floats, list[int], Floats], frequency: Floats, u: Floats) -> bool:
@@ -153,18 +195,11 @@ def duffing_table(beta: float, force: float, frequency: float, damping: float = 
     3.2695 3.3171 3.2796 3.3652 True
     """
     _check(beta, force, damping, (frequency, frequency + 1.0))
-    starts = _one_harmonic(beta, force, frequency, damping)
     orders = tuple(range(1, HARMONICS + 1, 2))
-    model = duffing_model(beta, force, frequency, damping)
-    system = canonical(
-        np.eye(3), term_table(model.terms), np.full(len(starts), frequency), model.force_cos, model.force_sin
-    )
-    guess = np.zeros((len(starts), 3, 2 * len(orders)))
-    guess[:, 1, :2] = starts
-    u, status, _ = harmonic_balance(system, orders, start=guess)
+    u, system = _motions(beta, force, np.array([frequency]), damping, orders, smallest=False)
     growth = _growth(system, u, orders)
     rows: list[dict[str, float | bool]] = []
-    for i in np.flatnonzero(status == Status.CONVERGED):
+    for i in range(len(u)):
         side = -1.0 if u[i, 1, 0] < 0 else 1.0
         fundamental = float(side * np.hypot(*u[i, 1, :2]))
         row: dict[str, float | bool] = {
@@ -173,15 +208,18 @@ def duffing_table(beta: float, force: float, frequency: float, damping: float = 
         }  # fmt: skip
         roots = {name: duffing_amplitudes(name, beta, force, frequency) for name in FORMULAS}
         rows.append(row | {name: nearest_root(found, fundamental) for name, found in roots.items()})
-    return sorted(rows, key=lambda row: abs(row["fundamental"]))
+    return rows
 
 
 def _one_harmonic(beta: float, force: float, frequency: float, damping: float) -> Floats:
-    """Cosine and sine parts (m, 2) of every motion of one harmonic: [(1 - w^2 + 3/4 beta P^2)^2 + (d w)^2] P^2 = X0^2."""
+    """Cosine and sine parts (m, 2) of every motion of one harmonic, smallest first.
+
+    [(1 - w^2 + 3/4 beta P^2)^2 + (d w)^2] P^2 = X0^2, a cubic in P^2.
+    """
     c, d = 1.0 - frequency**2, damping * frequency
     squares = np.roots([9 / 16 * beta**2, 1.5 * beta * c, c**2 + d**2, -(force**2)])
     real = np.abs(squares.imag) < 1e-9 * (1 + np.abs(squares))
-    stiffness = c + 0.75 * beta * squares.real[real & (squares.real > 0)]
+    stiffness = c + 0.75 * beta * np.sort(squares.real[real & (squares.real > 0)])
     return np.asarray(force * np.column_stack([stiffness, np.full_like(stiffness, d)]) / (stiffness**2 + d**2)[:, None])
 
 
