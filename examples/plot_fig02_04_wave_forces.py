@@ -6,8 +6,8 @@ The paper computes the pressure of the undisturbed wave on the hull (Froude-Kryl
 for the way the hull disturbs the wave. Its Figs. 2, 3 and 4 show sway force, roll moment and yaw moment over heading
 with and without that correction.
 
-What agrees: sway force is largest in beam seas, yaw moment has two humps in quartering and bow seas and vanishes with
-heading 0, 90 (nearly) and 180, and the pressure alone gives a roll moment that is largest in beam seas.
+What agrees: sway force is largest in beam seas, yaw moment has two humps,
+in quartering and in bow seas, and the pressure alone gives a roll moment that is largest in beam seas.
 
 What does not: the printed correction has the wrong sign of the wave slope (see the errata page). In beam seas of the
 ship's length it leaves nearly four times the roll moment of the corrected one. With the sign put right the correction

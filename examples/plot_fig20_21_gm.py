@@ -10,7 +10,8 @@ stability.
 
 # %%
 # Roll at four headings.
-from quartering.view.plots.paper_figures import draw_figure, heights_of
+from quartering.study.paper_sets import heights_of
+from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
 ds = heights_of("series60-cb60")["gm"]

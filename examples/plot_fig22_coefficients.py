@@ -7,8 +7,8 @@ makes its CB 0.60 model unstable.
 
 **Not so here.** With coefficients estimated from the hull, K_ppp is small beside the linear damping K_p, and K2
 hardly feels it; nothing within +-100 % makes the ship unstable. The linear damping matters most, then the terms
-through which sway and yaw damp roll, K_pvv and K_prr. Where K_prr has been turned round (right, an invented value) it
-decides, and 30 % less of it or half as much more K_p restores stability. Whether the paper's K_ppp was larger than
+through which sway and yaw damp roll, K_pvv and K_prr. Where K_prr has been turned round (right, an invented value) it decides:
+20 % less of it, or 30 % more K_p, restores stability. Whether the paper's K_ppp was larger than
 ours cannot be known: it is not printed.
 """
 
@@ -17,7 +17,8 @@ ours cannot be known: it is not printed.
 import quartering as qt
 from quartering.study.paper_conditions import speed_of, wave_of
 from quartering.study.paper_curves import coefficient_curves
-from quartering.view.plots.paper_figures import COEFFICIENTS, draw_figure
+from quartering.study.paper_sets import COEFFICIENTS
+from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
 ship = qt.ship("series60-cb60")

@@ -3,7 +3,7 @@ Fig. 23: Duffing's equation
 ===========================
 
 Appendix C of the paper tries its method on Duffing's equation: Struble's formula (C-3), the modified method (C-4),
-and Hsu's (C-5). Here they stand beside the exact motion: harmonic balance to the 21st harmonic, followed through its
+and Hsu's (C-5). Here they stand beside the exact motion: harmonic balance to the 11th harmonic, followed through its
 fold, with its stability.
 
 The modified method is much better than Struble's away from the natural frequency, as the paper says. It gives the
@@ -14,7 +14,8 @@ the *peak* away from resonance, the *fundamental* on the backbone curve, there t
 # %%
 # Numbers at a few frequencies; a minus sign means opposite in phase to the force.
 from quartering.study.duffing import duffing_table
-from quartering.view.plots.paper_figures import DUFFING, draw_figure
+from quartering.study.paper_sets import DUFFING
+from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
 for frequency in (0.6, 1.0, 1.3, 1.6):

@@ -14,7 +14,7 @@ from quartering.study.paper_conditions import (
 )
 from quartering.study.paper_model import TABLE_I, feeding_model, modified_model, table_ratios
 from quartering.study.paper_motions import disturbance, integration_check, time_check
-from quartering.view.plots.paper_motions import roll_rate
+from quartering.study.paper_sets import roll_rate
 
 SHIP = qt.ship("series60-cb60")
 SPEED = speed_of(SHIP)

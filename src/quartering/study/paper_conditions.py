@@ -1,7 +1,7 @@
 """The conditions the paper's figures are recomputed in: speed, waves, headings, loadings.
 
-They are ours. The text of the paper at hand gives the figures' captions but not the speed, the waves or the loading of its
-models, so the curves can be compared in shape and in kind, not number by number.
+They are ours: the speed, the waves and the loading of the paper's models are not known here, so the curves can be compared in
+shape and in kind, not number by number.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ import xarray as xr
 
 from quartering.view.wording import notes, speed_words, steepness_words
 
-OURS = "The condition is ours: the paper's own is not in the text at hand."
+OURS = "The condition is ours: the paper's own is not known here."
 
 
 def force_caption(ds: xr.Dataset) -> str:

@@ -3,32 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import lru_cache, partial
+from functools import partial
 from typing import Final, NamedTuple
 
-import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
 from quartering.hull.ship import Ship, ship
 from quartering.loads.waves import Wave
-from quartering.motion.of_ship import equations
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion
-from quartering.stability.verdict import stability
 from quartering.study.duffing import duffing_curves
-from quartering.study.paper_conditions import (
-    FROUDE,
-    INSTABILITY_HEADING,
-    INSTABILITY_RATIO,
-    INSTABILITY_STEEPNESS,
-    MARINER_FROUDE,
-    speed_of,
-    wave_of,
+from quartering.study.paper_conditions import FROUDE, INSTABILITY_HEADING, MARINER_FROUDE, speed_of
+from quartering.study.paper_model import FEEDING
+from quartering.study.paper_sets import (
+    CB60,
+    CB70,
+    CHECK_HEADING,
+    DUFFING,
+    MARINER,
+    coefficients_of,
+    forces_of,
+    growing_cases,
+    gyradii_of,
+    heights_of,
+    instability_wave,
+    integration_of,
+    responses_of,
 )
-from quartering.study.paper_curves import coefficient_curves, force_curves, loading_curves, response_curves
-from quartering.study.paper_model import FEEDING, PAPER_SHIP, feeding_model, modified_model
-from quartering.study.paper_motions import disturbance, integration_check, time_check
 from quartering.view.plots.duffing import duffing_picture
 from quartering.view.plots.paper_axes import axes_picture
 from quartering.view.plots.paper_caption import OURS
@@ -39,22 +39,8 @@ from quartering.view.plots.paper_curves import (
     response_picture,
     stability_picture,
 )
-from quartering.view.plots.paper_motions import Growth, growth_picture, integration_picture
+from quartering.view.plots.paper_motions import growth_picture, integration_picture
 from quartering.view.wording import speed_words, steepness_words
-
-CB60: Final = PAPER_SHIP
-CB70: Final = "series60-cb70"
-MARINER: Final = "mariner"
-GYRADII_ROLL: Final = ("0.30 B", "0.35 B", "0.40 B", "0.45 B")
-GYRADII_YAW: Final = ("0.22 L", "0.25 L", "0.28 L")
-HEIGHTS: Final = ("0.03 B", "0.05 B", "0.075 B", "0.10 B")
-COEFFICIENTS: Final = ("K_p", "K_ppp", "K_vpp", "K_pvv", "K_prr", "K_vrr")
-CHANGES: Final = np.linspace(-100.0, 100.0, 41)
-CHECK_HEADING, CHECK_STEEPNESS = 60.0, 1 / 30
-DUFFING: Final = {"beta": 0.2, "force": 0.3}
-DISTURBANCE, START_ROLL, DURATION = 0.01, 5.0, 300.0
-"""Disturbance of roll in Fig. 12, roll at the start of Fig. 13 (the paper's) [deg], and how long both are followed [s]."""
-
 
 _SUBSTITUTE = (
     "No offsets of the Mariner are public: the lines are those of Series 60 CB 0.60 stretched to its length, beam and draught. "
@@ -69,69 +55,10 @@ class PaperFigure(NamedTuple):
     draw: Callable[[str], Figure]
 
 
-@lru_cache(maxsize=4)
-def forces_of(name: str) -> xr.Dataset:
-    """Wave forces of a built-in ship in the figures' conditions (Figs. 2-4)."""
-    return force_curves(ship(name))
-
-
-@lru_cache(maxsize=4)
-def responses_of(name: str) -> xr.Dataset:
-    """Response of a built-in ship in the figures' conditions (Figs. 5-10)."""
-    return response_curves(ship(name))
-
-
-@lru_cache(maxsize=4)
-def gyradii_of(name: str, froude: float) -> Mapping[str, xr.Dataset]:
-    """Response and stability of a built-in ship for several radii of gyration (Figs. 14-19)."""
-    one = ship(name)
-    return {
-        quantity: loading_curves(one, quantity, _lengths(one, quantity, values), froude=froude)
-        for quantity, values in (("gyradius_roll", GYRADII_ROLL), ("gyradius_yaw", GYRADII_YAW))
-    }
-
-
-@lru_cache(maxsize=4)
-def heights_of(name: str) -> Mapping[str, xr.Dataset]:
-    """Response and stability of a built-in ship for several metacentric heights (Figs. 20, 21)."""
-    one = ship(name)
-    return {"gm": loading_curves(one, "gm", _lengths(one, "gm", HEIGHTS))}
-
-
-def _lengths(one: Ship, quantity: str, values: tuple[str, ...]) -> list[float]:
-    return [float(getattr(one.with_(**{quantity: value}).loading, quantity)) for value in values]
-
-
-def growing_cases(linear: bool) -> list[Growth]:
-    """The modified model, and the one in which yaw feeds roll, followed in time (Figs. 12, 13).
-
-    Parameters
-    ----------
-    linear : bool    a disturbance by the variational equations; or the full equations started with a roll angle
-    """
-    cases = []
-    for words, one in (
-        ("Table I ratios on the estimated coefficients", modified_model()),
-        (f"the same with K_prr × {FEEDING:g} (invented)", feeding_model()),
-    ):
-        model = equations(one, _instability_wave(one), speed_of(one), INSTABILITY_HEADING)
-        motion = steady_motion(model, 9, start="rest")
-        if linear:
-            trace = disturbance(model, motion, DURATION, DISTURBANCE)
-        else:
-            trace = simulate(model, DURATION, (0.0, float(np.radians(START_ROLL)), 0.0, 0.0))
-        cases.append(Growth(words, trace, stability(model, motion), float(np.degrees(motion.peak[1]))))
-    return cases
-
-
-def _instability_wave(one: Ship) -> Wave:
-    return wave_of(one, INSTABILITY_RATIO, INSTABILITY_STEEPNESS)
-
-
 def _growth(linear: bool, title: str) -> Figure:
     one = ship(CB60)
     note = (
-        f"{_where(one, _instability_wave(one))}, heading {INSTABILITY_HEADING:g} deg. {OURS} Coefficients estimated "
+        f"{_where(one, instability_wave(one))}, heading {INSTABILITY_HEADING:g} deg. {OURS} Coefficients estimated "
         "(cross-flow drag, regression); the unit, inertia and linear coefficients of Table I are not printed, so its ratios "
         f"are applied to ours. K_prr × {FEEDING:g} is invented, to show the mechanism: yaw feeds roll."
         + (
@@ -144,12 +71,10 @@ def _growth(linear: bool, title: str) -> Figure:
 
 
 def _integration(title: str) -> Figure:
-    one = ship(CB60)
-    wave, speed = wave_of(one, 1.0, CHECK_STEEPNESS), speed_of(one)
-    model = equations(one, wave, speed, CHECK_HEADING)
-    time = time_check(model, steady_motion(model, 1, start="rest"))
-    ds = integration_check(one, wave, speed, np.arange(15.0, 166.0, 2.5))
-    note = f"{_where(one, wave)}. {OURS} Integration runs 60 periods before roll is read. Coefficients estimated."
+    ds, time, wave = integration_of(CB60)
+    note = (
+        f"{_where(ship(CB60), wave)}. {OURS} Integration runs 60 periods before roll is read. Coefficients estimated."
+    )
     return integration_picture(ds, time, CHECK_HEADING, title, note)
 
 
@@ -164,13 +89,7 @@ def _where(one: Ship, wave: Wave) -> str:
 
 
 def _coefficients(title: str) -> Figure:
-    sets = {}
-    for words, one, heading in (
-        ("as estimated, heading 30 deg", ship(CB60), 30.0),
-        (f"Table I ratios, K_prr × {FEEDING:g} (invented), heading 15 deg", feeding_model(), INSTABILITY_HEADING),
-    ):
-        sets[words] = coefficient_curves(one, COEFFICIENTS, CHANGES, _instability_wave(one), speed_of(one), heading)
-    return coefficient_picture(sets, title)
+    return coefficient_picture(coefficients_of(CB60), title)
 
 
 def _duffing(title: str) -> Figure:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from quartering.stability.verdict import Verdict
+from quartering.study.paper_sets import Growth, roll_rate
 from quartering.view.plots import style
 
 _SOLUTIONS = {
@@ -68,15 +67,6 @@ def integration_picture(ds: xr.Dataset, time: xr.Dataset, at: float, title: str,
     return made
 
 
-class Growth(NamedTuple):
-    """One motion followed in time: its words, its trace, its verdict."""
-
-    words: str
-    trace: xr.Dataset
-    verdict: Verdict
-    steady_roll: float
-
-
 def growth_picture(cases: Sequence[Growth], linear: bool, title: str, note: str) -> Figure:
     """Roll in time of a stable and an unstable case, under each other.
 
@@ -116,12 +106,6 @@ def growth_picture(cases: Sequence[Growth], linear: bool, title: str, note: str)
     style.title(made, title)
     style.footnote(made, note)
     return made
-
-
-def roll_rate(verdict: Verdict) -> float:
-    """Growth rate of the oscillating pair of exponents, the one a disturbance of roll shows [1/s]."""
-    pair = verdict.exponents[np.abs(verdict.exponents.imag) > 1e-6]
-    return float(pair[0].real) if pair.size else float(verdict.exponents[0].real)
 
 
 def _envelopes(ax: object, case: Growth, time: np.ndarray, start: float) -> None:

@@ -68,7 +68,7 @@ def looks(count: int) -> list[dict[str, object]]:
     """Colour, dashes and marker of each of ``count`` lines in an order, told apart in grey too."""
     return [
         {"color": colour, "linestyle": DASHES[i % len(DASHES)], "marker": MARKERS[i % len(MARKERS)]}
-        for i, colour in enumerate(sequence(count))
+        for i, colour in enumerate(sequence(count + 1)[:count])
     ]
 
 
