@@ -1,4 +1,7 @@
-"""Every example runs and draws its picture."""
+"""Every example runs and draws its picture.
+
+The paper's figures (``plot_fig*.py``) run in the gallery of the documentation; what they draw is tested in ``tests/paper``.
+"""
 
 import os
 import subprocess
@@ -12,6 +15,7 @@ NEEDS = {"plot_roll_excitation": "capytaine"}
 EXAMPLES = [
     pytest.param(script, id=script.stem, marks=[pytest.mark.slow] if script.stem in SLOW else [])
     for script in sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
+    if not script.stem.startswith("plot_fig")
 ]
 
 

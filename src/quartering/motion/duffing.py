@@ -12,7 +12,7 @@ from quartering.motion.equations import Floats, Model
 FORMULAS: Final = {
     "C-3": "Struble's method: omega = 1 + 3/8 beta P^2 - X0/(2 P)",
     "C-4": "the modified method, P the fundamental: omega^2 = 1 + 3/4 beta P^2 - X0/P",
-    "C-5": "the modified method with its third harmonic, P the peak: omega^2 = 1 + (7 w^2-1)/(9 w^2-1) beta P^2 - X0/P",
+    "C-5": "Hsu's, the modified method with its third harmonic: omega^2 = 1 + (7 w^2-1)/(9 w^2-1) beta P^2 - X0/P",
 }
 """Name of a formula -> what it says of x'' + x + beta x^3 = X0 cos(omega t)."""
 
@@ -37,8 +37,9 @@ def duffing_amplitudes(formula: str, beta: float, force: float, frequency: float
 
     Notes
     -----
-    All three are cubics in P.  Source: [H71] eqs. (C-3), (C-4), (C-5); C-5 is not a rival of C-4: it gives the peak, which is
-    fundamental plus third harmonic.  Valid: small beta P^2; away from omega = 1/3 for C-5.
+    All three are cubics in P.  Source: [H71] eqs. (C-3), (C-4), (C-5); C-5 is C-4 with the third harmonic. Away from resonance
+    its P is the peak, fundamental plus third harmonic; on the backbone curve it is the fundamental, which the third harmonic
+    corrects.  Valid: small beta P^2; away from omega = 1/3 for C-5.
 
     Examples
     --------

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view import cli_motions, cli_ships, cli_studies
+from quartering.view import cli_motions, cli_paper, cli_ships, cli_studies
 
 app = typer.Typer(
     name="quartering",
@@ -47,6 +47,8 @@ _COMMANDS = (
     cli_studies.sweep,
     cli_studies.worst,
     cli_studies.show,
+    cli_paper.figures,
+    cli_paper.duffing,
 )
 for _command in _COMMANDS:
     app.command()(_command)

@@ -40,6 +40,18 @@ def speed_words(speed: float, length: float) -> str:
     return f"{speed:.3g} m/s ({knots:.1f} kn, Fn {froude(speed, length):.3f})"
 
 
+def duffing_words(beta: float, force: float, damping: float) -> str:
+    """Duffing's equation with its numbers.
+
+    Examples
+    --------
+    >>> duffing_words(-0.2, 0.1, 0.0), duffing_words(0.2, 0.3, 0.05)
+    ("x'' + x - 0.2 x³ = 0.1 cos ωt", "x'' + 0.05 x' + x + 0.2 x³ = 0.3 cos ωt")
+    """
+    friction = f" + {damping:g} x'" if damping else ""
+    return f"x''{friction} + x {'-' if beta < 0 else '+'} {abs(beta):g} x³ = {force:g} cos ωt"
+
+
 def metric_prefix(largest: float) -> tuple[float, str]:
     """Factor and prefix in which a largest value is written with few digits.
 

@@ -61,6 +61,17 @@ def sequence(count: int) -> list[tuple[float, ...]]:
     return [tuple(colour) for colour in colours]
 
 
+MARKERS: Final = ("o", "s", "^", "D", "v", "P", "X", "<")
+
+
+def looks(count: int) -> list[dict[str, object]]:
+    """Colour, dashes and marker of each of ``count`` lines in an order, told apart in grey too."""
+    return [
+        {"color": colour, "linestyle": DASHES[i % len(DASHES)], "marker": MARKERS[i % len(MARKERS)]}
+        for i, colour in enumerate(sequence(count + 1)[:count])
+    ]
+
+
 def headings(ax: Axes, largest: float = 180.0) -> None:
     """Heading axis of a plot from 0 to at least 180 deg, with the sectors named."""
     names = {0: "0\nfollowing", 90: "90\nbeam", 180: "180\nhead", 270: "270\nbeam", 360: "360\nfollowing"}
@@ -80,9 +91,19 @@ def title(made: Figure, text: str) -> None:
 
 def footnote(made: Figure, text: str) -> None:
     """Small print at the foot of a figure, wrapped to its width."""
-    characters = int(18.5 * made.get_figwidth())
+    characters = int(17.8 * made.get_figwidth())
     lines = "\n".join(textwrap.fill(line, characters) for line in text.splitlines())
     made.text(0.01, 0.06 / made.get_figheight(), lines, ha="left", va="bottom", fontsize=7.5, color=QUIET)
+
+
+def shown(made: Figure) -> None:
+    """Hand a figure to pyplot, so that ``plt.show()``, notebooks and galleries find it."""
+    from matplotlib import pyplot
+
+    manager = pyplot.figure(figsize=made.get_size_inches()).canvas.manager
+    assert manager is not None  # pyplot gives every figure one
+    manager.canvas.figure = made
+    made.set_canvas(manager.canvas)
 
 
 def save(made: Figure, path: Path) -> None:

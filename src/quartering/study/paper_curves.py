@@ -1,0 +1,196 @@
+"""The paper's curves: wave forces (Figs. 2-4), response (5-10), effect of loading (14-21), of coefficients (22)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship
+from quartering.loads.forces import wave_forces
+from quartering.loads.waves import Wave
+from quartering.study.dataset import heading_of
+from quartering.study.grid import LOADING_AXES
+from quartering.study.paper_conditions import FROUDE, HEADINGS, RATIOS, speed_of, wave_of
+from quartering.study.polar import polar
+from quartering.study.sweep import sweep
+
+PARTS: Final = {
+    "without": "without strip correction (Froude-Krylov)",
+    "stf": "with strip correction (Salvesen, Tuck, Faltinsen)",
+    "paper": "with the paper's strip correction as printed",
+    "paper-corrected": "with the paper's strip correction, sign of the slope corrected",
+}
+"""Part of a wave force -> what it is."""
+
+
+def force_curves(
+    ship: Ship, ratios: Sequence[float] = RATIOS, headings: ArrayLike = HEADINGS, froude: float = FROUDE
+) -> xr.Dataset:
+    """Amplitude of the wave forces over heading with and without the strip correction.
+
+    Parameters
+    ----------
+    ship : Ship
+    ratios : (w,) float      wave lengths over the ship's
+    headings : (h,) float    [deg]
+    froude : float
+
+    Returns
+    -------
+    xarray.Dataset           ``force`` (part, wave_length, heading, mode) per metre of wave amplitude [N/m; N m/m about G]
+
+    Notes
+    -----
+    Source: [H71] Figs. 2-4, Appendix B.  Valid: linear in the wave height.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> curves = force_curves(ship("wigley"), [1.0], [0.0, 90.0])
+    >>> curves["force"].sel(part="stf", heading=0.0).max().item()
+    0.0
+    """
+    speed, angles = speed_of(ship, froude), np.atleast_1d(np.asarray(headings, dtype=float))
+    waves = [wave_of(ship, ratio) for ratio in ratios]
+    found = np.empty((len(PARTS), len(waves), angles.size, 3))
+    for j, wave in enumerate(waves):
+        for i, part in enumerate(PARTS):
+            one = wave_forces(ship, wave, speed, angles, form="stf" if part == "without" else part)  # type: ignore[arg-type]
+            chosen = one["froude_krylov" if part == "without" else "total"]
+            found[i, j] = np.sqrt((chosen**2).sum("part")) / wave.amplitude
+    units = {"units": "N/m (sway), N m/m (roll, yaw)", "long_name": "wave force per metre of wave amplitude"}
+    return xr.Dataset(
+        {"force": (("part", "wave_length", "heading", "mode"), found, units)},
+        {
+            "part": list(PARTS),
+            "wave_length": [wave.length for wave in waves],
+            "heading": angles,
+            "mode": ["sway", "roll", "yaw"],
+            "speed": speed,
+        },
+        heading_of(ship, form="stf", harmonics=1),
+    )
+
+
+def response_curves(
+    ship: Ship, ratios: Sequence[float] = RATIOS, headings: ArrayLike = HEADINGS, froude: float = FROUDE
+) -> xr.Dataset:
+    """Response over heading for several wave lengths of one steepness.
+
+    Parameters
+    ----------
+    ship : Ship
+    ratios : (w,) float      wave lengths over the ship's
+    headings : (h,) float    [deg]
+    froude : float
+
+    Returns
+    -------
+    xarray.Dataset           of `polar` at the one speed: (heading, wave_length)
+
+    Notes
+    -----
+    Source: [H71] Figs. 5-10.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> response_curves(ship("wigley"), [1.0], [30.0, 60.0])["roll"].dims
+    ('heading', 'wave_length')
+    """
+    waves = [wave_of(ship, ratio) for ratio in ratios]
+    return polar(ship, waves, [speed_of(ship, froude)], headings).isel(speed=0)
+
+
+def loading_curves(
+    ship: Ship,
+    name: str,
+    values: Sequence[float],
+    headings: ArrayLike = HEADINGS,
+    froude: float = FROUDE,
+    ratio: float = 1.0,
+) -> xr.Dataset:
+    """Response and stability over heading for several values of one loading quantity.
+
+    Parameters
+    ----------
+    ship : Ship
+    name : str               "gm", "gyradius_roll" or "gyradius_yaw" (or another loading axis of `sweep`)
+    values : (l,) float      [m]
+    headings : (h,) float    [deg]
+    froude : float
+    ratio : float            wave length over ship length
+
+    Returns
+    -------
+    xarray.Dataset           of `sweep` in one wave: (loading, heading); coordinate ``name`` along loading
+
+    Raises
+    ------
+    InputError               not a loading quantity
+
+    Notes
+    -----
+    Source: [H71] Figs. 14-21.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> loading_curves(ship("wigley"), "gm", [1.0, 1.4], [30.0, 60.0])["k2"].dims
+    ('loading', 'heading')
+    """
+    if name not in LOADING_AXES:
+        raise InputError(f"{name!r} is not a loading quantity; allowed are {', '.join(LOADING_AXES)}")
+    wave = wave_of(ship, ratio)
+    axes: dict[str, Any] = {name: values}
+    found = sweep(ship, speed_of(ship, froude), headings, wave.length, wave.height, **axes)
+    return found.isel(speed=0, wave_length=0, wave_height=0)
+
+
+def coefficient_curves(
+    ship: Ship, names: Sequence[str], changes: ArrayLike, wave: Wave, speed: float, heading: float
+) -> xr.Dataset:
+    """Stability against the change of one coefficient at a time.
+
+    Parameters
+    ----------
+    ship : Ship
+    names : sequence of str    coefficients, such as "K_ppp"
+    changes : (c,) float       of the coefficient [%]: -100 takes it away, 100 doubles it
+    wave : Wave
+    speed, heading : float     [m/s, deg]
+
+    Returns
+    -------
+    xarray.Dataset             results of `sweep` over (coefficient, change)
+
+    Raises
+    ------
+    InputError                 what `sweep` refuses
+
+    Notes
+    -----
+    The steady motion is found anew for each value.  Source: [H71] Fig. 22.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> found = coefficient_curves(ship("wigley"), ["K_ppp"], [-50.0, 0.0], Wave(100.0, 1.0), 5.0, 60.0)
+    >>> bool(found["k2"][0, 0] > found["k2"][0, 1])    # less roll damping: K2 nearer to instability
+    True
+    """
+    percent = np.atleast_1d(np.asarray(changes, dtype=float))
+    parts = []
+    for name in names:
+        axes: dict[str, Any] = {name: 1.0 + percent / 100.0}
+        found = sweep(ship, speed, heading, wave.length, wave.height, **axes)
+        one = found.isel(speed=0, heading=0, wave_length=0, wave_height=0).drop_vars(name)
+        parts.append(one.rename(loading="change").assign_coords(change=percent))
+    joined = xr.concat(parts, xr.DataArray(list(names), dims="coefficient", name="coefficient"))
+    joined["change"].attrs.update(units="%", long_name="change of the coefficient")
+    return joined
