@@ -1,0 +1,80 @@
+"""The paper's modified model: Table I as ratios on the coefficients of a ship of ours."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import Final
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship, ship
+
+TABLE_I: Final = MappingProxyType(
+    {
+        "Y_prr": (0.4723, 1.4168),
+        "Y_vrr": (-11.9663, -5.9832),
+        "Y_ppp": (0.0037, 0.0112),
+        "Y_vpp": (0.026, 0.0),
+        "K_prr": (-1.88, 0.0),
+        "K_vpp": (0.1035, 0.3104),
+        "K_vrr": (13.0517, 39.155),
+    }
+)
+"""Coefficient -> (original, modified) as printed; their unit is not stated, so only the ratios carry over.
+
+The scan has lost the repeated subscript ("pr", "vr", "pp", "vp"). The subscripts here are those of the coefficients in I2 and
+I3, which the paper says it varies; the letters Y and K are as scanned. K_ppp is not in the table.
+"""
+
+PAPER_SHIP: Final = "series60-cb60"
+
+
+def table_ratios() -> dict[str, float]:
+    """Modified over original value of each coefficient of Table I.
+
+    Returns
+    -------
+    dict of str to float    by name [1]
+
+    Notes
+    -----
+    Source: [H71] Table I, printed to 2 to 6 digits: near 3, near 1/2, and 0.
+
+    Examples
+    --------
+    >>> {name: round(ratio, 2) for name, ratio in table_ratios().items()}
+    {'Y_prr': 3.0, 'Y_vrr': 0.5, 'Y_ppp': 3.03, 'Y_vpp': 0.0, 'K_prr': 0.0, 'K_vpp': 3.0, 'K_vrr': 3.0}
+    """
+    return {name: modified / original + 0.0 for name, (original, modified) in TABLE_I.items()}
+
+
+def modified_model(of: Ship | None = None, strength: float = 1.0) -> Ship:
+    """A ship with its coefficients changed in the ratios of Table I.
+
+    Parameters
+    ----------
+    of : Ship, optional    by default Series 60, CB 0.60, as built in
+    strength : float       0 the ship as it is, 1 the table, values between in proportion
+
+    Returns
+    -------
+    Ship                   the seven coefficients multiplied; all others, and the loading, unchanged
+
+    Raises
+    ------
+    InputError             a strength that is not between 0 and 1
+
+    Notes
+    -----
+    The table's own numbers cannot be used: no unit, inertia or linear coefficient is printed with them. What carries over is
+    the mechanism.  Source: [H71] Table I.  Valid: as far as the ship's own seven coefficients are; those of the built-in
+    hulls are estimates from cross-flow drag.
+
+    Examples
+    --------
+    >>> round(modified_model().multipliers["K_vrr"], 3)
+    3.0
+    """
+    if not 0.0 <= strength <= 1.0:
+        raise InputError(f"strength {strength} of the modification: give a value from 0 (none) to 1 (Table I)")
+    factors = {name: 1.0 + strength * (ratio - 1.0) for name, ratio in table_ratios().items()}
+    return (of or ship(PAPER_SHIP)).with_(coefficients=factors)
