@@ -42,6 +42,7 @@ _COMMANDS = (
     cli_motions.verdict,
     cli_motions.simulate,
     cli_studies.polar,
+    cli_studies.vary,
     cli_studies.sweep,
     cli_studies.worst,
     cli_studies.show,
