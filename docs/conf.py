@@ -1,4 +1,4 @@
-"""How the documentation is built: `make docs`, or `sphinx-build -W docs build/docs`. Needs no network, nor does what it makes."""
+"""How the documentation is built: `make docs`. Neither building nor reading it needs a network."""
 
 import sys
 import warnings

@@ -4,6 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+HEAD = """Command line
+============
+
+Every command prints a table, writes the one file it was asked for and says what to type next. With ``--json`` it prints
+one JSON object instead. It ends with 0, or with 2 and one message when the input cannot be used. A *ship* is the name of a
+built-in ship or the path of a ship file; lengths may be given in ship lengths (``1.2L``), speeds in knots (``15kn``) or as
+Froude number (``0.25Fn``).
+"""
+
 
 def page() -> str:
     """The page of all commands.
@@ -17,13 +26,7 @@ def page() -> str:
     from quartering.view.cli import app
 
     group: Any = typer.main.get_command(app)
-    lines = [
-        "Command line", "============", "",
-        "Every command prints a table, writes the one file it was asked for and says what to type next. With ``--json`` it prints one",
-        "JSON object instead. It ends with 0, or with 2 and one message when the input cannot be used. A *ship* is the name of a built-in",
-        "ship or the path of a ship file; lengths may be given in ship lengths (``1.2L``), speeds in knots (``15kn``) or as Froude",
-        "number (``0.25Fn``).", "",
-    ]  # fmt: skip
+    lines = [HEAD]
     for name, command in group.commands.items():
         lines += _command(name, command)
     return "\n".join(lines) + "\n"

@@ -30,7 +30,7 @@ def theory_sections(theory: Path) -> dict[str, str]:
     for path in sorted(theory.glob("*.md")):
         for part in re.split(r"^#+ ", path.read_text(), flags=re.MULTILINE)[1:]:
             title = part.splitlines()[0]
-            found |= {tag: title for tag in tags(part)}
+            found |= dict.fromkeys(tags(part), title)
     return found
 
 

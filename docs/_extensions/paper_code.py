@@ -14,8 +14,20 @@ _RANGE = re.compile(r"\(([ABC]?)-?(\d+)\)(?:-\(([ABC]?)-?(\d+)\))?")
 _APPENDIX = re.compile(r"Appendix ([ABC])")
 _FIGURES = re.compile(r"Figs?\.((?:\s|,|-|and|\d)+)")
 
-LAST = {"": 15, "A": 11, "B": 11, "C": 5}
-"""Number of the last equation of the text and of each appendix."""
+HEAD = """Paper and code
+==============
+
+Which function rests on which place of the paper. Made from the `Source:` lines of the docstrings when these pages are
+built; the tests see to it that every equation of the theory pages is found here, and the other way round. Where a
+printed equation needed :doc:`a correction </errata>`, the corrected one is implemented.
+
+.. list-table::
+   :header-rows: 1
+   :widths: 12 30 58
+
+   * - place
+     - section
+     - code"""
 
 
 class Claim(NamedTuple):
@@ -125,14 +137,7 @@ def page(package: Path, meanings: dict[str, str]) -> str:
     table: dict[str, list[str]] = {}
     for claim in claims(package):
         table.setdefault(claim.place, []).append(f"{claim.module}.{claim.name}".rstrip("."))
-    lines = [
-        "Paper and code", "==============", "",
-        "Which function rests on which place of the paper. Made from the `Source:` lines of the docstrings when these pages are",
-        "built; the tests see to it that every equation of the theory pages is found here, and the other way round. Where a",
-        "printed equation needed :doc:`a correction </errata>`, the corrected one is implemented.", "",
-        ".. list-table::", "   :header-rows: 1", "   :widths: 12 30 58", "",
-        "   * - place", "     - section", "     - code",
-    ]  # fmt: skip
+    lines = [HEAD]
     for place in sorted(table, key=order):
         where = f":ref:`({place}) <eq-{place.lower()}>`" if place in meanings else place
         code = ", ".join(f":py:obj:`~{name}`" if "._" not in name else f"``{name}``" for name in table[place])

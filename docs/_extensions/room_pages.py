@@ -14,6 +14,15 @@ ROOMS = {
     "stability": "is that motion stable",
     "study": "many conditions",
 }
+HEAD = """Python interface
+================
+
+``import quartering as qt`` gives these names; they are what scripts may rely on. Each opens its page in the rooms below,
+where everything else stands that the rooms are made of. Units are SI and degrees unless said otherwise.
+
+.. list-table::
+   :widths: 28 72
+"""
 BESIDE = ("conventions", "references", "names")
 
 
@@ -36,13 +45,7 @@ def pages(package: Path) -> dict[str, str]:
 def _public() -> str:
     import quartering
 
-    title = "Python interface"
-    lines = [
-        title, "=" * len(title), "",
-        "``import quartering as qt`` gives these names; they are what scripts may rely on. Each opens its page in the rooms below,",
-        "where everything else stands that the rooms are made of. Units are SI and degrees unless said otherwise.", "",
-        ".. list-table::", "   :widths: 28 72", "",
-    ]  # fmt: skip
+    lines = [HEAD]
     for name in sorted(quartering.__all__, key=str.lower):
         home = "stability.verdict" if name == "stability" else quartering._HOMES[name]
         first = (getattr(import_module(f"quartering.{home}"), name).__doc__ or "").strip().splitlines()[0]

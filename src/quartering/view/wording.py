@@ -14,6 +14,9 @@ from quartering.loads.waves import Wave
 if TYPE_CHECKING:
     import xarray as xr
 
+ESTIMATES = ("regression", "cross-flow")
+"""Kinds of coefficient that are estimates."""
+
 _LOADING = {
     "gm": "GM",
     "kg": "KG",

@@ -122,6 +122,12 @@ def _draw(cut: xr.Dataset, picture: Path) -> None:
     from quartering.view.plots import style
     from quartering.view.plots.polar_map import polar_map
 
+    flat = map_of(cut)
+    write((picture, lambda part: style.save(polar_map(flat), part)))
+
+
+def map_of(cut: xr.Dataset) -> xr.Dataset:
+    """A slice of a sweep in the form of a map: its first loading, its last wave height."""
     if "loading" in cut.dims:
         several, cut = cut.sizes["loading"], cut.isel(loading=0)
         own = ", ".join(f"{name} {float(cut[name]):.4g}" for name in _loading_names(cut))
@@ -131,13 +137,15 @@ def _draw(cut: xr.Dataset, picture: Path) -> None:
     for dim in ("speed", "heading", "wave_length"):
         if dim not in cut["verdict"].dims:
             raise InputError(f"a map needs all values of {dim}; leave out --at {dim}")
+    if cut["wave_height"].ndim == 1:
+        return cut.load()
     height = float(cut["wave_height"])
     flat = cut.drop_vars("wave_height").assign_coords(
         wave_height=("wave_length", np.full(cut.sizes["wave_length"], height), cut["wave_height"].attrs)
     )
     if _loading_names(flat):
         flat = flat.assign_attrs(natural_roll_frequency=small_roll_frequency(flat))
-    write((picture, lambda part: style.save(polar_map(flat.load()), part)))
+    return flat.load()
 
 
 def small_roll_frequency(ds: xr.Dataset) -> float:
