@@ -1,9 +1,9 @@
 """The report: its numbers are those of the result, it needs nothing from outside, and it refuses what it cannot use."""
 
 import re
+import sys
 import zlib
 from html.parser import HTMLParser
-from importlib.util import find_spec
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions
 from quartering.view.report.guidance import failure_events, guidance
-from quartering.view.report.page import guidance_page
+from quartering.view.report.page import guidance_page, write_pdf
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source, report_source
 
@@ -255,15 +255,22 @@ def unpacked(stream: bytes) -> bytes:
         return b""
 
 
-@pytest.mark.skipif(find_spec("weasyprint") is None, reason="needs the extra pdf")
 def test_pdf_has_pages(tmp_path, page):
-    from quartering.view.report.page import write_pdf
-
-    write_pdf(page, tmp_path / "page.pdf")
+    try:
+        write_pdf(page, tmp_path / "page.pdf")
+    except qt.InputError as refusal:
+        pytest.skip(str(refusal))
     written = (tmp_path / "page.pdf").read_bytes()
     assert written.startswith(b"%PDF-")
     parts = [written, *(unpacked(part) for part in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", written, re.DOTALL))]
     assert max(int(count) for part in parts for count in re.findall(rb"/Count (\d+)", part)) >= 4
+
+
+def test_pdf_without_its_library_is_refused_with_what_to_do(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "weasyprint", None)
+    with pytest.raises(qt.InputError, match=r"pip install 'quartering\[pdf\]'"):
+        write_pdf("<p>page</p>", tmp_path / "page.pdf")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_svg_keeps_its_own_references():
