@@ -10,6 +10,9 @@ from docutils.utils.math.latex2mathml import tex2mathml
 
 _TAG = re.compile(r"\s*\\tag\{([^}]*)\}")
 _ACCENT = re.compile(r"(\\(?:d?dot|hat|bar|tilde)\{[^{}]*\})")
+_FUNCTION = re.compile(r"(<mi>(?:sin|cos|ln|exp)</mi>)")
+_ANGLE = re.compile("<mo>([⟨⟩])</mo>")
+_THIN = '<mspace width="0.14em"></mspace>'
 
 
 def anchor(tag: str) -> str:
@@ -35,8 +38,14 @@ def tags(text: str) -> list[str]:
 
 
 def _mathml(text: str, as_block: bool) -> str:
-    """An accented letter is made one thing first, or its index would go under it."""
-    return str(tex2mathml(_ACCENT.sub(r"{\1{}}", _TAG.sub("", text)), as_block=as_block))
+    """An accented letter is made one thing first, or its index would go under it.
+
+    Marked as an accent, a dot is drawn inside the letter by browsers that find no mathematical font.
+    """
+    made = str(tex2mathml(_ACCENT.sub(r"{\1{}}", _TAG.sub("", text)), as_block=as_block))
+    return _FUNCTION.sub(
+        rf"{_THIN}\1{_THIN}", _ANGLE.sub(r'<mo stretchy="false">\1</mo>', made.replace(' accent="true"', ""))
+    )
 
 
 def _inline(translator: Any, node: nodes.math) -> None:
