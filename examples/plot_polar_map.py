@@ -11,6 +11,7 @@ import warnings
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import quartering as qt
 from quartering.view.plots.polar_map import polar_map
@@ -32,10 +33,11 @@ def main(picture: str = "") -> None:
     if picture:
         made.savefig(picture, dpi=130)
         return
-    plt.figure(figsize=made.get_size_inches())
-    made.canvas.draw()
-    plt.imshow(np.asarray(made.canvas.buffer_rgba()))
-    plt.axis("off")
+    made.set_dpi(150)
+    canvas = FigureCanvasAgg(made)
+    canvas.draw()
+    plt.figure(figsize=made.get_size_inches(), dpi=150).add_axes((0, 0, 1, 1)).set_axis_off()
+    plt.imshow(np.asarray(canvas.buffer_rgba()))
     plt.show()
 
 

@@ -1,6 +1,8 @@
-"""Documentation that cannot drift: links, the symbols table, the README's Python, and numbers in two tables."""
+"""Documentation that cannot drift: links, the symbols table, Python and commands of the pages, and numbers in two tables."""
 
+import doctest
 import re
+import shlex
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +12,16 @@ import quartering as qt
 from quartering.conventions import SYMBOLS
 
 ROOT = Path(__file__).parents[1]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+MADE = {"reference", "gallery"}
+PAGES = [
+    ROOT / "README.md",
+    *(page for page in sorted((ROOT / "docs").rglob("*.md")) if page.relative_to(ROOT / "docs").parts[0] not in MADE),
+]
+LENIENT = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", page.read_text(), re.DOTALL)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
@@ -42,7 +53,9 @@ def test_pictures_of_the_pages_stay_small():
 
 
 def test_symbols_table_is_that_of_the_code():
+    """`python docs/_extensions/symbols.py` writes it."""
     text = (ROOT / "docs" / "conventions.md").read_text()
+    assert text.endswith("meaning |\n|---|---|---|---|\n" + "".join(text.splitlines(keepends=True)[-len(SYMBOLS) :]))
     for name, symbol in SYMBOLS.items():
         letter = symbol.symbol.replace("|", "&#124;")
         assert f"| `{name}` | {letter} | {symbol.unit} | {symbol.meaning} |" in text
@@ -54,6 +67,30 @@ def test_python_of_the_readme_runs(capsys):
     for block in blocks:
         exec(block, {})
     assert "stable" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "pycon")], ids=lambda p: p.name)
+def test_python_of_the_pages_gives_what_they_show(page):
+    example = doctest.DocTestParser().get_doctest("\n".join(blocks(page, "pycon")), {}, page.name, str(page), 0)
+    found: list[str] = []
+    failed, tried = doctest.DocTestRunner(optionflags=LENIENT).run(example, out=found.append)
+    assert tried
+    assert not failed, "".join(found)
+
+
+@pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "console")], ids=lambda p: p.name)
+def test_commands_of_the_pages_print_what_they_show(page, tmp_path, monkeypatch):
+    from typer.testing import CliRunner
+
+    from quartering.view.cli import app
+
+    monkeypatch.chdir(tmp_path)
+    for session in blocks(page, "console"):
+        for command, shown in re.findall(r"^\$ quartering (.*)\n((?:(?!\$ ).*\n)*)", session, re.MULTILINE):
+            ended = CliRunner().invoke(app, shlex.split(command))
+            printed = ended.stdout or ended.stderr  # a note on stderr is not part of what is shown
+            want = re.sub(r"\s+", " ", shown)
+            assert doctest.OutputChecker().check_output(want, re.sub(r"\s+", " ", printed), LENIENT), printed
 
 
 def test_commands_of_the_readme_exist():

@@ -92,7 +92,7 @@ REFERENCES: Final[dict[str, str]] = {
     "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
     "Numerische Mathematik 58.",
 }
-"""Key -> full reference. A `Source:` line in a docstring names one of these keys."""
+"""Key -> full reference; the source line of a docstring names one of these keys."""
 
 
 def cite(result: Any) -> str:

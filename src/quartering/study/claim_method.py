@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.motion.branch import all_motions
 from quartering.motion.duffing import duffing_amplitudes, duffing_model
 from quartering.motion.equations import Model
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
 from quartering.study.claim import MODERATE, STEEP, Finding, graded, paper_ship, speed_of, wave_of
+from quartering.study.coexisting import all_motions
 
 _PERIODS = 40
 

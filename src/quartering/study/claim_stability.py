@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.motion.branch import all_motions
 from quartering.motion.duffing import duffing_model
 from quartering.motion.equations import Model
 from quartering.motion.of_ship import equations
@@ -25,6 +24,7 @@ from quartering.study.claim import (
     speed_of,
     wave_of,
 )
+from quartering.study.coexisting import all_motions
 from quartering.study.mechanism import onset, roll_alone
 from quartering.study.paper_model import modified_model, table_ratios
 from quartering.study.sensitivity import sensitivity

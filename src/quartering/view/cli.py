@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view import cli_motions, cli_paper, cli_ships, cli_studies
+from quartering.view import cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
 
 app = typer.Typer(
     name="quartering",
@@ -50,6 +50,7 @@ _COMMANDS = (
     cli_studies.show,
     cli_paper.figures,
     cli_paper.duffing,
+    cli_pages.report,
 )
 for _command in _COMMANDS:
     app.command()(_command)

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 MOST_ROWS = 16
 """Values of a tornado that are shown, those with the largest effect; its dataset has all."""
+ESTIMATES = ("regression", "cross-flow", "estimated")
+"""Kinds of coefficient that are estimates."""
 
 _LOADING = {
     "gm": "GM",

@@ -7,9 +7,7 @@ from quartering.hydro.coefficients import coefficients
 from quartering.view.commands.conditions import sizes
 from quartering.view.options import value
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import estimated_words, speed_words
-
-_ESTIMATES = ("regression", "cross-flow", "estimated")
+from quartering.view.wording import ESTIMATES, estimated_words, speed_words
 
 
 def list_coefficients(name: str, speed: str, frequency: str | None, as_json: bool) -> None:
@@ -31,5 +29,5 @@ def list_coefficients(name: str, speed: str, frequency: str | None, as_json: boo
     title = f"{one.name} at {speed_words(u, one.hull.length)}, encounter frequency {w:.3g} rad/s; about G, SI"
     show(table(title, ("name", "value", "unit", "kind", "source"), shown, (1,)))
     show("Zeros are left out. Y_r is the hydrodynamic one; the equations also carry -m U.")
-    show(estimated_words([e.name for e in entries if e.kind in _ESTIMATES], one.provenance))
+    show(estimated_words([e.name for e in entries if e.kind in ESTIMATES], one.provenance))
     show(next_steps(f"quartering forces {name}", f"quartering polar {name}"))

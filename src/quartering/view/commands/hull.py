@@ -16,13 +16,21 @@ from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import exponents_words, speed_words
 
-_LINES = {
+HYDROSTATICS = {
     "volume": ("displaced volume", "m3"), "mass": ("displaced mass", "kg"),
     "lcb": ("centre of buoyancy from midship, + forward", "m"), "lcf": ("centre of flotation from midship, + forward", "m"),
     "kb": ("KB", "m"), "bm": ("BM", "m"), "km": ("KM", "m"), "kg": ("KG", "m"), "gm": ("GM", "m"),
     "cb": ("block coefficient CB", "1"), "cm": ("midship coefficient CM", "1"), "cp": ("prismatic coefficient CP", "1"),
     "cw": ("waterplane coefficient CW", "1"), "wetted_surface": ("wetted surface", "m2"),
 }  # fmt: skip
+"""Attribute of the hydrostatics -> what it is, and its unit."""
+
+LOADING = (
+    ("gm", "GM", "m"), ("kg", "KG", "m"), ("gyradius_roll", "k_xx", "m"), ("gyradius_yaw", "k_zz", "m"),
+    ("roll_damping", "added roll damping, of critical", "1"),
+)  # fmt: skip
+"""Attribute of the loading, what it is, and its unit."""
+
 _FROUDE_NUMBERS = (0.0, 0.15, 0.25)
 _NEUTRAL = 1e-9
 
@@ -53,17 +61,14 @@ def describe_hull(name: str, output: str | None, as_json: bool) -> None:
 
 
 def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:
-    rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in _LINES.items()]
+    rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in HYDROSTATICS.items()]
     show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
     load = one.loading
     value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
     loading = [
         (words, value.get(key, f"{getattr(load, key):.5g}"), unit, one.provenance.get(key, "given"))
-        for key, words, unit in (
-            ("gm", "GM", "m"), ("kg", "KG", "m"), ("gyradius_roll", "k_xx", "m"), ("gyradius_yaw", "k_zz", "m"),
-            ("roll_damping", "added roll damping, of critical", "1"),
-        )
-    ]  # fmt: skip
+        for key, words, unit in LOADING
+    ]
     show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading, (1,)))
     terms = " ".join(f"{c:+.4g} phi^{n}" for n, c in ((1, fit.gm), (3, fit.gz3), (5, fit.gz5), (7, fit.gz7)) if c)
     show(

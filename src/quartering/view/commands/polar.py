@@ -60,6 +60,7 @@ def draw_map(
     announce_compilation()
     with bar("conditions", count) as report:
         ds = polar(one, sea, speed, mu, harmonics=harmonics, form=chosen, progress=report)
+    ds.attrs["ship_argument"] = name
     _write(ds, data, picture)
     summary = [_summary(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
     if as_json:
@@ -71,7 +72,7 @@ def draw_map(
     worst = max(summary, key=lambda s: s.worst_roll)
     height = float(ds["wave_height"].sel(wave_length=worst.wave_length))
     condition = f"--heading {worst.heading:g} --speed {worst.speed:.4g} --wave-length {worst.wave_length:.4g}"
-    show(next_steps(f"quartering verdict {name} {condition} --wave-height {height:.3g}", f"quartering forces {name}"))
+    show(next_steps(f"quartering verdict {name} {condition} --wave-height {height:.3g}", f"quartering report {data}"))
 
 
 def _waves(one: Ship, typed: tuple[str, str, str | None]) -> list[Wave]:

@@ -120,10 +120,16 @@ def _facts(ds: xr.Dataset, by: xr.Dataset) -> dict[str, Any]:
 
 
 def _draw(part: xr.Dataset, picture: Path) -> None:
-    """The polar map of a part with one wave height and one loading: the highest and the first, where several are left."""
+    """The polar map of a part of a result."""
     from quartering.view.plots import style
     from quartering.view.plots.polar_map import polar_map
 
+    flat = map_of(part)
+    write((picture, lambda half: style.save(polar_map(flat), half)))
+
+
+def map_of(part: xr.Dataset) -> xr.Dataset:
+    """A part of a sweep in the form of a map: of its first loading and its highest wave, where several are left."""
     several = ""
     if "loading" in part.dims:
         several, part = f" (loading 1 of {part.sizes['loading']})", part.isel(loading=0)
@@ -132,6 +138,8 @@ def _draw(part: xr.Dataset, picture: Path) -> None:
     for dim in ("speed", "heading", "wave_length"):
         if dim not in part["verdict"].dims:
             raise InputError(f"a map needs all values of {dim}; leave out --at {dim}")
+    if part["wave_height"].ndim == 1:
+        return part.load()
     height = float(part["wave_height"])
     flat = part.drop_vars("wave_height").assign_coords(
         wave_height=("wave_length", np.full(part.sizes["wave_length"], height), part["wave_height"].attrs)
@@ -140,7 +148,7 @@ def _draw(part: xr.Dataset, picture: Path) -> None:
         flat = flat.assign_attrs(
             loading=f"{own}{several}; the rest as the ship's own", natural_roll_frequency=small_roll_frequency(flat)
         )
-    write((picture, lambda half: style.save(polar_map(flat.load()), half)))
+    return flat.load()
 
 
 def small_roll_frequency(ds: xr.Dataset) -> float:

@@ -67,7 +67,7 @@ def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_
         return
     _after(wanted, counts, facts["by_verdict"])
     show(f"Wrote {folder}")
-    show(next_steps(f"quartering worst {folder}", f"quartering show {folder}"))
+    show(next_steps(f"quartering worst {folder}", f"quartering show {folder}", f"quartering report {folder}"))
 
 
 def run_uncertain(case: str, typed: str, draws: int, output: str | None, yes: bool, as_json: bool) -> None:

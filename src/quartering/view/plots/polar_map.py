@@ -39,19 +39,20 @@ HATCHES = {"unstable": "/////", "course": "....."}
 _OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
-def polar_map(ds: xr.Dataset) -> Figure:
+def polar_map(ds: xr.Dataset, columns: int | None = None) -> Figure:
     """Draw the dataset of `quartering.polar`, one panel a speed.
 
     Parameters
     ----------
-    ds : Dataset    with dims speed, heading, wave_length
+    ds : Dataset      with dims speed, heading, wave_length
+    columns : int     panels beside each other; by default 3, of four panels 2
 
     Returns
     -------
     Figure    head seas on top, waves from port on the left; radius = wave length / ship length; colour = roll
     """
     count = ds.sizes["speed"]
-    columns = count if count <= 3 else 2 if count == 4 else 3
+    columns = min(count, columns or (2 if count == 4 else 3))
     rows = -(-count // columns)
     width, height = max(4.7 * columns + 1.2, 7.4), 4.9 * rows + 1.8
     made = style.figure(width, height, bottom=FOOT)
@@ -88,7 +89,7 @@ def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:
     ax.set_facecolor("white")
     roll, kind = np.asarray(ds["roll"]), np.asarray(ds["verdict"])
     for side in (1.0, -1.0) if mirrored else (1.0,):
-        mesh = _cells(ax, side * theta, r, roll, kind, colours)
+        mesh = draw_cells(ax, side * theta, r, roll, kind, colours)
         _resonances(ax, ds, side * theta, r)
     _dress(ax, ds, r, mirrored)
     return mesh
@@ -99,7 +100,9 @@ def _mirrored(ds: xr.Dataset) -> bool:
     return bool((ds["heading"] >= 0).all() and (ds["heading"] <= 180).all())
 
 
-def _cells(ax: PolarAxes, theta: Floats, r: Floats, roll: Floats, kind: NDArray[np.int8], colours: Normalize) -> Any:
+def draw_cells(
+    ax: PolarAxes, theta: Floats, r: Floats, roll: Floats, kind: NDArray[np.int8], colours: Normalize
+) -> Any:
     """Colour of every cell, grey where there is no answer, hatched where unstable."""
     slices = max(1, int(np.ceil(np.degrees(np.abs(np.diff(theta)).max()) / FINEST_STEP - 1e-9)))
     fine = np.interp(np.arange((theta.size - 1) * slices + 1) / slices, np.arange(theta.size), theta)

@@ -1,0 +1,33 @@
+"""Commands that make or serve pages."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from quartering.view.arguments import Json
+from quartering.view.outcome import answering
+
+
+def report(
+    result: Annotated[
+        str, typer.Argument(help="A .nc file, the folder of a sweep, or a ship, whose map is then made.")
+    ],
+    form: Annotated[
+        str, typer.Option(help="report: all about the ship and its map; guidance: polar diagrams for every wave.")
+    ] = "report",
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Page to write: .html, or .pdf (extra pdf).")
+    ] = None,
+    ship: Annotated[str | None, typer.Option(help="Ship file of the result, where it is not a built-in ship.")] = None,
+    openings: Annotated[
+        str | None, typer.Option(help="With --form guidance: heel at which unprotected openings go under [deg].")
+    ] = None,
+    json: Json = False,
+) -> None:
+    """A report to print: one page that holds everything, or polar diagrams in the form of operational guidance."""
+    with answering():
+        from quartering.view.commands.report import make_report
+
+        make_report(result, form, output, ship, openings, json)

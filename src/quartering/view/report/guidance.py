@@ -1,0 +1,178 @@
+"""Polar diagrams for every wave, in the form of operational guidance: where a failure event is foreseen, and where not."""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+import xarray as xr
+from markupsafe import Markup
+
+from quartering.conventions import InputError
+from quartering.hull.righting import vanishing_angle
+from quartering.motion.status import Status
+from quartering.stability.kind import Kind
+from quartering.view.plots.guidance import Diagram, guidance_picture
+from quartering.view.report.pictures import inline_svg
+from quartering.view.report.source import Source
+from quartering.view.report.tables import Row, Table
+
+ROLL_LIMIT: Final = 40.0
+"""Largest roll angle that is no failure event, whatever the ship [deg]; MSC.1/Circ.1627."""
+
+_MOST_LENGTHS, _MOST_HEIGHTS = 6, 4
+
+
+class Guidance(NamedTuple):
+    """What a page of guidance shows.
+
+    Parameters
+    ----------
+    limit : float               roll angle of the failure event [deg]
+    limits : list of str        the angles it is the least of, in words
+    sheets : list               of (title, picture), a sheet for each wave height
+    summary : Table             for each wave: share of speeds and headings with a failure event
+    left_out : str              waves of the result that have no diagram, in words; empty when all have one
+    """
+
+    limit: float
+    limits: list[str]
+    sheets: list[tuple[str, Markup]]
+    summary: Table
+    left_out: str
+
+
+def guidance(source: Source, openings: float | None) -> Guidance:
+    """Diagrams and summary of a result.
+
+    Parameters
+    ----------
+    source : Source
+    openings : float or None    heel at which unprotected openings go under in calm water [deg]
+
+    Returns
+    -------
+    Guidance
+
+    Raises
+    ------
+    InputError    an angle of openings that cannot be; one speed only; several loadings
+    """
+    result = source.result
+    if openings is not None and not 0 < openings <= 90:
+        raise InputError(f"--openings {openings:g}: give the heel at which openings go under, above 0 up to 90 deg")
+    if "loading" in result.dims:
+        raise InputError("guidance is for one loading; this result holds several, make one for each")
+    if result["speed"].size < 2:
+        raise InputError("a polar diagram of speed and heading needs two speeds or more; this result holds one")
+    if float(result["heading"].min()) < 0 or float(result["heading"].max()) > 180:
+        raise InputError(
+            "the diagrams mirror headings of 0 to 180 deg; this result holds others, make it again with those"
+        )
+    vanishing = vanishing_angle(source.ship)
+    limit = min(ROLL_LIMIT, vanishing, openings if openings is not None else np.inf)
+    failure = failure_events(result, limit)
+    sheets, rows = [], []
+    heights = _waves(result)
+    shown = _spread(len(heights), _MOST_HEIGHTS)
+    for i, (title, waves) in enumerate(heights):
+        diagrams = [_diagram(cut, failure, words) for words, cut in waves]
+        rows += [_summary(title, d, words) for d, (words, _) in zip(diagrams, waves, strict=True)]
+        if i in shown:
+            chosen = [diagrams[j] for j in _spread(len(diagrams), _MOST_LENGTHS)]
+            sheets.append((title, inline_svg(guidance_picture(chosen, limit), f"Polar diagrams, {title}")))
+    drawn = sum(min(len(heights[i][1]), _MOST_LENGTHS) for i in shown)
+    left_out = f"{len(rows) - drawn} of {len(rows)} waves have no diagram" if drawn < len(rows) else ""
+    return Guidance(limit, _limits(vanishing, openings), sheets, _summary_table(rows), left_out)
+
+
+def failure_events(result: xr.Dataset, limit: float) -> xr.DataArray:
+    """Conditions with a failure event: roll beyond the limit, or past the angle where the righting moment vanishes.
+
+    Parameters
+    ----------
+    result : Dataset    of `polar` or `sweep`
+    limit : float       [deg]
+
+    Returns
+    -------
+    DataArray of bool
+    """
+    return (result["roll_peak"] > limit) | (result["status"] == int(Status.BEYOND_VANISHING_ANGLE))
+
+
+def _limits(vanishing: float, openings: float | None) -> list[str]:
+    gone = f"{vanishing:.3g} deg" if np.isfinite(vanishing) else "none below 87.5 deg"
+    return [
+        f"{ROLL_LIMIT:g} deg",
+        f"angle of vanishing stability in calm water: {gone}",
+        "angle at which unprotected openings go under in calm water: "
+        + (f"{openings:g} deg" if openings is not None else "not given, not considered"),
+    ]
+
+
+def _waves(result: xr.Dataset) -> list[tuple[str, list[tuple[str, xr.Dataset]]]]:
+    """Wave heights, and for each its wave lengths with their part of the result."""
+
+    def lengths(cut: xr.Dataset, height: bool) -> list[tuple[str, xr.Dataset]]:
+        made = []
+        for i in range(cut.sizes["wave_length"]):
+            one = cut.isel(wave_length=i)
+            words = f"wave length {float(one['wave_length']):.4g} m"
+            made.append((words + (f", height {float(one['wave_height']):.3g} m" if height else ""), one))
+        return made
+
+    if "wave_height" in result["verdict"].dims:
+        heights = result["wave_height"].values
+        return [(f"wave height {h:.3g} m", lengths(result.sel(wave_height=h), False)) for h in heights]
+    height, length = result["wave_height"].values, result["wave_length"].values
+    if np.ptp(height) == 0:
+        return [(f"wave height {height[0]:.3g} m", lengths(result, False))]
+    steepness = height / length
+    words = "one steepness of the waves" if np.ptp(steepness) < 1e-9 else "each wave length with its height"
+    return [(f"{words}, H/λ {steepness.min():.3g}" if np.ptp(steepness) < 1e-9 else words, lengths(result, True))]
+
+
+def _spread(count: int, most: int) -> list[int]:
+    """Indices of up to `most` of `count` things, evenly, the ends among them.
+
+    Examples
+    --------
+    >>> _spread(20, 6), _spread(3, 6)
+    ([0, 4, 8, 11, 15, 19], [0, 1, 2])
+    """
+    return sorted({round(i) for i in np.linspace(0, count - 1, min(count, most))})
+
+
+def _diagram(cut: xr.Dataset, failure: xr.DataArray, title: str) -> Diagram:
+    where = {name: cut[name] for name in ("wave_length", "wave_height") if name in failure.dims}
+    order = ("speed", "heading")
+    return Diagram(
+        title,
+        cut["speed"].values,
+        cut["heading"].values,
+        cut["roll_peak"].transpose(*order).values,
+        cut["verdict"].transpose(*order).values,
+        failure.sel(where).transpose(*order).values,
+    )
+
+
+def _summary(height: str, d: Diagram, words: str) -> tuple[str, str, float, float, float, float]:
+    answered = d.verdict != Kind.NO_ANSWER
+    return (
+        height,
+        words,
+        float(np.nanmax(d.roll)) if np.isfinite(d.roll).any() else float("nan"),
+        float(d.failure.mean()),
+        float((d.verdict > Kind.STABLE).mean()),
+        float((~answered & ~d.failure).mean()),
+    )
+
+
+def _summary_table(rows: list[tuple[str, str, float, float, float, float]]) -> Table:
+    columns = ("wave", "", "largest roll [deg]", "failure event", "unstable motion", "no answer")
+    texts = [
+        Row((height, words, f"{roll:.1f}", *(f"{100 * share:.1f} %" for share in shares)))
+        for height, words, roll, *shares in rows
+    ]
+    return Table(columns, texts, (2, 3, 4, 5))

@@ -1,0 +1,168 @@
+"""Put a report together and write it as one HTML page, or as PDF."""
+
+from __future__ import annotations
+
+from collections import Counter
+from datetime import date
+from importlib.metadata import version
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jinja2 import DictLoader, Environment, StrictUndefined
+
+from quartering.conventions import InputError
+from quartering.hull.righting import righting_polynomial
+from quartering.motion.status import Status
+from quartering.references import cite
+from quartering.stability.kind import Kind
+from quartering.view.report.conditions import judged, sensitivities, worst_conditions
+from quartering.view.report.guidance import guidance
+from quartering.view.report.pictures import hull_svg, map_svgs
+from quartering.view.report.source import Source, axes_of
+from quartering.view.report.tables import coefficients_table, hydrostatics_table, loading_table, provenance_table
+from quartering.view.wording import estimated_words, speed_words
+
+
+def report_page(source: Source) -> str:
+    """The report as HTML: ship, coefficients, maps, verdicts, sensitivities, sources.
+
+    Parameters
+    ----------
+    source : Source
+
+    Returns
+    -------
+    str    a whole page, pictures inside it; every text that comes from a file is escaped
+    """
+    ship, result = source.ship, source.result
+    by_roll, by_margin = worst_conditions(source, "roll"), worst_conditions(source, "margin")
+    middle = float(result["speed"].values[result["speed"].size // 2])
+    coefficients, frequency = coefficients_table(ship, middle)
+    return _render(
+        "report.html",
+        source,
+        title=f"{ship.name}: motion and stability in regular oblique waves",
+        hydrostatics=hydrostatics_table(ship),
+        loading=loading_table(ship),
+        provenance=provenance_table(ship),
+        coefficients=coefficients,
+        coefficients_at=f"{speed_words(middle, ship.hull.length)}, encounter frequency {frequency:.3g} rad/s",
+        hull=hull_svg(ship),
+        maps=map_svgs(result),
+        by_roll=by_roll,
+        by_margin=by_margin,
+        judged=[
+            judged(source, f"Largest roll of all: {by_roll[0].roll_peak:.3g} deg over a cycle", by_roll[0]),
+            judged(source, "Least stable motion of all", by_margin[0]),
+        ],
+        sensitivities=sensitivities(source, by_margin[0] if by_margin[0].exponent > 0 else by_roll[0]),
+        counts=_counts(source),
+    )
+
+
+def guidance_page(source: Source, openings: float | None) -> str:
+    """Polar diagrams of speed and heading for every wave height and length, in the form of operational guidance.
+
+    Parameters
+    ----------
+    source : Source
+    openings : float or None    heel at which unprotected openings go under in calm water [deg]
+
+    Returns
+    -------
+    str    a whole page, pictures inside it
+    """
+    return _render(
+        "guidance.html",
+        source,
+        title=f"{source.ship.name}: polar diagrams of roll in regular oblique waves",
+        loading=loading_table(source.ship),
+        **guidance(source, openings)._asdict(),
+    )
+
+
+def write_pdf(page: str, path: Path) -> None:
+    """Write a page as PDF on A4.
+
+    Parameters
+    ----------
+    page : str     HTML
+    path : Path
+
+    Raises
+    ------
+    InputError     WeasyPrint, or a library of the system it needs, is not installed
+    """
+    try:
+        from weasyprint import HTML
+    except (ImportError, OSError) as error:
+        raise InputError(
+            f"a PDF needs WeasyPrint, which cannot be loaded ({error}); pip install 'quartering[pdf]', "
+            "or write .html and print it from a browser"
+        ) from None
+    HTML(string=page).write_pdf(path)
+
+
+def _render(template: str, source: Source, **content: Any) -> str:
+    """Fill a template of the folder ``templates`` with what every page says beside its own content."""
+    folder = files("quartering.view.report") / "templates"
+    names = ("report.html", "guidance.html", "page.html", "style.css")
+    environment = Environment(
+        loader=DictLoader({name: (folder / name).read_text(encoding="utf-8") for name in names}),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    attributes = source.result.attrs
+    estimated = [name for name in str(attributes["estimated_coefficients"]).split(", ") if name]
+    return environment.get_template(template).render(
+        ship=source.ship,
+        attributes=attributes,
+        estimated=estimated_words(estimated, source.ship.provenance),
+        warnings=_warnings(source),
+        origin=source.origin,
+        digest=source.digest,
+        axes=_axes_words(source),
+        case=axes_of(source.result),
+        version=version("quartering"),
+        today=date.today().isoformat(),
+        citation=cite(source.result).splitlines(),
+        **content,
+    )
+
+
+def _counts(source: Source) -> list[tuple[str, int, str]]:
+    """How many conditions have which verdict, and what it means."""
+    kinds = Counter(int(k) for k in source.result["verdict"].values.ravel())
+    return [(Kind(k).label, n, Kind(k).meaning) for k, n in sorted(kinds.items(), key=lambda pair: -pair[1])]
+
+
+def _warnings(source: Source) -> list[str]:
+    """What is outside the range of the method, and what has no answer."""
+    result, made = source.result, []
+    fitted = righting_polynomial(source.ship).max_angle
+    beyond = int((np.nan_to_num(result["roll_peak"].values) > fitted).sum())
+    if beyond:
+        made.append(
+            f"{beyond} of {result['verdict'].size} conditions roll beyond {fitted:g} deg, where the fit of the righting arm"
+            " ends: their size and verdict are extrapolated."
+        )
+    statuses = Counter(int(s) for s in result["status"].values.ravel())
+    made += [f"{n} conditions without an answer: {Status(s).advice}." for s, n in statuses.items() if not Status(s).ok]
+    return made
+
+
+def _axes_words(source: Source) -> list[str]:
+    """Each axis of the result: how many values, from where to where."""
+    units = {"speed": "m/s", "heading": "deg", "wave_length": "m", "wave_height": "m"}
+    words = []
+    for name, unit in units.items():
+        values = np.unique(source.result[name].values)
+        span = f"{values[0]:.4g}" if values.size == 1 else f"{values[0]:.4g} to {values[-1]:.4g}, {values.size} values"
+        words.append(f"{name.replace('_', ' ')} {span} [{unit}]")
+    if "loading" in source.result.dims:
+        words.append(f"{source.result.sizes['loading']} loadings")
+    return words

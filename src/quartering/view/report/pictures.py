@@ -1,0 +1,64 @@
+"""Pictures inside a page: SVG that stands in the HTML itself."""
+
+from __future__ import annotations
+
+import io
+import re
+import warnings
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from markupsafe import Markup, escape
+from matplotlib.figure import Figure
+
+from quartering.conventions import RangeWarning
+from quartering.hull.righting import righting_arm, righting_polynomial
+from quartering.hull.ship import Ship
+from quartering.view.commands.result import map_of
+from quartering.view.plots.hull import hull_picture
+from quartering.view.plots.polar_map import polar_map
+from quartering.view.plots.response import response_picture
+
+_FEWEST_RINGS, _MOST_HEIGHTS = 3, 4
+
+
+def inline_svg(figure: Figure, words: str) -> Markup:
+    """A figure as SVG to stand in HTML, with words for those who cannot see it.
+
+    Examples
+    --------
+    >>> inline_svg(Figure(), "nothing <yet>")[:48]
+    Markup('<svg role="img" aria-label="nothing &lt;yet&gt;"')
+    """
+    page = io.StringIO()
+    with mpl.rc_context({"svg.hashsalt": words, "savefig.dpi": 130}):  # names in one picture must not meet another's
+        figure.savefig(page, format="svg", metadata={"Date": None})
+    text = page.getvalue()
+    text = re.sub(r"<metadata>.*?</metadata>", "", text[text.index("<svg") :], flags=re.DOTALL)
+    prefix = re.sub(r"\W", "", words)[:24] + f"{len(words)}-"
+    text = re.sub(r'\b(id="|href="#|url\(#)', rf"\g<1>{prefix}", text)
+    return Markup(text.replace("<svg", f'<svg role="img" aria-label="{escape(words)}"', 1))
+
+
+def hull_svg(ship: Ship) -> Markup:
+    """Body plan and righting arm."""
+    angles = np.linspace(0.0, 60.0, 61)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RangeWarning)  # the picture shows where the deck goes under
+        arms = righting_arm(ship, angles)
+    return inline_svg(hull_picture(ship, angles, arms, righting_polynomial(ship)), f"Body plan and GZ of {ship.name}")
+
+
+def map_svgs(result: xr.Dataset) -> list[Markup]:
+    """Maps of a result: one, or one for each of up to four wave heights."""
+    heights = result["wave_height"].values if "wave_height" in result["verdict"].dims else [None]
+    chosen = sorted({int(i) for i in np.linspace(0, len(heights) - 1, _MOST_HEIGHTS)})
+    made = []
+    for i in chosen:
+        cut = result if heights[i] is None else result.sel(wave_height=heights[i])
+        flat = map_of(cut)
+        words = "Map of roll and stability" + ("" if heights[i] is None else f", wave height {heights[i]:g} m")
+        several = flat.sizes["wave_length"] >= _FEWEST_RINGS
+        made.append(inline_svg(polar_map(flat, columns=2) if several else response_picture(flat), words))
+    return made

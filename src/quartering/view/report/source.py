@@ -1,0 +1,164 @@
+"""What a report is about: a stored result and its ship, or a ship whose map is computed for the purpose."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import NamedTuple, cast
+
+import numpy as np
+import xarray as xr
+
+from quartering.conventions import InputError
+from quartering.digest import fingerprint
+from quartering.hull.readers import available_ships
+from quartering.hull.ship import Ship, ship
+from quartering.hull.units import quantity
+from quartering.loads.forces import FORMS, Form
+from quartering.loads.waves import Wave
+from quartering.study.dataset import heading_of
+from quartering.study.polar import polar
+from quartering.study.store import read_store
+from quartering.study.sweep import sweep
+from quartering.view.commands.result import opened
+from quartering.view.progress import bar
+
+_SAME = ("ship", "ship_length", "ship_beam", "ship_draught", "loading", "provenance", "coefficient_sources")
+"""Attributes of a result that must be those of the ship it is reported with."""
+
+_FROUDE_NUMBERS = {"report": (0.15, 0.2, 0.25), "guidance": (0.05, 0.1, 0.15, 0.2, 0.25)}
+_STEEPNESS = 1 / 50
+
+
+class Source(NamedTuple):
+    """A ship and its result.
+
+    Parameters
+    ----------
+    ship : Ship
+    result : Dataset    of `polar` or `sweep`
+    origin : str        the file, folder or ship it comes from
+    digest : str        fingerprint of the file, or of what decides the numbers
+    """
+
+    ship: Ship
+    result: xr.Dataset
+    origin: str
+    digest: str
+
+    @property
+    def harmonics(self) -> int:
+        """Order of the steady motion, 1 for the paper's method."""
+        words = str(self.result.attrs["steady_motion"]).split()
+        return int(words[-1]) if words[-1].isdigit() else 1
+
+    @property
+    def form(self) -> Form:
+        """Diffraction form of the result."""
+        named = {meaning: name for name, meaning in FORMS.items()}
+        return cast(Form, named[self.result.attrs["diffraction"]])
+
+
+def report_source(what: str, ship_given: str | None, kind: str) -> Source:
+    """Open a result with its ship, or compute the usual map of a ship.
+
+    Parameters
+    ----------
+    what : str          a .nc file, the folder of a sweep, a built-in ship or a ship file
+    ship_given : str    ship of the result, where it does not say itself
+    kind : str          "report" or "guidance": which map a ship gets
+
+    Returns
+    -------
+    Source
+
+    Raises
+    ------
+    InputError          neither a result nor a ship; a result of something else; a ship that is not the one of the result
+    """
+    path = Path(what)
+    if not (path.is_dir() or path.suffix.lower() == ".nc"):
+        one = ship(what)
+        result = _usual_map(one) if kind == "report" else _usual_sweep(one)
+        return Source(one, result, f"computed for this report from {what}", digest_of(one, result))
+    result = opened(what)
+    if not {"roll_peak", "verdict", "speed", "heading", "wave_length"} <= set(result.variables):
+        raise InputError(f'"{what}" is not a result of `quartering polar` or `quartering sweep`; give one, or a ship')
+    if "ship" not in result.attrs or "steady_motion" not in result.attrs:
+        raise InputError(f'"{what}" does not say which ship it is of; make it again with `quartering polar`')
+    if not np.isfinite(result["roll_peak"]).any():
+        raise InputError(f'no condition of "{what}" has an answer; choose other speeds, headings or wave lengths')
+    one = _ship_of(result, what, ship_given)
+    if not path.is_dir():
+        return Source(one, result, what, hashlib.sha256(path.read_bytes()).hexdigest())
+    case = read_store(path).content
+    if case["case"]["ship"]["digest"] != fingerprint(one):
+        raise InputError(f'"{what}" is of another "{one.name}" than the one at hand; give that ship with --ship')
+    return Source(one, result, what, str(case["hash"]))
+
+
+def digest_of(one: Ship, result: xr.Dataset) -> str:
+    """Fingerprint of a ship and the axes of its map: what decides the numbers."""
+    return fingerprint(
+        [fingerprint(one), axes_of(result), str(result.attrs["steady_motion"]), result.attrs["diffraction"]]
+    )
+
+
+def _ship_of(result: xr.Dataset, what: str, given: str | None) -> Ship:
+    """The ship given, or the one the result names, or the built-in one that is equal."""
+    named = given or str(result.attrs.get("ship_argument", ""))
+    if named and (given or Path(named).is_file() or named in {entry.name for entry in available_ships()}):
+        one = ship(named)
+        wrong = _difference(one, result.attrs)
+        if wrong:
+            raise InputError(f'ship "{named}" is not the one of "{what}": {wrong}; give that ship with --ship')
+        return one
+    for entry in available_ships():
+        one = ship(entry.name)
+        if one.name == result.attrs["ship"] and not _difference(one, result.attrs):
+            return one
+    raise InputError(
+        f'"{what}" is of "{result.attrs["ship"]}" with {result.attrs["loading"]}; no built-in ship is that; '
+        "name its ship file with --ship my.yaml"
+    )
+
+
+def _difference(one: Ship, recorded: Mapping[str, object]) -> str:
+    """First value in which a ship is not the one of a result; empty when it is that one."""
+    own = heading_of(one, form="stf", harmonics=1)
+    for key in _SAME:
+        if str(own[key]) != str(recorded.get(key)):
+            name = key.replace("_", " ")
+            return name if "source" in key or key == "provenance" else f"{name} {own[key]}, there {recorded.get(key)}"
+    return ""
+
+
+def _speeds(one: Ship, kind: str) -> list[float]:
+    return [quantity(f"{fn} Fn", "speed", length=one.hull.length) for fn in _FROUDE_NUMBERS[kind]]
+
+
+def _usual_map(one: Ship) -> xr.Dataset:
+    """The map `quartering polar` draws when nothing is said."""
+    lengths = np.linspace(0.4, 2.3, 20) * one.hull.length
+    speeds = _speeds(one, "report")
+    with bar("conditions", len(speeds) * 37 * lengths.size) as told:
+        return polar(one, [Wave(each, each * _STEEPNESS) for each in lengths], speeds, progress=told)
+
+
+def _usual_sweep(one: Ship) -> xr.Dataset:
+    """Five speeds, all headings, waves of 0.5 to 2 ship lengths, three heights of about L/50, L/33 and L/25."""
+    heights = [max(0.5, round(2 * share * one.hull.length) / 2) for share in (0.02, 0.03, 0.04)]
+    lengths = np.array([0.5, 0.75, 1.0, 1.25, 1.5, 2.0]) * one.hull.length
+    return sweep(one, _speeds(one, "guidance"), np.arange(0.0, 181.0, 5.0), lengths, sorted(set(heights)))
+
+
+def axes_of(result: xr.Dataset) -> dict[str, list[float]]:
+    """The axes of a result, for the record.
+
+    Examples
+    --------
+    >>> axes_of(xr.Dataset(coords={"speed": [5.0], "heading": [0.0, 90.0]}))
+    {'heading': [0.0, 90.0], 'speed': [5.0]}
+    """
+    return {str(name): result[name].values.tolist() for name in sorted(map(str, result.coords)) if name != "resonance"}

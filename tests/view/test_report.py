@@ -1,0 +1,284 @@
+"""The report: its numbers are those of the result, it needs nothing from outside, and it refuses what it cannot use."""
+
+import re
+import sys
+import zlib
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+import xarray as xr
+from typer.testing import CliRunner
+
+import quartering as qt
+from quartering.hull.ship import ship
+from quartering.view.cli import app
+from quartering.view.report import report_html
+from quartering.view.report.conditions import sensitivities, worst_conditions
+from quartering.view.report.guidance import failure_events, guidance
+from quartering.view.report.page import guidance_page, write_pdf
+from quartering.view.report.pictures import inline_svg
+from quartering.view.report.source import Source, report_source
+
+SHIP = ship("series60-cb60")
+LENGTH = SHIP.hull.length
+
+
+@pytest.fixture(scope="module")
+def result() -> xr.Dataset:
+    waves = [qt.Wave(ratio * LENGTH, ratio * LENGTH / 30) for ratio in (0.6, 1.0, 1.4)]
+    return qt.polar(SHIP, waves, [5.0, 7.5], [0.0, 30.0, 60.0, 90.0, 180.0])
+
+
+@pytest.fixture(scope="module")
+def page(result) -> str:
+    return report_html(SHIP, result)
+
+
+@pytest.fixture(scope="module")
+def heights() -> xr.Dataset:
+    with pytest.warns(qt.RangeWarning, match="roll beyond 40 deg"):
+        return qt.sweep(SHIP, [5.0, 8.0], [30.0, 60.0, 90.0], [0.8 * LENGTH, LENGTH], [2.0, 6.0, 12.0])
+
+
+class Sources(HTMLParser):
+    """Every address a browser would fetch, and the text outside of styles and scripts."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.fetched: list[str] = []
+        self.text: list[str] = []
+        self._inside: list[str] = []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self._inside.append(tag)
+        if tag in ("link", "iframe", "object", "embed", "base"):
+            self.fetched.append(tag)
+        self.fetched += [
+            value or ""
+            for name, value in attributes
+            if name in ("src", "href", "xlink:href", "data", "srcset", "action")
+            and not (value or "").startswith(("#", "data:image/"))
+        ]
+
+    def handle_endtag(self, _tag):
+        if self._inside:
+            self._inside.pop()
+
+    def handle_data(self, data):
+        if not self._inside or self._inside[-1] not in ("style", "script"):
+            self.text.append(data)
+
+
+def words(page: str) -> str:
+    return " ".join(" ".join(Sources(page).text).split())
+
+
+def test_worst_roll_and_least_margin_are_those_of_the_dataset(page, result):
+    text = words(page)
+    assert f"Largest roll of all: {float(result['roll_peak'].max()):.3g} deg" in text
+    assert f"{float(result['exponent'].max()):+.4f}" in text
+
+
+def test_sentences_are_those_of_the_verdict(page, result):
+    worst = worst_conditions(Source(SHIP, result, "", ""), "margin")[0].place
+    wave = qt.Wave(worst["wave_length"], worst["wave_height"])
+    model = qt.equations(SHIP, wave, worst["speed"], worst["heading"])
+    verdict = qt.stability(model, qt.steady_motion(model, start="rest"))
+    assert verdict.sentence in words(page)
+
+
+def test_hydrostatics_and_coefficients_are_those_of_the_ship(page):
+    text = words(page)
+    floats = qt.hydrostatics(SHIP)
+    assert f"displaced volume {floats.volume:.5g} m3" in text
+    for name, source in (("Y_v", "Clarke"), ("K_ppp", "cross-flow drag")):
+        assert re.search(rf"{name} -?[\d.e+]+ .{{0,40}}estimated: [^.]*{source}", text), name
+
+
+def test_estimated_values_are_marked_and_derived_ones_are_not(page):
+    marked = re.findall(r'<tr class="marked"><td>([^<]*)</td>', page)
+    assert {"GM", "Y_v", "K_ppp"} <= set(marked)
+    assert not {"KG", "Y_vdot", "m"} & set(marked)
+
+
+def test_page_says_where_it_comes_from(page, result):
+    text = words(page)
+    for part in (result.attrs["heading_convention"], result.attrs["reference_point"], "Haddara", "fingerprint"):
+        assert part in text
+    assert SHIP.provenance["lines"].split(".")[0] in text
+
+
+def test_pages_fetch_nothing(page, result):
+    for one in (page, guidance_page(Source(SHIP, result, "", ""), None)):
+        assert Sources(one).fetched == []
+        assert "@import" not in one
+        assert [address for address in re.findall(r"url\(([^)]*)\)", one) if not address.startswith("#")] == []
+
+
+def test_pictures_on_a_page_do_not_share_names(page):
+    named = [set(re.findall(r'\bid="([^"]+)"', svg)) for svg in re.findall(r"<svg.*?</svg>", page, re.DOTALL)]
+    assert len(named) == 2
+    assert not named[0] & named[1]
+    used = set(re.findall(r"url\(#([^)]*)\)", page)) | set(re.findall(r'href="#([^"]*)"', page))
+    assert used <= named[0] | named[1]
+
+
+def test_text_from_files_is_escaped(result):
+    from dataclasses import replace
+
+    nasty = replace(SHIP, name="<script>alert(1)</script>", provenance={"lines": "<img src=x onerror=alert(1)>"})
+    page = report_html(nasty, result.assign_attrs(ship=nasty.name, loading='"><svg onload=alert(1)>'))
+    assert "<script>alert" not in page
+    assert "<img" not in page
+    assert "<svg onload" not in page
+    assert "&lt;script&gt;alert(1)" in page
+
+
+def test_fingerprint_changes_with_the_ship_and_not_from_run_to_run(page, result):
+    def mark(text: str) -> str:
+        return re.search(r"<dt>fingerprint</dt><dd>(\w+)</dd>", text)[1]
+
+    assert mark(page) == mark(report_html(SHIP, result))
+    assert mark(page) != mark(report_html(SHIP.with_(gm=0.9), result))
+
+
+def test_sensitivities_name_the_strongest_first(result):
+    source = Source(SHIP, result, "", "")
+    found = sensitivities(source, worst_conditions(source, "roll")[0])
+    rolls, rates = (np.abs([row[i] for row in found.rows]) for i in (2, 3))
+    share = rolls / rolls.max() + rates / rates.max()
+    assert (np.diff(share) <= 1e-12).all()
+
+
+def test_failure_event_is_roll_beyond_the_least_angle(heights):
+    """40 deg for a ship that rights itself beyond, the openings where they go under sooner."""
+    source = Source(SHIP, heights, "", "")
+    assert guidance(source, None).limit == 40.0
+    assert guidance(source, 22.0).limit == 22.0
+    assert guidance(source, 60.0).limit == 40.0
+    failed = failure_events(heights, 22.0)
+    roll = heights["roll_peak"]
+    assert bool(failed.where(roll > 22.0, True).all())
+    assert not bool(failed.where(roll <= 22.0, False).any())
+    beyond = heights["status"] == 6  # BEYOND_VANISHING_ANGLE, where roll is NaN
+    assert bool(failed.where(beyond, True).all())
+    assert int(failed.sum()) == int((roll > 22.0).sum()) + int(beyond.sum())
+
+
+def test_guidance_has_a_sheet_for_every_wave_height_and_claims_nothing(heights):
+    page = guidance_page(Source(SHIP, heights, "", ""), 22.0)
+    text = words(page)
+    for height in (2, 6, 12):
+        assert f"Wave height {height} m" in text
+    assert "Prepared in the form of operational guidance (MSC.1/Circ.1627)" in text
+    assert "complies" not in text
+    assert "complian" not in text
+    assert "Roll beyond 22 deg" in text
+    share = float(failure_events(heights, 22.0).isel(wave_height=2, wave_length=1).mean())
+    assert f"{float(heights['roll_peak'].isel(wave_height=2, wave_length=1).max()):.1f} {100 * share:.1f} %" in text
+
+
+def test_a_stored_map_finds_its_ship_again(tmp_path, result, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result.to_netcdf("map.nc")
+    source = report_source("map.nc", None, "report")
+    assert source.ship.name == SHIP.name
+    assert source.harmonics == 1
+    assert source.form == "stf"
+    made = CliRunner().invoke(app, ["report", "map.nc", "--json"])
+    assert made.exit_code == 0, made.output
+    assert f"{float(result['roll_peak'].max()):.3g} deg" in words((tmp_path / "map-report.html").read_text())
+
+
+def test_report_of_a_ship_file_and_of_a_sweep(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    run = CliRunner().invoke
+    assert run(app, ["new", "series60-cb60", "my.yaml"]).exit_code == 0
+    changed = re.sub(r"^gm: [^#\n]*", "gm: 1.1 m   ", (tmp_path / "my.yaml").read_text(), flags=re.MULTILINE)
+    changed = re.sub(r"^(\s+)gm: [^#\n]*", r"\1gm: 1.1 m   ", changed, flags=re.MULTILINE)
+    (tmp_path / "my.yaml").write_text(changed)
+    mine = ship("my.yaml")
+    assert mine.loading.gm == 1.1
+    conditions = ["--speed", "7.5", "--headings", "60,90", "--wave-lengths", "1L,1.2L,1.4L"]
+    assert run(app, ["polar", "my.yaml", *conditions, "-o", "mine.nc"]).exit_code == 0
+    made = run(app, ["report", "mine.nc", "-o", "mine.html"])
+    assert made.exit_code == 0, made.output
+    assert "1.1 m" in words((tmp_path / "mine.html").read_text())
+    qt.sweep(mine, 7.5, [60.0, 90.0], 100.0, [1.0, 2.0], store="kept")
+    refused = run(app, ["report", "kept"])
+    assert refused.exit_code == 2
+    assert "--ship" in refused.output
+    assert run(app, ["report", "kept", "--ship", "my.yaml", "-o", "kept.html"]).exit_code == 0
+    other = run(app, ["report", "kept", "--ship", "wigley"])
+    assert other.exit_code == 2
+    assert "is not the one of" in other.output
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["nothing.nc"], "neither the folder"),
+        (["wigley", "--form", "novel"], "give report or guidance"),
+        (["wigley", "--openings", "30"], "--form guidance"),
+        (["wigley", "--form", "guidance", "--openings", "-5"], "above 0"),
+        (["wigley", "-o", "page.docx"], ".html or .pdf"),
+        (["no-such-ship"], "no-such-ship"),
+    ],
+)
+def test_bad_input_is_refused_in_one_message(tmp_path, monkeypatch, arguments, says):
+    monkeypatch.chdir(tmp_path)
+    refused = CliRunner().invoke(app, ["report", *arguments])
+    assert refused.exit_code == 2
+    assert says in refused.output
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_no_map_is_refused(tmp_path):
+    xr.Dataset({"a": ("x", [1.0])}).to_netcdf(tmp_path / "other.nc")
+    with pytest.raises(qt.InputError, match="not a result"):
+        report_source(str(tmp_path / "other.nc"), None, "report")
+
+
+def test_guidance_needs_several_speeds_and_one_loading(result, heights):
+    with pytest.raises(qt.InputError, match="two speeds"):
+        guidance(Source(SHIP, result.isel(speed=[0]), "", ""), None)
+    with pytest.raises(qt.InputError, match="one loading"):
+        guidance(Source(SHIP, heights.expand_dims("loading"), "", ""), None)
+
+
+def unpacked(stream: bytes) -> bytes:
+    try:
+        return zlib.decompress(stream)
+    except zlib.error:
+        return b""
+
+
+def test_pdf_has_pages(tmp_path, page):
+    try:
+        write_pdf(page, tmp_path / "page.pdf")
+    except qt.InputError as refusal:
+        pytest.skip(str(refusal))
+    written = (tmp_path / "page.pdf").read_bytes()
+    assert written.startswith(b"%PDF-")
+    parts = [written, *(unpacked(part) for part in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", written, re.DOTALL))]
+    assert max(int(count) for part in parts for count in re.findall(rb"/Count (\d+)", part)) >= 4
+
+
+def test_pdf_without_its_library_is_refused_with_what_to_do(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "weasyprint", None)
+    with pytest.raises(qt.InputError, match=r"pip install 'quartering\[pdf\]'"):
+        write_pdf("<p>page</p>", tmp_path / "page.pdf")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_svg_keeps_its_own_references():
+    from matplotlib.figure import Figure
+
+    figure = Figure()
+    figure.subplots().plot([0, 1], [0, 1])
+    svg = inline_svg(figure, "a line")
+    names = set(re.findall(r'\bid="([^"]+)"', svg))
+    assert set(re.findall(r"url\(#([^)]*)\)", svg)) <= names
+    assert "http://purl.org" not in svg
