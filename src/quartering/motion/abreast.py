@@ -179,9 +179,12 @@ def linear_response(linear, l, w, x, y, z):
     h, i, j = -e * linear[2, 0, l], -linear[2, 1, l] - e * linear[2, 2, l], s - e * linear[2, 3, l]
     p, q, r = f * j - g * i, d * j - g * h, d * i - f * h
     det = a * p - b * q + c * r
-    sway = (x * p - b * (y * j - g * z) + c * (y * i - f * z)) / det
-    roll = (a * (y * j - g * z) - x * q + c * (d * z - y * h)) / det
-    yaw = (a * (f * z - y * i) - b * (d * z - y * h) + x * r) / det
+    # At resonance without damping det is 0 and the response not a number; a complex division would raise there.
+    size = det.real * det.real + det.imag * det.imag
+    over = complex(det.real / size, -det.imag / size)
+    sway = (x * p - b * (y * j - g * z) + c * (y * i - f * z)) * over
+    roll = (a * (y * j - g * z) - x * q + c * (d * z - y * h)) * over
+    yaw = (a * (f * z - y * i) - b * (d * z - y * h) + x * r) * over
     return sway, roll, yaw
 
 
