@@ -128,6 +128,16 @@ def test_harmonic_balance_is_exact_where_the_formulas_are_not(beta, force, w, a1
         assert np.abs(duffing_amplitudes(formula, beta, force, omega) - a1).min() < 2e-7, formula
 
 
+def test_linear_resonance_without_damping_is_a_status_and_no_error():
+    """No periodic motion exists at w = 1 without a cubic term; with one, 3/4 beta P^3 = X0 of one harmonic does."""
+    assert not steady_motion(duffing_model(0.0, 0.3, 1.0)).status.ok
+    start = np.zeros((1, 3, 2))
+    start[0, 1, 0] = 1.2
+    u, status, _ = harmonic_balance(duffing_model(0.2, 0.3, 1.0).system, (1,), start=start)
+    assert status[0] == 0
+    assert u[0, 1, 0] == pytest.approx(np.cbrt(0.3 / (0.75 * 0.2)), rel=1e-12)
+
+
 def test_unknown_formula_and_pole_are_refused():
     with pytest.raises(InputError, match="C-4"):
         duffing_amplitudes("C-9", 0.1, 0.1, 1.0)
