@@ -11,7 +11,7 @@ from quartering.motion.arclength import Path, corrected, tangent_at
 from quartering.motion.branch import Curve, follow_branch, within
 from quartering.motion.equations import Floats
 from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.search import from_grid
+from quartering.motion.search import copies, from_grid
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks
 from quartering.motion.subharmonic import rearranged
@@ -73,14 +73,7 @@ def _seeds(curve: Curve, value: float, steepest: float) -> list[Floats]:
     if not starts:
         return []
     u = rearranged(np.array(starts), low, curve.orders)
-    many = replace(
-        system,
-        **{
-            name: np.repeat(getattr(system, name), len(u), axis=0)
-            for name in ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-        },
-    )
-    u, status, _ = harmonic_balance(many, curve.orders, start=u)
+    u, status, _ = harmonic_balance(copies(system, len(u)), curve.orders, start=u)
     good = u[status == Status.CONVERGED]
     good = good[roll_peaks(good, curve.orders) <= min(steepest, _STEEPEST)]
     return [np.append(one.ravel() / curve.scale, value) for one in good]

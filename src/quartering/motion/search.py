@@ -92,7 +92,7 @@ def _polished(
     if not starts:
         return []
     u = rearranged(np.array(starts), low, orders)
-    u, status, residual = harmonic_balance(_copies(system, len(u)), orders, start=u)
+    u, status, residual = harmonic_balance(copies(system, len(u)), orders, start=u)
     found: list[tuple[Floats, int, float]] = []
     for one, code, error in zip(u, status, residual, strict=True):
         if Status(code).ok and not any(_same(one, known) for known, _, _ in found):
@@ -111,7 +111,22 @@ def _has(u: Floats, orders: tuple[int, ...], parity: int) -> bool:
     return bool(np.abs(u[:, own]).max() > _ZERO * np.abs(u).max())
 
 
-def _copies(system: System, count: int) -> System:
+def copies(system: System, count: int) -> System:
+    """One condition as a batch of equal ones.
+
+    Parameters
+    ----------
+    system : System    one condition
+    count : int
+
+    Returns
+    -------
+    System
+
+    Notes
+    -----
+    Source: none needed.
+    """
     arrays = {
         name: np.repeat(getattr(system, name), count, axis=0)
         for name in ("linear", "coefficients", "mean", "cos", "sin", "frequency")

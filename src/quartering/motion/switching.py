@@ -80,12 +80,31 @@ def strength(curve: Curve, points: Floats) -> Floats:
     -----
     Source: none needed.
     """
-    new = _new_columns(curve.orders, curve.periods)
+    new = new_columns(curve.orders, curve.periods)
     return np.asarray(points[:, :-1].reshape(len(points), 3, -1)[:, :, new].reshape(len(points), -1))
 
 
-def _new_columns(orders: tuple[int, ...], periods: int) -> list[int]:
-    """Columns of harmonics a motion has beyond those of the branch it left: even ones, or odd ones of half the frequency."""
+def new_columns(orders: tuple[int, ...], periods: int) -> list[int]:
+    """Columns of harmonics a motion has beyond those of the branch it left: even ones, or odd ones of half the frequency.
+
+    Parameters
+    ----------
+    orders : tuple of int    of the motion
+    periods : int            1 for a leaning motion, 2 for one of two wave periods
+
+    Returns
+    -------
+    list of int
+
+    Notes
+    -----
+    Source: none needed.
+
+    Examples
+    --------
+    >>> new_columns((0, 1, 2), 1)
+    [0, 3, 4]
+    """
     parity = 0 if periods == 1 else 1
     return [c for h, where in columns(orders).items() if h % 2 == parity for c in range(where.start, where.stop)]
 
@@ -111,7 +130,7 @@ def disturbance(system: System, u: Floats, orders: tuple[int, ...], scale: Float
     """
     _, matrix = balance_of(system, orders, u)
     nb = u.shape[1]
-    new = np.array([k * nb + c for k in range(3) for c in _new_columns(orders, periods)])
+    new = np.array([k * nb + c for k in range(3) for c in new_columns(orders, periods)])
     shape = np.zeros(3 * nb)
     shape[new] = np.linalg.svd((matrix * scale)[np.ix_(new, new)])[2][-1]
     return shape

@@ -9,8 +9,9 @@ import numpy as np
 from quartering.motion.branch import Curve, balance_of
 from quartering.motion.equations import Floats, System
 from quartering.motion.subharmonic import ascending, columns, orders_of, rearranged, slowed
+from quartering.motion.switching import new_columns
 from quartering.stability.assessment import assess
-from quartering.study.events import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING, SYMMETRY_BREAKING
+from quartering.study.events import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
 from quartering.study.family import joined
 
 _STEP = 1e-5
@@ -113,8 +114,5 @@ class Border:
     def _new(self) -> Floats:
         orders = self._orders()
         width = sum(1 if h == 0 else 2 for h in orders)
-        parity = {FOLD: None, SYMMETRY_BREAKING: 0, PERIOD_DOUBLING: 1}[self.kind]
-        own = [
-            c for h, where in columns(orders).items() if parity in (None, h % 2) for c in range(where.start, where.stop)
-        ]
+        own = range(width) if self.kind == FOLD else new_columns(orders, self._periods() // self.curve.periods)
         return np.array([k * width + c for k in range(3) for c in own])

@@ -31,10 +31,11 @@ _UNITS = {"frequency": "rad/s", "excitation": "1"}
 
 
 class Edge(NamedTuple):
-    """One curve of an edge: what changes there, the harmonics of the motions, its points (scaled unknowns, two shares)."""
+    """One curve of an edge: what changes there, its points (scaled unknowns, two shares), whether it closes."""
 
     border: Border
-    path: Path
+    points: Floats
+    closed: bool
 
 
 def edge(
@@ -180,11 +181,10 @@ def _followed(
 
     ahead = follow(equations, start, across, inside, points=points, longest=_LONGEST)
     if ahead.closed:
-        return Edge(border, ahead)
+        return Edge(border, ahead.points, True)
     back = follow(equations, start, -across, inside, points=points, longest=_LONGEST)
     both = [_cut(equations, path) for path in (back, ahead)]
-    joined_points = np.concatenate([both[0][:0:-1], both[1]])
-    return Edge(border, Path(joined_points, joined_points, False))
+    return Edge(border, np.concatenate([both[0][:0:-1], both[1]]), False)
 
 
 def _cut(equations: _Equations, path: Path) -> Floats:
@@ -206,7 +206,7 @@ def _on(one: Edge, border: Border, point: Floats) -> bool:
     """Does a known edge pass through a point, or through the mirror image or the delayed copy of its motion?"""
     if one.border.kind != border.kind or one.border.curve.orders != border.curve.orders:
         return False
-    path = _unsigned(one.border, one.path.points, border)
+    path = _unsigned(one.border, one.points, border)
     target = _unsigned(border, point[None], border)[0]
     a, chord = path[:-1], np.diff(path, axis=0)
     share = np.clip(((target - a) * chord).sum(axis=1) / (chord**2).sum(axis=1), 0.0, 1.0)
@@ -222,7 +222,7 @@ def _unsigned(of: Border, points: Floats, scale: Border) -> Floats:
 
 def _columns(of: Parameters, one: Edge, number: int) -> xr.Dataset:
     """One edge as a dataset along ``point``."""
-    points, curve = one.path.points, one.border.curve
+    points, curve = one.points, one.border.curve
     u, orders = ascending((points[:, :-2] * curve.scale).reshape(len(points), 3, -1), curve.orders)
     systems = slowed(joined(_systems(of, points[:, -2:])), curve.periods)
     own = columns(orders)[curve.periods].start
@@ -236,7 +236,7 @@ def _columns(of: Parameters, one: Edge, number: int) -> xr.Dataset:
         "kind": (np.full(len(points), one.border.kind), "what happens at the edge"),
         "curve": (np.full(len(points), number), "number of the curve"),
         "periods": (np.full(len(points), curve.periods), "wave periods after which the motion repeats"),
-        "closed": (np.full(len(points), one.path.closed), "the curve returns to its beginning"),
+        "closed": (np.full(len(points), one.closed), "the curve returns to its beginning"),
     }
     data: dict[str, object] = {name: ("point", ends[:, j], _described(name)) for j, name in enumerate(of.names)}
     data |= {name: ("point", v, attributes(name)) for name, v in values.items()}
