@@ -68,15 +68,17 @@ def off(ship, k, U, mu):
 @pytest.mark.parametrize("linear", ["default", "strip"])
 @pytest.mark.parametrize("name", ["own.nc", "own.1"])
 def test_coefficients_from_the_file_are_those_of_the_strips_it_was_written_from(folder, name, linear):
-    """Spline between frequencies 0.05 rad/s apart: measured 3e-5 of the largest, thrice that is allowed."""
+    """Spline between frequencies 0.05 rad/s apart: measured 8e-5 of the largest.
+
+    With speed terms U b/omega^2 stands in the inertia of yaw, and multiplies the error of b at 0.12 rad/s: 3e-4.
+    """
     omega = np.array([0.123, 0.333, 0.5, 0.777, 1.234, 2.0])
     own, ours = (qt.coefficients(s.with_(linear=linear), omega, 7.5) for s in (ship_from(folder, name), S60))
-    rows = slice(0, 2) if linear == "strip" else slice(None)
-    for one, other in ((own.inertia, ours.inertia), (own.linear, ours.linear)):
-        scale = np.abs(other).max(axis=0)[rows]
-        assert (np.abs(one - other)[:, rows] / scale).max() < 1e-4
-    if linear == "strip":  # N_v, N_p have U times added mass: the mean of the file's two couplings
-        assert (np.abs(own.linear - ours.linear).max(axis=0) / np.abs(ours.linear).max(axis=0))[2].max() < 1e-2
+    allowed = np.full((3, 3), 1e-4)
+    for one, other in ((own.linear, ours.linear), (own.inertia, ours.inertia)):
+        assert (np.abs(one - other).max(axis=0) / np.abs(other).max(axis=0) < allowed).all()
+        if linear == "strip":
+            allowed[2] = 5e-4
     assert own.roll_frequency == pytest.approx(ours.roll_frequency, rel=1e-6)
 
 
