@@ -25,7 +25,7 @@ LARGEST = 10e9
 SECONDS_OF_A_BLOCK = 1.0
 """Time one block should take on one core."""
 _FEWEST_IN_A_BLOCK = 32
-_SAMPLE = 1024
+_SAMPLE, _TRIES = 1024, 3
 
 
 @dataclass(frozen=True)
@@ -126,8 +126,9 @@ def timed_block_size(grid: Grid) -> int:
 
     Notes
     -----
-    Measured on a twentieth of the grid's own conditions, a thousand at most. A killed run loses the blocks being worked on:
-    seconds, be the conditions cheap (the paper's method) or dear (harmonic balance to a high order).
+    Measured on a sixtieth of the grid's own conditions, a thousand at most, the best of three tries: what else the machine does
+    at that moment has little part in it. A killed run loses the blocks being worked on: seconds, be the conditions cheap
+    (the paper's method) or dear (harmonic balance to a high order).
 
     Examples
     --------
@@ -137,7 +138,7 @@ def timed_block_size(grid: Grid) -> int:
     >>> 0 < timed_block_size(some) <= some.usual_block_size
     True
     """
-    return _size_of_blocks(grid, _seconds_each(grid, min(_SAMPLE, max(grid.count // 20, 64))))
+    return _size_of_blocks(grid, _seconds_each(grid, min(_SAMPLE, max(grid.count // 60, 64))))
 
 
 def _size_of_blocks(grid: Grid, each: float) -> int:
@@ -145,13 +146,16 @@ def _size_of_blocks(grid: Grid, each: float) -> int:
 
 
 def _seconds_each(grid: Grid, most: int) -> float:
-    """Time of one condition on one core, by up to `most` from all over the grid; compiles first."""
+    """Time of one condition on one core, by up to `most` from all over the grid: the best of a few tries, compiled before."""
     sample = _sampled(grid, most)
     alone(lambda i: evaluate_block(sample, i), 0)
-    begin = time.perf_counter()
-    for i in range(len(sample.blocks)):
-        alone(lambda j: evaluate_block(sample, j), i)
-    return (time.perf_counter() - begin) / sample.count
+    taken = []
+    for _ in range(_TRIES):
+        begin = time.perf_counter()
+        for i in range(len(sample.blocks)):
+            alone(lambda j: evaluate_block(sample, j), i)
+        taken.append(time.perf_counter() - begin)
+    return min(taken) / sample.count
 
 
 def check_size(found: Estimate, folder: str | Path | None = None, *, yes: bool = False) -> None:
