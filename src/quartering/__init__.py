@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
+    from quartering.study.tornado import tornado
+    from quartering.study.vary import vary
 
 _HOMES = {
     "Autopilot": "hull.autopilot",
@@ -82,6 +84,8 @@ _HOMES = {
     "polar": "study.polar",
     "sensitivity": "study.sensitivity",
     "sweep": "study.sweep",
+    "tornado": "study.tornado",
+    "vary": "study.vary",
 }
 __all__ = [
     "Autopilot",
@@ -118,6 +122,8 @@ __all__ = [
     "stability",
     "steady_motion",
     "sweep",
+    "tornado",
+    "vary",
     "wave_forces",
 ]
 

@@ -21,7 +21,7 @@ from quartering.study.grid import LOADING_AXES, Grid, axis, grid
 from quartering.study.result import in_memory, open_result
 from quartering.study.store import begun_block_size, block_counts, counted, open_store, write_block
 
-__all__ = ["LOADING_AXES", "axis", "fill", "sweep"]
+__all__ = ["LOADING_AXES", "axis", "evaluated", "fill", "sweep"]
 
 
 def sweep(
@@ -87,6 +87,32 @@ def sweep(
         counts = fill(wanted, store, cluster=cluster, told=told)
         _warn(wanted, counts["beyond"])
         return open_result(store)
+    return evaluated(wanted, cluster=cluster, told=told)
+
+
+def evaluated(
+    wanted: Grid, *, cluster: str | None = None, told: Callable[[int, Counter[str]], None] | None = None
+) -> xr.Dataset:
+    """Every condition of a grid, in memory.
+
+    Parameters
+    ----------
+    wanted : Grid                              its loadings need not be all combinations of anything
+    cluster : str, optional                    as in `sweep`
+    told : function(done, counts), optional    called after each block
+
+    Returns
+    -------
+    xarray.Dataset                             as from `sweep`
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> from quartering.hull.ship import ship
+    >>> one = grid(ship("wigley"), 5.0, 60.0, 100.0, 1.0)
+    >>> evaluated(replace(one, loadings={"gm": axis("gm", [1.0, 1.2]), "K_ppp": axis("K_ppp", [1.0, 2.0])})).sizes["loading"]
+    2
+    """
     found: dict[int, Any] = {}
 
     def keep(index: int, block: dict[str, Any]) -> dict[str, int]:
@@ -96,9 +122,10 @@ def sweep(
     total: Counter[str] = Counter()
     for _, counts_of_block in computed(wanted, range(len(wanted.blocks)), keep, cluster):
         total.update(counts_of_block)
-        told(conditions_of(total), total)
+        if told is not None:
+            told(conditions_of(total), total)
     _warn(wanted, total["beyond"])
-    return in_memory(wanted, found, heading_of(ship, form=form, harmonics=harmonics))
+    return in_memory(wanted, found, heading_of(wanted.ship, form=wanted.form, harmonics=wanted.harmonics))
 
 
 def fill(

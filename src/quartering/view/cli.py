@@ -44,6 +44,7 @@ _COMMANDS = (
     cli_motions.branch,
     cli_motions.basin,
     cli_studies.polar,
+    cli_studies.vary,
     cli_studies.sweep,
     cli_studies.worst,
     cli_studies.show,

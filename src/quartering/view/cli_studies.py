@@ -1,4 +1,4 @@
-"""Commands about many conditions: maps, sweeps and their stored results."""
+"""Commands about many conditions: maps, what a value does, sweeps and their stored results."""
 
 from __future__ import annotations
 
@@ -32,6 +32,50 @@ def polar(
 
         waves = (wave_lengths, steepness, wave_height)
         draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, output, json)
+
+
+_RANGE = "from:to or from:to:count"
+
+
+def vary(
+    ship: Ship,
+    heading: Annotated[str, typer.Option(help=f"Heading [deg], or {_RANGE}.")] = "45",
+    speed: Annotated[str, typer.Option(help=f"Speed: 7.5 [m/s], 15kn, 0.25Fn, or {_RANGE}.")] = "0.2Fn",
+    wave_length: Annotated[str, typer.Option(help=f"Wave length: 150 [m], 1L, or {_RANGE}.")] = "1L",
+    wave_height: Annotated[str, typer.Option(help=f"Wave height: 4 [m], 0.02L, or {_RANGE}.")] = "0.02L",
+    gm: Annotated[str | None, typer.Option(help=f"GM [m, B], {_RANGE}.")] = None,
+    kg: Annotated[str | None, typer.Option(help=f"KG [m, T], {_RANGE}.")] = None,
+    gyradius_roll: Annotated[str | None, typer.Option(help=f"k_xx [m, B], {_RANGE}.")] = None,
+    gyradius_yaw: Annotated[str | None, typer.Option(help=f"k_zz [m, L], {_RANGE}.")] = None,
+    roll_damping: Annotated[str | None, typer.Option(help=f"Added roll damping, share of critical, {_RANGE}.")] = None,
+    coefficient: Annotated[
+        list[str] | None, typer.Option(help="K_ppp=0.2:2: factors on a coefficient; repeatable.")
+    ] = None,
+    tornado: Annotated[
+        str | None, typer.Option(help="10%: change every value by so much, one at a time, instead of a range.")
+    ] = None,
+    harmonics: Harmonics = 1,
+    form: Form = "stf",
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Picture (.png, .svg, .pdf) or dataset (.nc) to write.")
+    ] = None,
+    json: Json = False,
+) -> None:
+    """What one or two values do to roll and stability, and where the verdict flips."""
+    with answering():
+        condition = {"heading": heading, "speed": speed, "wave_length": wave_length, "wave_height": wave_height}
+        loading = {
+            "gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw, "roll_damping": roll_damping,
+        }  # fmt: skip
+        ranges = {name: text for name, text in loading.items() if text is not None}
+        if tornado is not None:
+            from quartering.view.commands.tornado import draw_tornado
+
+            draw_tornado(ship, condition, ranges, coefficient or [], tornado, harmonics, form, output, json)
+        else:
+            from quartering.view.commands.vary import draw_variation
+
+            draw_variation(ship, condition, ranges, coefficient or [], harmonics, form, output, json)
 
 
 def sweep(

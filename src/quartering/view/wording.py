@@ -10,9 +10,13 @@ import numpy as np
 from quartering.conventions import CUBIC_MONOMIALS
 from quartering.hull.units import quantity
 from quartering.loads.waves import Wave
+from quartering.stability.kind import Kind
 
 if TYPE_CHECKING:
     import xarray as xr
+
+MOST_ROWS = 16
+"""Values of a tornado that are shown, those with the largest effect; its dataset has all."""
 
 _LOADING = {
     "gm": "GM",
@@ -168,3 +172,49 @@ def wave_words(ds: xr.Dataset) -> str:
 def steepness_words(steepness: float) -> str:
     """A steepness as 1/n."""
     return f"1/{1 / steepness:.4g}" if steepness > 0 else "0"
+
+
+def condition_words(ds: xr.Dataset) -> str:
+    """What in a dataset of `quartering.vary` is the same everywhere: heading, speed and wave.
+
+    Examples
+    --------
+    >>> import xarray as xr
+    >>> at = {"heading": 30.0, "speed": 7.5, "wave_length": 150.0, "wave_height": ("wave_height", [2.0, 4.0])}
+    >>> condition_words(xr.Dataset(coords=at, attrs={"ship_length": 121.92}))
+    'Heading 30 deg, 7.5 m/s (14.6 kn, Fn 0.217), wave length 150 m (1.23 L)'
+    """
+    length, words = float(ds.attrs["ship_length"]), []
+    fixed = {name: float(ds[name]) for name in ("heading", "speed", "wave_length", "wave_height") if ds[name].ndim == 0}
+    if "heading" in fixed:
+        words.append(f"heading {fixed['heading']:g} deg")
+    if "speed" in fixed:
+        words.append(speed_words(fixed["speed"], length))
+    if "wave_length" in fixed:
+        words.append(f"wave length {fixed['wave_length']:.4g} m ({fixed['wave_length'] / length:.3g} L)")
+    if "wave_height" in fixed:
+        words.append(f"height {fixed['wave_height']:.3g} m")
+    text = ", ".join(words)
+    return text[:1].upper() + text[1:]
+
+
+def row_words(row: xr.Dataset) -> str:
+    """Name of a value of a tornado and what it is now."""
+    name, unit = str(row["parameter"].values), str(row["unit"].values)
+    if _is_coefficient(name):
+        return name
+    return f"{name} {float(row['value']):.3g}{'' if unit == '1' else ' ' + unit}"
+
+
+def flip_words(row: xr.Dataset) -> str:
+    """Where the verdict flips when only this value is changed."""
+    flip = float(row["flip"])
+    if not np.isfinite(flip):
+        return ""
+    name, unit = str(row["parameter"].values), str(row["unit"].values)
+    times = "x " if _is_coefficient(name) else ""
+    return f"{Kind(int(row['verdict_beyond'])).label} at {times}{flip:.3g}{'' if unit == '1' else ' ' + unit}"
+
+
+def _is_coefficient(name: str) -> bool:
+    return name[0] in "YKN" and "_" in name

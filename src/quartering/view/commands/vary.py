@@ -1,0 +1,193 @@
+"""`quartering vary`: what one or two values do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+from rich.table import Table
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship, ship
+from quartering.hull.units import Kind as Quantity
+from quartering.loads.forces import Form
+from quartering.loads.waves import Wave
+from quartering.stability.kind import Kind
+from quartering.study.grid import CONDITION_AXES
+from quartering.study.vary import varied, vary
+from quartering.view.commands.conditions import sizes
+from quartering.view.options import value, values
+from quartering.view.output import PICTURES, claim, write
+from quartering.view.progress import announce_compilation, bar
+from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import condition_words, estimated_names, notes
+
+KINDS: dict[str, Quantity] = {
+    "heading": "angle", "speed": "speed", "wave_length": "length", "wave_height": "length", "gm": "length", "kg": "length",
+    "gyradius_roll": "length", "gyradius_yaw": "length", "roll_damping": "ratio",
+}  # fmt: skip
+_COUNTS = {1: 41, 2: 25}
+_ROWS = 9
+
+
+def draw_variation(
+    name: str,
+    typed: Mapping[str, str],
+    ranges: Mapping[str, str],
+    coefficients: Sequence[str],
+    harmonics: int,
+    form: str,
+    output: str | None,
+    as_json: bool,
+) -> None:
+    """Vary one or two values, print what happens, draw or store it where asked."""
+    one = ship(name)
+    path = claim(output, (*PICTURES, ".nc")) if output else None
+    fixed, parameters = _parameters(one, typed, ranges, coefficients)
+    chosen: Form = form  # type: ignore[assignment]  # vary refuses an unknown one
+    announce_compilation()
+    wave = Wave(fixed["wave_length"], fixed["wave_height"])
+    with bar("conditions", int(np.prod([len(v) for v in parameters.values()]))) as report:
+        ds = vary(
+            one, wave, fixed["speed"], fixed["heading"], parameters, harmonics=harmonics, form=chosen, progress=report
+        )
+    for key in (key for key in parameters if key in typed):  # a condition that is varied has no present value
+        del ds[key].attrs["own_value"]
+
+    def draw() -> Figure:
+        from quartering.view.plots.vary import vary_picture
+
+        return vary_picture(ds)
+
+    store(path, ds, draw)
+    if as_json:
+        show_json(_facts(ds) | {"written": None if path is None else str(path)})
+        return
+    show(f"{condition_words(ds)}.")
+    show(*_lines(ds) if len(parameters) == 1 else _map_lines(ds))
+    show(*notes(ds))
+    if path is not None:
+        show(f"Wrote {path}")
+    words = condition_option_words(typed)
+    step = f"quartering vary {name}{words} --tornado 10% -o tornado.png"
+    show(next_steps(step, f"quartering polar {name}"))
+
+
+def is_range(text: str) -> bool:
+    """Does a condition's option stand for several values?"""
+    return ":" in text or "," in text
+
+
+def _parameters(
+    one: Ship, typed: Mapping[str, str], ranges: Mapping[str, str], coefficients: Sequence[str]
+) -> tuple[dict[str, float], dict[str, list[float]]]:
+    """Condition, and values of what is varied; a condition that is varied stands at its first value."""
+    factors = dict(_factor(text) for text in coefficients)
+    texts = {key: text for key, text in typed.items() if is_range(text)} | dict(ranges) | factors
+    if not texts:
+        raise InputError(
+            "nothing to vary: give one or two ranges, such as --gm 0.4:1.2 or --coefficient K_ppp=0.2:2, or --tornado 10%"
+        )
+    count = _COUNTS.get(len(texts), 2)
+    units = sizes(one)
+    parameters = {
+        key: values([text], KINDS.get(key, "ratio"), units, option(key), count) for key, text in texts.items()
+    }
+    fixed = {
+        key: parameters[key][0] if key in parameters else value(text, KINDS[key], units, option(key))
+        for key, text in typed.items()
+    }
+    return fixed, parameters
+
+
+def _factor(text: str) -> tuple[str, str]:
+    key, equals, span = text.partition("=")
+    if not equals:
+        raise InputError(f'--coefficient "{text}": give a name and a range of factors, such as K_ppp=0.2:2')
+    return key, span
+
+
+def option(name: str) -> str:
+    """The option a parameter is given with."""
+    return f"--{name.replace('_', '-')}" if name in KINDS else f"--coefficient {name}"
+
+
+def store(path: Path | None, ds: xr.Dataset, draw: Callable[[], Figure]) -> None:
+    """Write the dataset or its picture, as the path's ending says; nothing without a path."""
+    if path is None:
+        return
+    if path.suffix == ".nc":
+        write((path, lambda part: ds.to_netcdf(part)))
+        return
+    from quartering.view.plots import style
+
+    write((path, lambda part: style.save(draw(), part)))
+
+
+def _lines(ds: xr.Dataset) -> list[Table | str]:
+    """Table of a few values, and where the verdict flips."""
+    (name,) = varied(ds)
+    shown = np.unique(np.linspace(0, ds.sizes[name] - 1, _ROWS).round().astype(int))
+    rows = [
+        (
+            f"{float(ds[name][i]):.4g}",
+            *(f"{float(ds[key][i]):.3g}" for key in ("roll", "yaw", "k2", "index", "exponent")),
+            Kind(int(ds["verdict"][i])).label,
+        )
+        for i in shown
+    ]
+    unit = str(ds[name].attrs["units"])
+    columns = (f"{name} [{unit}]", "roll [deg]", "yaw [deg]", "K2 [1/s2]", "S [1/s]", "Floquet [1/s]", "verdict")
+    return [table(str(ds.attrs["title"]), columns, rows, right=range(6)), _flip_sentence(ds, name, unit)]
+
+
+def _flip_sentence(ds: xr.Dataset, name: str, unit: str) -> str:
+    units = "" if unit == "1" else f" {unit}"
+    flips = [
+        f"{name} = {float(v):.4g}{units} ({Kind(int(a)).label} below, {Kind(int(b)).label} above)"
+        for v, a, b in zip(ds["flip"], ds["verdict_below"], ds["verdict_above"], strict=True)
+    ]
+    if flips:
+        return f"The verdict flips at {'; '.join(flips)}."
+    return f"The verdict does not flip: {Kind(int(ds['verdict'][0])).label} throughout."
+
+
+def _map_lines(ds: xr.Dataset) -> list[Table | str]:
+    """Counts of the verdicts, and where roll is largest and the motion least stable."""
+    kinds, counts = np.unique(ds["verdict"].values, return_counts=True)
+    said = ", ".join(f"{n} {Kind(int(k)).label}" for k, n in zip(kinds, counts, strict=True))
+    rows = []
+    for key, words in (("roll", "largest roll [deg]"), ("exponent", "least stable, Floquet [1/s]")):
+        if np.isfinite(ds[key]).any():
+            i = np.unravel_index(int(np.nanargmax(ds[key].values)), ds[key].shape)
+            cell = ds[key][i]
+            rows.append((words, f"{float(cell):.3g}", *(f"{float(cell[name]):.4g}" for name in varied(ds))))
+    columns = ("", "value", *(f"{name} [{ds[name].attrs['units']}]" for name in varied(ds)))
+    return [table(str(ds.attrs["title"]), columns, rows, right=(1, 2, 3)), f"Cells: {said}."]
+
+
+def _facts(ds: xr.Dataset) -> dict[str, object]:
+    names = varied(ds)
+    kinds = np.vectorize(lambda kind: Kind(int(kind)).label, otypes=[object])(ds["verdict"].values)
+    measures = ("roll", "sway", "yaw", "roll_peak", "k2", "index", "n2", "exponent")
+    facts: dict[str, object] = {key: ds.attrs[key] for key in ("ship", "loading", "steady_motion", "diffraction")}
+    facts["condition"] = {key: float(ds[key]) for key in CONDITION_AXES if not ds[key].ndim}
+    facts["parameters"] = {
+        name: {"now": ds[name].attrs.get("own_value"), "unit": ds[name].attrs["units"], "values": ds[name].values}
+        for name in names
+    }
+    facts |= {key: ds[key].values for key in measures} | {"verdict": kinds, "estimated": estimated_names(ds)}
+    if len(names) == 1:
+        facts["flips"] = [
+            {"value": float(v), "below": Kind(int(a)).label, "above": Kind(int(b)).label}
+            for v, a, b in zip(ds["flip"], ds["verdict_below"], ds["verdict_above"], strict=True)
+        ]
+    return facts
+
+
+def condition_option_words(typed: Mapping[str, str]) -> str:
+    """Options that give the same condition again, ranges left out."""
+    return "".join(f" {option(key)} {text}" for key, text in typed.items() if not is_range(text))
