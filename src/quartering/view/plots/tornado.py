@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 
 from quartering.study.tornado import MEASURES
 from quartering.view.plots import style
@@ -57,7 +58,7 @@ def tornado_picture(ds: xr.Dataset, title: str, note: str) -> Figure:
         beyond.spines[side].set_visible(False)
     change = 100 * ds.attrs["change"]
     handles = [Patch(**look, label=f"{change:g} % {side}") for side, look in _LOOKS.items()]
-    made.legend(handles=handles, loc="outside upper right", ncols=2, frameon=False)
+    panels[1].legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     style.title(made, title)
     style.footnote(made, note)
     return made
@@ -68,18 +69,19 @@ def _bars(ax: Axes, ds: xr.Dataset, name: str) -> None:
     changes = np.nan_to_num(ds[name].values - base)
     most = _CUT * np.sort(np.abs(changes).max(axis=1))[-2:][0]  # one giant would hide all others
     for i, row in enumerate(changes):
-        for change, look in zip(row, _LOOKS.values(), strict=True):
-            ax.barh(i, np.clip(change, -most, most), left=base, height=0.62, linewidth=0.8, **look)
+        for change, look, place in zip(row, _LOOKS.values(), (i - 0.16, i + 0.16), strict=True):
+            ax.barh(place, np.clip(change, -most, most), left=base, height=0.3, linewidth=0.8, **look)
             if abs(change) > most:
                 side = "right" if change > 0 else "left"
                 ax.text(
-                    base + np.copysign(most, change), i, f"{base + change:.3g} ", ha=side, va="center", color="white",
-                    fontsize=8, bbox={"facecolor": style.INK, "pad": 1.5},
+                    base + np.copysign(most, change), place, f"{base + change:.3g} ", ha=side, va="center", color="white",
+                    fontsize=7, bbox={"facecolor": style.INK, "pad": 1.0},
                 )  # fmt: skip
     ax.axvline(base, color=style.INK, linewidth=1.0)
     left, right = ax.get_xlim()
     if name != "roll" and left < 0 < right:
         ax.axvline(0.0, color=style.WARNING_INK, linewidth=1.4)
     ax.set_xlabel(LABELS[name])
+    ax.xaxis.set_major_locator(MaxNLocator(5))
     ax.set_axisbelow(True)
     ax.grid(visible=False, axis="y")
