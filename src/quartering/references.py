@@ -29,6 +29,8 @@ REFERENCES: Final[dict[str, str]] = {
     "Proceedings of the Royal Society A 421.",
     "DormandPrince80": "Dormand, J. R., Prince, P. J. (1980). A family of embedded Runge-Kutta formulae. "
     "Journal of Computational and Applied Mathematics 6.",
+    "HL74": "Hasofer, A. M., Lind, N. C. (1974). Exact and invariant second-moment code format. "
+    "Journal of the Engineering Mechanics Division, ASCE 100.",
     "Hoerner65": "Hoerner, S. F. (1965). Fluid-dynamic drag. Published by the author.",
     "MMG78": "Ogawa, A., Kasai, H. (1978). On the mathematical model of manoeuvring motion of ships. "
     "International Shipbuilding Progress 25.",
