@@ -1,0 +1,160 @@
+"""What a claim of the paper is here, and the conditions it is measured in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Final, Literal, NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from quartering.conventions import GRAVITY
+from quartering.hull.ship import Ship, ship
+from quartering.loads.waves import Wave
+from quartering.study.paper_model import PAPER_SHIP
+from quartering.study.sweep import sweep
+
+Answer = Literal["holds", "holds in part", "does not hold"]
+FROUDE: Final = 0.25
+HEADINGS: Final = np.arange(5.0, 176.0, 5.0)
+MODERATE, STEEP, VERY_STEEP = 50, 30, 20
+"""Wave length over wave height."""
+
+
+class Finding(NamedTuple):
+    """What was measured.
+
+    Parameters
+    ----------
+    answer : str      "holds", "holds in part" or "does not hold"
+    evidence : str    by how much, in words with numbers
+    """
+
+    answer: Answer
+    evidence: str
+
+
+class Claim(NamedTuple):
+    """One statement of the paper.
+
+    Parameters
+    ----------
+    text : str           the statement, in our words
+    where : str          in the paper
+    measure : function   computes the evidence
+    """
+
+    text: str
+    where: str
+    measure: Callable[[], Finding]
+
+
+def graded(holds: bool, in_part: bool, evidence: str) -> Finding:
+    """A finding from what was found to be so.
+
+    Parameters
+    ----------
+    holds : bool      the claim as a whole
+    in_part : bool    some of it
+    evidence : str
+
+    Returns
+    -------
+    Finding
+
+    Examples
+    --------
+    >>> graded(False, True, "in 3 of 5").answer
+    'holds in part'
+    """
+    return Finding("holds" if holds else "holds in part" if in_part else "does not hold", evidence)
+
+
+@cache
+def paper_ship(name: str = PAPER_SHIP) -> Ship:
+    """The ship the claims are measured on, as loaded in the library.
+
+    Parameters
+    ----------
+    name : str    of another one
+
+    Returns
+    -------
+    Ship
+
+    Examples
+    --------
+    >>> paper_ship().name
+    'Series 60, CB 0.60'
+    """
+    return ship(name)
+
+
+def speed_of(one: Ship) -> float:
+    """Speed at Froude number 0.25 [m/s].
+
+    Parameters
+    ----------
+    one : Ship
+
+    Returns
+    -------
+    float
+
+    Examples
+    --------
+    >>> round(speed_of(paper_ship()), 2)
+    8.65
+    """
+    return FROUDE * float(np.sqrt(GRAVITY * one.hull.length))
+
+
+def wave_of(one: Ship, steepness: int, ratio: float = 1.0) -> Wave:
+    """Wave of some ship lengths.
+
+    Parameters
+    ----------
+    one : Ship
+    steepness : int    wave length over wave height
+    ratio : float      wave length over ship length
+
+    Returns
+    -------
+    Wave
+
+    Examples
+    --------
+    >>> wave_of(paper_ship(), 50).length
+    121.92
+    """
+    length = ratio * one.hull.length
+    return Wave(length, length / steepness)
+
+
+def over_headings(
+    one: Ship, steepness: int, ratio: float = 1.0, harmonics: int = 3, headings: ArrayLike = HEADINGS
+) -> xr.Dataset:
+    """Response and stability over all headings, at Froude number 0.25.
+
+    Parameters
+    ----------
+    one : Ship
+    steepness : int    wave length over wave height
+    ratio : float      wave length over ship length
+    harmonics : int    of the steady motion
+    headings : (h,)    [deg]
+
+    Returns
+    -------
+    xarray.Dataset     over ``heading``
+
+    Examples
+    --------
+    >>> over_headings(paper_ship("wigley"), 50)["roll"].dims
+    ('heading',)
+    """
+    wave = wave_of(one, steepness, ratio)
+    ds = sweep(one, speed_of(one), headings, wave.length, wave.height, harmonics=harmonics)
+    return ds.isel(speed=0, wave_length=0, wave_height=0)

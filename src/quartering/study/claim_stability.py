@@ -1,0 +1,256 @@
+"""Claims of the paper about stability, measured."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from quartering.motion.branch import all_motions
+from quartering.motion.duffing import duffing_model
+from quartering.motion.equations import Model
+from quartering.motion.of_ship import equations
+from quartering.motion.simulate import simulate
+from quartering.motion.steady import Motion, steady_motion
+from quartering.names import CUBIC_NAMES
+from quartering.stability.kind import Kind
+from quartering.stability.verdict import stability
+from quartering.study.claim import (
+    HEADINGS,
+    MODERATE,
+    STEEP,
+    VERY_STEEP,
+    Finding,
+    graded,
+    over_headings,
+    paper_ship,
+    speed_of,
+    wave_of,
+)
+from quartering.study.mechanism import onset, roll_alone
+from quartering.study.paper_model import modified_model, table_ratios
+from quartering.study.sensitivity import sensitivity
+from quartering.study.sweep import sweep
+
+FED = -60.0
+"""Factor on K_prr that makes yaw feed roll: an invented value, for a motion that is surely unstable."""
+
+
+def uncoupled_roll_is_never_unstable() -> Finding:
+    """Roll alone; and the middle motion of three where it folds."""
+    one = paper_ship()
+    rates = [
+        float(roll_alone(one, wave_of(one, s), speed_of(one), HEADINGS)["exponent"].max())
+        for s in (MODERATE, STEEP, VERY_STEEP)
+    ]
+    model = duffing_model(-0.25, 0.02, 0.9, 0.02)
+    judged = [stability(model, motion) for motion in all_motions(model, 5)]
+    folds = [v for v in judged if v.kind == "fold"]
+    words = (
+        f"largest growth rate over all headings {max(rates):+.4f} 1/s at H/lambda up to 1/{VERY_STEEP}; but of the "
+        f"{len(judged)} motions of a softening roll equation near resonance {len(folds)} is unstable, at a fold"
+    )
+    return graded(max(rates) < 0 and not folds, max(rates) < 0, words)
+
+
+def modified_model_is_unstable_in_quartering_seas() -> Finding:
+    """Table I as ratios: is a motion at 10 to 77.5 deg unstable?"""
+    one, strengths = paper_ship(), []
+    original = [float(over_headings(one, s)["exponent"].max()) for s in (MODERATE, STEEP, VERY_STEEP)]
+    for s in (MODERATE, STEEP, VERY_STEEP):
+        found = onset(one, table_ratios(), wave_of(one, s), speed_of(one), np.arange(10.0, 80.0, 2.5))
+        strengths.append(found.strength)
+    times = ", ".join(
+        f"{strength:.2f} times at 1/{s}" for strength, s in zip(strengths, (MODERATE, STEEP, VERY_STEEP), strict=True)
+    )
+    words = f"the change must be made {times} (H/lambda), at 65 deg or more; the original is stable, {max(original):+.4f} 1/s"
+    enough = [strength <= 1 for strength in strengths]
+    return graded(all(enough) and max(original) < 0, any(enough), words)
+
+
+def instability_near_fifteen_degrees() -> Finding:
+    """Figs. 12-13: the modified model at 15 deg."""
+    one = paper_ship()
+    table = onset(one, table_ratios(), wave_of(one, STEEP), speed_of(one), [15.0], most=40.0)
+    fed = onset(one, {"K_prr": 0.0}, wave_of(one, STEEP), speed_of(one), [15.0], most=200.0)
+    words = (
+        f"Table I must be taken {table.strength:.0f} times and then the ship loses its course, not roll; K_prr alone must be "
+        f"turned round and {fed.strength - 1:.0f} times as large (kind: {fed.kind})"
+    )
+    return graded(table.strength <= 1 and table.kind == "roll", False, words)
+
+
+def linear_theory_does_not_see_it() -> Finding:
+    """Motions unstable by Floquet whose linear motion dies out."""
+    unseen = total = 0
+    worst = -np.inf
+    for one in (paper_ship().with_(coefficients={"K_prr": FED}), modified_model()):
+        ds = over_headings(one, VERY_STEEP)
+        unstable = ds["verdict"].values > Kind.STABLE
+        total += int(unstable.sum())
+        unseen += int((unstable & (ds["calm_exponent"].values < 0)).sum())
+        worst = max(worst, float(ds["calm_exponent"].max()))
+    words = f"{unseen} of {total} unstable motions have a stable linear motion (largest linear rate {worst:+.4f} 1/s)"
+    return graded(unseen == total > 0, unseen > 0, words)
+
+
+def three_ways_agree() -> Finding:
+    """Figs. 12-13: index, variational equations and integration of the full equations, in a stable and an unstable case."""
+    words, worst, signs = [], 0.0, True
+    for factor in (1.0, FED):
+        one = paper_ship().with_(coefficients={"K_prr": factor})
+        model = equations(one, wave_of(one, STEEP), speed_of(one), 30.0)
+        motion = steady_motion(model, 9, start="rest")
+        verdict = stability(model, motion)
+        pair = float(verdict.exponents[np.abs(verdict.exponents.imag) > 1e-6][0].real)
+        rates = [-verdict.index, pair, _growth(model, motion)]
+        worst = max(worst, max(abs(rate / pair - 1) for rate in rates))
+        signs = signs and len({rate > 0 for rate in rates}) == 1
+        words.append(f"K_prr x {factor:g}: {', '.join(f'{rate:+.4f}' for rate in rates)} 1/s")
+    return graded(
+        signs and worst < 0.05,
+        signs,
+        f"K2/(2 n2), Floquet, integration: {'; '.join(words)}; apart by {worst:.1%} at most",
+    )
+    evidence = f"K2/(2 n2), Floquet, integration: {'; '.join(words)}; apart by {worst:.1%} at most"
+    return graded(signs and worst < 0.05, signs, evidence)
+
+
+def _growth(model: Model, motion: Motion) -> float:
+    """Growth rate of a small disturbance of roll in the full equations, by two integrations [1/s]."""
+    period, start = 2 * np.pi / model.frequency, motion.state(0.0)
+    states = []
+    for state0 in (start, start + 1e-5 * np.array([0.0, 1.0, 0.0, 0.0])):
+        trace = simulate(model, 12 * period, state0.tolist(), step=period / 50, tolerance=1e-12)
+        states.append(np.radians([trace["roll"].values, trace["roll_rate"].values]))
+    angle, rate = states[1] - states[0]
+    n2 = np.sqrt(-model.terms["K_phi"] / model.inertia[1, 1])
+    times = np.arange(angle.size) * period / 50
+    late = times > times[-1] / 3
+    return float(np.polyfit(times[late], np.log(np.hypot(angle[late], rate[late] / n2)), 1)[0])
+
+
+def k2_tells_stable_from_unstable() -> Finding:
+    """Its sign against Floquet multipliers, over headings, wave lengths and models between the original and an unstable one."""
+    one = paper_ship()
+    unstable = seen = false = total = 0
+    for changed in (
+        one,
+        one.with_(coefficients={"K_prr": FED / 2}),
+        one.with_(coefficients={"K_prr": FED}),
+        modified_model(),
+    ):
+        for s in (MODERATE, STEEP):
+            for ratio in (0.75, 1.0, 1.5):
+                ds = over_headings(changed, s, ratio)
+                answered = ds["verdict"].values >= Kind.STABLE
+                floquet, k2 = ds["verdict"].values > Kind.STABLE, ds["k2"].values > 0
+                total += int(answered.sum())
+                unstable += int(floquet.sum())
+                seen += int((floquet & k2).sum())
+                false += int((k2 & ~floquet & answered).sum())
+    words = (
+        f"of {total} motions {unstable} are unstable by Floquet; K2 > 0 in {seen} of these, and in {false} stable ones"
+    )
+    return graded(seen == unstable and false == 0, seen > unstable / 2, words)
+
+
+def roll_alone_decides() -> Finding:
+    """Stability is read from the roll mode; the measured S-175 shows the other two."""
+    one = paper_ship("s175").with_(measured="son-nomoto-1982", draught=8.5, gm=0.3)
+    length = one.hull.length
+    ds = sweep(
+        one, [0.2 * np.sqrt(9.81 * length), speed_of(one)], HEADINGS, [0.75 * length, length], length / 50, harmonics=3
+    )
+    course = ds["verdict"].values == Kind.COURSE
+    quiet = course & (ds["k2"].values < 0)
+    words = (
+        f"measured S-175: {int(course.sum())} of {course.size} motions lose their course because of the wave, "
+        f"with K2 < 0 in {int(quiet.sum())} of them"
+    )
+    return graded(not course.any(), not quiet.any(), words)
+
+
+def short_index_is_enough() -> Finding:
+    """K2 from I1, I2, I3 with the printed 0.3, 0.1, 0.1 against K2 with every average."""
+    ships = {
+        "as estimated": paper_ship(),
+        f"K_prr x {FED:g}": paper_ship().with_(coefficients={"K_prr": FED}),
+        "Table I": modified_model(),
+    }
+    words, worst, best, signs = [], 0.0, np.inf, True
+    for label, one in ships.items():
+        ds = over_headings(one, STEEP)
+        ok = np.isfinite(ds["k2"].values)
+        full, short, own = (ds[name].values[ok] for name in ("k2", "k2_paper", "k2_rho"))
+        part, part_own = (float(np.abs(k2 - full).max() / np.abs(full).max()) for k2 in (short, own))
+        worst, best = max(worst, part), min(best, part)
+        signs = signs and bool((np.sign(short) == np.sign(full)).all())
+        words.append(f"{label}: {part:.0%} (with this ship's rho {part_own:.0%})")
+    right = "its sign is right everywhere" if signs else "at some headings its sign is wrong"
+    evidence = f"largest error over the headings, of the largest K2: {'; '.join(words)}; {right}"
+    return graded(worst < 0.1, best < 0.1, evidence)
+
+
+def k_ppp_matters_most() -> Finding:
+    """Fig. 22: K2 against the percentage change of each coefficient."""
+    one, words, ranks = paper_ship(), [], []
+    for heading in (30.0, 60.0):
+        ds = sensitivity(one, wave_of(one, STEEP), speed_of(one), heading)
+        effect = {str(name): abs(float(ds["k2"].sel(parameter=name))) for name in ds["parameter"].values}
+        cubics = sorted((name for row in CUBIC_NAMES for name in row if name in effect), key=lambda name: -effect[name])
+        ranks.append(cubics.index("K_ppp") + 1)
+        own, largest = effect["K_ppp"], effect[cubics[0]]
+        words.append(
+            f"{heading:g} deg: number {ranks[-1]} of {len(cubics)} cubics, {own / largest:.0%} of {cubics[0]}, "
+            f"{own / effect['K_p']:.1%} of K_p"
+        )
+    return graded(max(ranks) == 1, min(ranks) == 1, "; ".join(words))
+
+
+def halving_k_ppp_destabilises() -> Finding:
+    """Fig. 22 and the text on it."""
+    one = paper_ship()
+    half = one.with_(coefficients={"K_ppp": 0.5})
+    rate, change = -np.inf, 0.0
+    for s in (MODERATE, STEEP, VERY_STEEP):
+        before, after = over_headings(one, s), over_headings(half, s)
+        rate = max(rate, float(after["exponent"].max()))
+        change = min(change, float((after["index"] / before["index"] - 1).min()))
+    words = (
+        f"no motion becomes unstable (largest rate {rate:+.4f} 1/s, H/lambda up to 1/{VERY_STEEP}); S falls by {-change:.1%} "
+        "at most"
+    )
+    return graded(rate > 0, change < -0.1, words)
+
+
+def response_and_stability_conflict() -> Finding:
+    """Conclusion 4: changes of GM and gyradius that lower roll lower stability as well."""
+    one, words, shares = paper_ship(), [], []
+    before = over_headings(one, MODERATE)
+    for name, symbol in (("gm", "GM"), ("gyradius_roll", "k_xx"), ("gyradius_yaw", "k_zz")):
+        lower = conflict = 0
+        for factor in (0.9, 1.1):
+            after = over_headings(one.with_(**{name: factor * getattr(one.loading, name)}), MODERATE)
+            less_roll = (after["roll"] < before["roll"]).values
+            lower += int(less_roll.sum())
+            conflict += int((less_roll & (after["index"] < before["index"]).values).sum())
+        shares.append(conflict / lower)
+        words.append(f"{symbol} {conflict} of {lower}")
+    return graded(
+        min(shares) > 0.9,
+        max(shares) > 0.25,
+        "changes of 10 % that lower roll at a heading and lower S there too: " + ", ".join(words),
+    )
+
+
+def less_gm_lowers_stability() -> Finding:
+    """Fig. 21."""
+    one = paper_ship()
+    before, after = (
+        over_headings(ship, MODERATE)["index"].values for ship in (one, one.with_(gm=0.9 * one.loading.gm))
+    )
+    change = after / before - 1
+    words = (
+        f"10 % less GM: S changes by {change.min():+.1%} to {change.max():+.1%} over the headings, falling at "
+        f"{int((change < 0).sum())} of {change.size}"
+    )
+    return graded(bool((change < 0).all()), bool((change < 0).mean() > 0.5), words)

@@ -1,0 +1,37 @@
+"""The scoreboard as a user meets it."""
+
+import json
+
+import pytest
+
+import quartering as qt
+from quartering.study import claims
+from quartering.view.commands import scoreboard as command
+
+
+@pytest.fixture
+def _two_claims(monkeypatch):
+    """The first two of them, which cost little."""
+    monkeypatch.setattr(claims, "CLAIMS", claims.CLAIMS[:2])
+
+
+@pytest.mark.usefixtures("_two_claims")
+def test_table_names_claim_answer_and_evidence_and_the_page_is_written(tmp_path, capsys):
+    command.print_scoreboard(str(tmp_path / "board.md"), False)
+    printed = capsys.readouterr().out
+    assert "2 claims: 1 holds, 1 holds in part" in printed
+    assert "wave force" in printed
+    assert "| Figs. 2-4 | holds | without it the error is" in (tmp_path / "board.md").read_text()
+
+
+@pytest.mark.usefixtures("_two_claims")
+def test_json_has_a_row_a_claim(capsys):
+    command.print_scoreboard(None, True)
+    rows = json.loads(capsys.readouterr().out)["claims"]
+    assert [row["answer"] for row in rows] == ["holds", "holds in part"]
+    assert all(row["evidence"] and row["where"] for row in rows)
+
+
+def test_another_ending_is_refused_before_the_work(tmp_path):
+    with pytest.raises(qt.InputError, match="must end in"):
+        command.print_scoreboard(str(tmp_path / "board.txt"), False)
