@@ -105,11 +105,6 @@ def three_ways_agree() -> Finding:
         worst = max(worst, max(abs(rate / pair - 1) for rate in rates))
         signs = signs and len({rate > 0 for rate in rates}) == 1
         words.append(f"K_prr x {factor:g}: {', '.join(f'{rate:+.4f}' for rate in rates)} 1/s")
-    return graded(
-        signs and worst < 0.05,
-        signs,
-        f"K2/(2 n2), Floquet, integration: {'; '.join(words)}; apart by {worst:.1%} at most",
-    )
     evidence = f"K2/(2 n2), Floquet, integration: {'; '.join(words)}; apart by {worst:.1%} at most"
     return graded(signs and worst < 0.05, signs, evidence)
 
