@@ -20,6 +20,12 @@ def test_every_relative_link_leads_somewhere(page):
     assert missing == []
 
 
+@pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
+def test_every_test_and_script_a_page_names_is_there(page):
+    named = re.findall(r"`((?:tests|benchmarks|examples)/[\w/]+\.py)`", page.read_text())
+    assert [name for name in named if not (ROOT / name).exists()] == []
+
+
 def test_every_page_is_linked_from_the_readme_or_another_page():
     linked = {
         (page.parent / link).resolve()
