@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
+from quartering.motion.branch import all_motions
 from quartering.motion.duffing import duffing_amplitudes, duffing_model
 from quartering.motion.equations import Model
 from quartering.motion.harmonic import harmonic_balance
@@ -132,3 +133,11 @@ def test_unknown_formula_and_pole_are_refused():
         duffing_amplitudes("C-9", 0.1, 0.1, 1.0)
     with pytest.raises(InputError, match="1/3"):
         duffing_amplitudes("C-5", 0.1, 0.1, 1.0 / 3.0)
+
+
+@pytest.mark.parametrize("harmonics", [1, 15])
+def test_undamped_resonance_has_no_linear_motion_and_yet_an_answer(harmonics):
+    """[H71] (C-4) at omega = 1: 3/4 beta P^3 = X0, P = 1.2599; with all harmonics 1.2555 (reference)."""
+    (motion,) = all_motions(duffing_model(0.2, 0.3, 1.0), harmonics)
+    expected = (0.3 / (0.75 * 0.2)) ** (1 / 3) if harmonics == 1 else 1.25546
+    assert motion.cos[0, 1] == pytest.approx(expected, abs=1e-5)
