@@ -67,6 +67,14 @@ def test_tornado_lists_the_largest_effects_first(run, tmp_path):
     assert (tmp_path / "tornado.svg").exists()
 
 
+def test_the_next_step_a_tornado_names_can_be_taken(run):
+    """Here KG has the largest effect; 20 % more of it would be above the metacentre."""
+    printed = " ".join(run("--tornado", "10%").stdout.split())
+    step = printed.split("quartering vary series60-cb60 ")[-1].split()
+    assert step[-4:-2] == ["--kg", step[-3]]
+    assert run(*step[:-2]).exit_code == 0
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

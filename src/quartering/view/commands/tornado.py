@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 from rich.table import Table
 
 from quartering.conventions import InputError
+from quartering.hull.ship import Ship
 from quartering.hull.units import quantity
 from quartering.loads.forces import Form
 from quartering.stability.kind import Kind
@@ -20,6 +21,9 @@ from quartering.view.output import PICTURES, claim
 from quartering.view.progress import announce_compilation, bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import MOST_ROWS, condition_words, estimated_names, flip_words, notes, row_words
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 FLIPS = "Right: the nearest value, within a fifth to five times, at which the verdict flips when it alone is changed."
 KG = "GM and KG are one value: GM = KM - KG."
@@ -69,7 +73,7 @@ def draw_tornado(
         show(f"Wrote {path}")
     first = str(ds["parameter"].values[0])
     options = condition_option_words(typed)
-    show(next_steps(f"quartering vary {name}{options} {_range_words(ds, first)} -o {first}.png"))
+    show(next_steps(f"quartering vary {name}{options} {_range_words(one, ds, first)} -o {first}.png"))
 
 
 def _measures(ds: xr.Dataset) -> str:
@@ -109,8 +113,10 @@ def _tornado_facts(ds: xr.Dataset) -> dict[str, object]:
     }
 
 
-def _range_words(ds: xr.Dataset, name: str) -> str:
+def _range_words(one: Ship, ds: xr.Dataset, name: str) -> str:
     now = float(ds["value"].sel(parameter=name))
+    if name == "kg":  # as far as half of GM: not above the metacentre
+        return f"--kg {now - one.loading.gm / 2:.3g}:{now + one.loading.gm / 2:.3g}"
     if name in KINDS:
         return f"{option(name)} {0.8 * now:.3g}:{1.2 * now:.3g}"
     return f"--coefficient {name}=0.2:2"

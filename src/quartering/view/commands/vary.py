@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 from rich.table import Table
 
 from quartering.conventions import InputError
@@ -24,6 +24,9 @@ from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import condition_words, estimated_names, notes
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 KINDS: dict[str, Quantity] = {
     "heading": "angle", "speed": "speed", "wave_length": "length", "wave_height": "length", "gm": "length", "kg": "length",
