@@ -145,7 +145,7 @@ def _warnings(source: Source) -> list[str]:
     result, made = source.result, []
     fitted = righting_polynomial(source.ship).max_angle
     beyond = int((np.nan_to_num(result["roll_peak"].values) > fitted).sum())
-    if beyond:
+    if beyond and source.ship.righting == "polynomial":
         made.append(
             f"{beyond} of {result['verdict'].size} conditions roll beyond {fitted:g} deg, where the fit of the righting arm"
             " ends: their size and verdict are extrapolated."
