@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from rich.table import Table
@@ -11,7 +12,7 @@ from rich.table import Table
 from quartering.hull.righting import vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
-from quartering.hydro.coefficients import coefficients
+from quartering.hydro.coefficients import Entry, coefficients
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.equations import Model
@@ -28,31 +29,60 @@ from quartering.view.wording import estimated_words, exponents_words
 _MOST_CURES = 3
 
 
+class Examined(NamedTuple):
+    """One condition with its equations, its steady motion and the verdict on it."""
+
+    ship: Ship
+    wave: Wave
+    speed: float
+    heading: float
+    model: Model
+    motion: Motion
+    verdict: Verdict
+
+
+def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int = 1, form: Form = "stf") -> Examined:
+    """Find and judge the motion that a wave raised slowly from nothing leads to, as a map does."""
+    model = equations(one, wave, speed, heading, form=form)
+    motion = _within(vanishing_angle(one), steady_motion(model, harmonics, start="rest"))
+    return Examined(one, wave, speed, heading, model, motion, stability(model, motion))
+
+
+def helps(found: Examined) -> list[Cure]:
+    """The few smallest changes that make an unstable motion stable; none for a stable one."""
+    if found.verdict.stable or not found.motion.status.ok:
+        return []
+    return cures(found.ship, found.wave, found.speed, found.heading)[:_MOST_CURES]
+
+
 def judge(name: str, typed: tuple[str, str, str, str], harmonics: int, form: str, as_json: bool) -> None:
     """Print the verdict on one condition."""
     one, wave, speed, heading = condition(name, typed)
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
-    model = equations(one, wave, speed, heading, form=chosen)
-    motion = _within(vanishing_angle(one), steady_motion(model, harmonics, start="rest"))
-    found = stability(model, motion)
-    helps = [] if found.stable or not motion.status.ok else cures(one, wave, speed, heading)[:_MOST_CURES]
-    entries = coefficients(one, model.frequency, speed).table()
-    estimated = [e.name for e in entries if e.kind in ("regression", "cross-flow")]
-    calm = calm_water_exponents(one, speed)
+    found = examine(one, wave, speed, heading, harmonics, chosen)
+    healing = helps(found)
     if as_json:
-        sources = {"estimated": estimated, "sources": {e.name: e.source for e in entries}}
-        show_json(_facts(one, model, motion, found, helps) | {"calm_water_at_own_frequencies": calm} | sources)
+        show_json(facts(found, healing))
         return
-    show(found.sentence)
-    if helps:
-        show("Each of these alone restores stability: " + "; ".join(cure.sentence for cure in helps) + ".")
-    if motion.status.ok:
-        show(_motion_table(one, wave, model, motion))
-        show(_stability_table(found, calm))
-    show(estimated_words(estimated, one.provenance))
+    show(found.verdict.sentence)
+    if healing:
+        show("Each of these alone restores stability: " + "; ".join(cure.sentence for cure in healing) + ".")
+    if found.motion.status.ok:
+        show(_motion_table(one, wave, found.model, found.motion))
+        show(_stability_table(found.verdict, calm_water_exponents(one, speed)))
+    show(estimated_words(estimates(found), one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     show(next_steps(f"quartering simulate {name} {words} -o roll.png", f"quartering polar {name} --speed {typed[1]}"))
+
+
+def estimates(found: Examined) -> list[str]:
+    """Names of the coefficients that are estimated."""
+    return [e.name for e in _entries(found) if e.kind in ("regression", "cross-flow")]
+
+
+def _entries(found: Examined) -> list[Entry]:
+    return coefficients(found.ship, found.model.frequency, found.speed).table()
 
 
 def _within(limit: float, motion: Motion) -> Motion:
@@ -109,7 +139,9 @@ def _stability_table(v: Verdict, calm: np.ndarray) -> Table:
     return table("Stability", ("quantity", "value", "remark"), rows)
 
 
-def _facts(one: Ship, model: Model, motion: Motion, v: Verdict, helps: list[Cure]) -> dict[str, object]:
+def facts(found: Examined, healing: list[Cure]) -> dict[str, object]:
+    """Everything about a condition, for programs: what `quartering verdict --json` prints."""
+    one, model, motion, v = found.ship, found.model, found.motion, found.verdict
     sway, roll, yaw = motion.amplitude
     return {
         "ship": one.name,
@@ -123,5 +155,7 @@ def _facts(one: Ship, model: Model, motion: Motion, v: Verdict, helps: list[Cure
         "strongest": list(v.strongest), "roll_share": v.roll_share, "liouville": v.liouville,
         "mean_jacobian": v.mean_jacobian, "advice": motion.status.advice, "residual": motion.residual,
         "natural_roll_frequency": coefficients(one, 0.0, 0.0).roll_frequency,
-        "cures": [{"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in helps],
+        "cures": [{"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in healing],
+        "calm_water_at_own_frequencies": calm_water_exponents(one, found.speed),
+        "estimated": estimates(found), "sources": {e.name: e.source for e in _entries(found)},
     }  # fmt: skip
