@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view import cli_motions, cli_ships, cli_studies
+from quartering.view import cli_motions, cli_pages, cli_ships, cli_studies
 
 app = typer.Typer(
     name="quartering",
@@ -45,6 +45,7 @@ _COMMANDS = (
     cli_studies.sweep,
     cli_studies.worst,
     cli_studies.show,
+    cli_pages.app,
 )
 for _command in _COMMANDS:
     app.command()(_command)

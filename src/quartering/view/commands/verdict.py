@@ -81,7 +81,7 @@ def estimates(found: Examined) -> list[str]:
     return [e.name for e in _entries(found) if e.kind in ("regression", "cross-flow")]
 
 
-def _entries(found: Examined) -> list[Entry]:
+def _entries(found: Examined) -> tuple[Entry, ...]:
     return coefficients(found.ship, found.model.frequency, found.speed).table()
 
 
