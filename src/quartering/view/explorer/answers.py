@@ -27,7 +27,7 @@ RATIOS = np.round(np.linspace(0.4, 2.3, 20), 10)
 """Headings [deg] and wave lengths over the ship's length of the map."""
 
 _HEADINGS_AT_ONCE = 10
-_CYCLES, _START = 12, math.radians(5.0)
+_CYCLES, _PUSH, _START = 12, math.radians(1.0), math.radians(5.0)
 
 Answer = TypeVar("Answer")
 
@@ -90,22 +90,28 @@ def joined(parts: Sequence[xr.Dataset]) -> xr.Dataset:
 
 
 class History(NamedTuple):
-    """Motion in time from 5 degrees of roll, and the steady motion it may settle to.
+    """Motion in time after a push, beside the steady motion.
 
     Parameters
     ----------
     trace : Dataset           of `simulate`
     steady : (t, 4) array     state (v, phi, p, r) at the same times; NaN without a motion
+    start : str               where it begins, in words
     """
 
     trace: xr.Dataset
     steady: np.ndarray
+    start: str
 
 
 def history(found: Examined) -> History:
-    """Twelve wave periods in time."""
-    trace = simulate(found.model, _CYCLES * 2 * math.pi / found.model.frequency, (0.0, _START, 0.0, 0.0))
-    return History(trace, found.motion.state(trace["time"].values))
+    """Twelve wave periods in time: the steady motion pushed by a degree of roll, or the ship let go where there is none."""
+    exists = found.motion.status.ok
+    state = found.motion.state(0.0) if exists else np.zeros(4)
+    state[1] += _PUSH if exists else _START
+    trace = simulate(found.model, _CYCLES * 2 * math.pi / found.model.frequency, [float(s) for s in state])
+    words = "pushed by 1°" if exists else "from 5° of roll"
+    return History(trace, found.motion.state(trace["time"].values), words)
 
 
 def curve(of: Scene, over: str) -> xr.Dataset:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
-from fastapi import FastAPI, Request
+from fastapi import FastAPI, HTTPException, Request
 from nicegui import ui
 from starlette.formparsers import MultiPartParser
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from quartering.conventions import InputError
-from quartering.view.explorer.answers import map_blocks, scene, verdict
+from quartering.view.explorer.answers import map_blocks, noting, scene, verdict
 from quartering.view.explorer.api import serve_api
 from quartering.view.explorer.fleet import Fleet
 from quartering.view.explorer.page import Page
@@ -20,6 +21,7 @@ from quartering.view.explorer.turns import Turns
 LARGEST_BODY = 8_200_000
 """Largest request taken: an upload with what surrounds it [bytes]."""
 
+_TOO_LARGE, _REASON = 413, f"the request is larger than {LARGEST_BODY / 1e6:.0f} MB; send a smaller file"
 _HERE = Path(__file__).parent
 _ICON = (
     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'><circle cx='16' cy='16' r='15' fill='#1f6fb2'/>"
@@ -39,15 +41,15 @@ def explorer(fleet: Fleet, ship: str | None = None) -> ASGIApp:
     turns = Turns()
     opening = STARTING if ship is None else State(ship=ship)
     of = scene(opening, fleet.known(opening.ship))
-    verdict(of)
-    map_blocks(of)[0]()
+    for work in (lambda: verdict(of), map_blocks(of)[0]):
+        noting(work)()
     server = FastAPI(title="quartering", docs_url=None, redoc_url=None, openapi_url="/api/openapi.json")
     serve_api(server, fleet, turns)
 
     @ui.page("/", title="quartering explorer", favicon=_ICON)
     def index(request: Request) -> None:
         ui.add_css(_HERE / "explorer.css")
-        ui.colors(primary="#1f6fb2")
+        ui.colors(primary="#2f86c9")
         state, problem = opening, ""
         try:
             if request.query_params:
@@ -89,13 +91,14 @@ class Guard:
             nonlocal taken
             message = await receive()
             taken += len(message.get("body", b""))
-            return message if taken <= LARGEST_BODY else {"type": "http.disconnect"}
+            if taken > LARGEST_BODY:
+                raise HTTPException(_TOO_LARGE, _REASON, {"connection": "close"})  # whoever reads the body answers so
+            return message
 
         await self._inside(scope, counted, send)
 
 
 async def _too_large(send: Send) -> None:
-    reason = b'{"error": "the request is larger than 8 MB; upload a smaller file"}'
     headers = [(b"content-type", b"application/json"), (b"connection", b"close")]
-    await send({"type": "http.response.start", "status": 413, "headers": headers})
-    await send({"type": "http.response.body", "body": reason})
+    await send({"type": "http.response.start", "status": _TOO_LARGE, "headers": headers})
+    await send({"type": "http.response.body", "body": json.dumps({"error": _REASON}).encode()})

@@ -16,7 +16,7 @@ from quartering.hydro.calm_water import calm_water_exponents
 from quartering.stability.verdict import Verdict
 from quartering.view.commands.verdict import Examined, estimates
 from quartering.view.explorer import charts
-from quartering.view.explorer.answers import Scene, causes, curve, history
+from quartering.view.explorer.answers import History, Scene, causes, curve, history
 from quartering.view.explorer.state import State
 from quartering.view.wording import estimated_words, exponents_words
 
@@ -87,7 +87,7 @@ def _motion(found: Examined) -> list[Part]:
     past = history(found)
     if not motion.status.ok:
         words = f"<p>No steady motion: {html.escape(motion.status.advice)}.</p>"
-        return [words, charts.time_history(past)]
+        return [words, charts.time_history(past), _end(past, found)]
     sway, roll, yaw = motion.amplitude
     period = 2 * math.pi / found.model.frequency
     words = (
@@ -98,8 +98,23 @@ def _motion(found: Examined) -> list[Part]:
     sizes = np.hypot(motion.cos, motion.sin)
     return [
         "<h2>Roll in time</h2>", charts.time_history(past),
-        "<h2>Harmonics of the steady motion</h2>", charts.harmonics(motion.orders, sizes), words,
+        f"{_end(past, found)}<h2>Harmonics of the steady motion</h2>", charts.harmonics(motion.orders, sizes), words,
     ]  # fmt: skip
+
+
+def _end(past: History, found: Examined) -> str:
+    """How the time history ends, and what it means when that is not what the verdict says."""
+    at = past.trace.attrs.get("capsize_time")
+    if at is None:
+        return "<p class='hint'>A stable motion takes the push back; an unstable one leaves its dotted line.</p>"
+    rolled = f"<p><b>Rolls over after {at:.0f} s</b> (beyond 90°)."
+    if not found.verdict.stable:
+        return f"{rolled}</p>"
+    return (
+        f"{rolled} The verdict is on smaller disturbances, of the motion as {found.motion.method} with harmonics up to"
+        f" {max(found.motion.orders)} finds it: here either the push is too large or the harmonics are too few. Compare with"
+        " more of them.</p>"
+    )
 
 
 def _roll_frequency(found: Examined) -> float:
@@ -122,36 +137,31 @@ def _stability(of: Scene, found: Examined) -> list[Part]:
 def judges(v: Verdict, calm: Any) -> str:
     """Table of every judge: what it computes, its number, and what it says."""
     q = max((full for _, full in v.q.values()), key=lambda one: -math.inf if math.isnan(one) else one)
-    paper = ", ".join(f"n₂ = {m}ω/2: {full:+.3g}" for m, (_, full) in v.q.items())
+    each = ", ".join(f"n₂ = {m}ω/2: {_signed(full)}" for m, (_, full) in v.q.items())
     rows = [
-        ("<b>Floquet</b>, leading exponent", f"{v.exponents[0].real:+.4g} 1/s", v.exponents[0].real, "decides"),
-        (
-            "K₂, all averages",
-            f"{v.k2:+.3g} 1/s²",
-            v.k2,
-            f"paper's 0.3 and 0.1: {v.k2_paper:+.3g}; S = {v.index:+.3g} 1/s",
-        ),
-        ("q, largest of three", f"{q:+.3g} 1/s", q, paper),
-        ("slow sway-yaw modes", f"{max(v.slow):+.3g} 1/s", float(max(v.slow)), "averaged over the wave"),
-        ("roll with slow modes", f"{v.combination:+.3g} 1/s", v.combination, "n₂ near 2ω"),
-        ("calm water, no rudder", f"{max(calm.real):+.3g} 1/s", float(max(calm.real)), exponents_words(calm, 2)),
+        ("<b>Floquet</b>, leading exponent", v.exponents[0].real, "1/s", "decides"),
+        ("K₂, all averages", v.k2, "1/s²", f"paper's 0.3 and 0.1: {_signed(v.k2_paper)}; S = {_signed(v.index)} 1/s"),
+        ("q, largest of three", q, "1/s", each),
+        ("slow sway-yaw modes", float(max(v.slow)), "1/s", "averaged over the wave"),
+        ("roll with slow modes", v.combination, "1/s", "n₂ near 2ω"),
+        ("calm water, no rudder", float(max(calm.real)), "1/s", exponents_words(calm, 2)),
     ]
     body = "".join(
-        f"<tr><td>{what}</td><td>{number}</td><td>{_says(value)}</td><td class='hint'>{remark}</td></tr>"
-        for what, number, value, remark in rows
+        f"<tr><td>{what}</td><td>{_signed(value)} {unit if math.isfinite(value) else ''}</td><td>{_says(value)}</td>"
+        f"<td class='hint'>{remark}</td></tr>"
+        for what, value, unit, remark in rows
     )
-    head = "<tr><th>judge</th><th>growth</th><th>says</th><th></th></tr>"
-    return (
-        f"<table class='judges'>{head}{body}</table>".replace("nan 1/s²", "none")
-        .replace("nan 1/s", "none")
-        .replace("+nan", "none")
-    )
+    return f"<table class='judges'><tr><th>judge</th><th>growth</th><th>says</th><th></th></tr>{body}</table>"
+
+
+def _signed(value: float) -> str:
+    return f"{value:+.3g}" if math.isfinite(value) else "none"
 
 
 def _says(growth: float) -> str:
     if math.isnan(growth):
         return "no answer"
-    return "<span class='unstable'>unstable ×</span>" if growth > 1e-9 else "<span class='stable'>stable</span>"
+    return "<span class='unstable'>unstable&nbsp;×</span>" if growth > 1e-9 else "<span class='stable'>stable</span>"
 
 
 def _curve(state: State, of: Scene, found: Examined) -> list[Part]:

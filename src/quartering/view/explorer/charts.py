@@ -62,15 +62,20 @@ def _line(x: Any, y: Any, name: str, colour: str, dash: str = "solid", **more: A
     return {"type": "scatter", "mode": "lines", "x": _list(x), "y": _list(y), "name": name, "line": shape} | more
 
 
+def _hatch(shape: str | list[str]) -> dict[str, Any]:
+    """Pattern over the colour of a bar, for those who cannot tell the colours."""
+    return {"shape": shape, "fillmode": "overlay", "fgcolor": "#ffffff", "size": 6, "solidity": 0.2}
+
+
 def _list(values: Any) -> list[float | None]:
     """Numbers for JSON, four or five digits of them; None where there is none."""
     return [float(f"{v:.5g}") if math.isfinite(v) else None for v in np.asarray(values, dtype=float).ravel()]
 
 
 def time_history(found: History) -> Chart:
-    """Roll in time from 5 degrees, and the steady motion."""
+    """Roll in time after a push, and the steady motion it leaves or returns to."""
     time = found.trace["time"].values
-    traces = [_line(time, found.trace["roll"].values, "from 5° of roll", BLUE)]
+    traces = [_line(time, found.trace["roll"].values, found.start, BLUE)]
     if np.isfinite(found.steady).all():
         traces.append(_line(time, np.degrees(found.steady[:, 1]), "steady motion", ORANGE, "dot"))
     return _chart(traces, "time [s]", "roll [deg]")
@@ -86,7 +91,7 @@ def harmonics(orders: Sequence[int], sizes: np.ndarray) -> Chart:
     traces = [
         {
             "type": "bar", "x": [f"{n} ω" for n in orders], "y": _list(factor * sizes[:, i]), "name": name,
-            "marker": {"color": colour, "pattern": {"shape": pattern, "fgcolor": "#ffffff", "size": 6}},
+            "marker": {"color": colour, "pattern": _hatch(pattern)},
         }
         for i, (name, colour, factor, pattern) in enumerate(names)
     ]  # fmt: skip
@@ -111,8 +116,8 @@ def unit_circle(v: Verdict) -> Chart:
     reach = max(1.15, 1.1 * float(np.nan_to_num(np.abs(v.multipliers)).max()))
     square = {"range": [-reach, reach]}
     return _chart(
-        traces, "Re μ", "Im μ", height=300, xaxis=_axis("Re μ") | square,
-        yaxis=_axis("Im μ") | square | {"scaleanchor": "x"},
+        traces, "Re μ", "Im μ", height=300, xaxis=_axis("Re μ") | square | {"constrain": "domain"},
+        yaxis=_axis("Im μ") | square | {"scaleanchor": "x", "constrain": "domain"},
     )  # fmt: skip
 
 
@@ -161,7 +166,7 @@ def tornado(found: xr.Dataset, of: str) -> Chart:
         "type": "bar", "orientation": "h", "y": words, "x": _list(change[kept]),
         "marker": {
             "color": [ORANGE if w else BLUE for w in worse],
-            "pattern": {"shape": ["/" if w else "" for w in worse], "fgcolor": "#ffffff", "size": 6},
+            "pattern": _hatch(["/" if w else "" for w in worse]),
         },
         "hovertemplate": "%{y}: %{x}<extra></extra>",
     }  # fmt: skip

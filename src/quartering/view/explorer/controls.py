@@ -34,7 +34,7 @@ class Controls:
         self._roll = Dial("gyradius_roll", lambda value, _: change(gyradius_roll=value))
         self._yaw = Dial("gyradius_yaw", lambda value, _: change(gyradius_yaw=value))
         self._damping = Dial("roll_damping", lambda value, _: change(roll_damping=value))
-        ui.label("added damping stands for viscosity and bilge keels").classes("hint")
+        ui.label("of critical; stands for viscosity and bilge keels").classes("hint")
         self._own = (
             ui.button(
                 "the ship's own loading",
@@ -79,7 +79,7 @@ class Controls:
             plain("yaw gyradius", "m", 0.15 * length, 0.35 * length, 0.1),
             plain("yaw gyradius", "L", 0.15, 0.35, 0.005, 1 / length),
         ])  # fmt: skip
-        self._damping.show(load.roll_damping, [plain("added roll damping", "%", 0, 20, 0.5, 100.0)])
+        self._damping.show(load.roll_damping, [plain("roll damping", "%", 0, 20, 0.5, 100.0)])
         self._own.set_visibility(
             any(getattr(state, n) is not None for n in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping"))
         )

@@ -61,7 +61,7 @@ class Dial:
             self._number = ui.number(on_change=self._moved).props(
                 f'id=number-{key} for=number-{key} dense borderless hide-bottom-space input-class="dial-number"'
             )
-            self._unit = ui.button("", on_click=self._next).props("flat dense no-caps").classes("dial-unit")
+            self._unit = ui.button("", color=None, on_click=self._next).props("flat dense no-caps").classes("dial-unit")
             self._unit.props(f'aria-label="unit of {key.replace("_", " ")}"')
             self._slider = ui.slider(min=0, max=1, on_change=self._moved).classes("dial-slider")
             self._slider.props(f'id=slider-{key} aria-label="{key.replace("_", " ")}" dense')

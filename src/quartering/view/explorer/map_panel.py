@@ -11,6 +11,7 @@ from nicegui import ui
 from nicegui.element import Element
 from nicegui.events import GenericEventArguments
 
+from quartering.hull.righting import righting_polynomial
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.stability.kind import Kind
 from quartering.view.explorer.answers import HEADINGS, RATIOS, Scene
@@ -23,6 +24,11 @@ _DOTTED = [int(Kind.COURSE_IN_CALM_WATER)]
 _LEAST_TOP = 5.0
 
 
+def _words(kind: Kind) -> str:
+    """What a cell is, in words."""
+    return kind.label.replace("-", " ") if kind <= Kind.STABLE else f"unstable ({kind.label})"
+
+
 class _Map(Element, component="polar_map.js"):
     """The component in the browser."""
 
@@ -33,16 +39,18 @@ class MapPanel:
     def __init__(self, choose: Callable[[float, float], None]) -> None:
         self._length = 1.0
         self._lines: list[str] = []
+        self._fitted = np.inf
         with ui.element("div").classes("map-box"):
             self._map = _Map()
             self._map.props["headings"], self._map.props["radii"] = HEADINGS.tolist(), RATIOS.tolist()
-            self._map.props["kinds"] = {str(int(k)): k.label for k in Kind}
+            self._map.props["kinds"] = {str(int(k)): _words(k) for k in Kind}
             self._map.props["palette"] = list(palette())
             self._map.props["hatched"], self._map.props["dotted"] = _HATCHED, _DOTTED
             self._map.props["label"] = "Polar map of roll; arrow keys choose heading and wave length"
             self._map.props["chosen"], self._map.props["lines"] = [0.0, 1.0], []
             self._map.props["top"] = _LEAST_TOP
             self._roll = np.full((HEADINGS.size, RATIOS.size), np.nan)
+            self._peak = self._roll.copy()
             self._kind = np.full(self._roll.shape, int(Kind.NO_ANSWER))
             self._awaited = np.ones(HEADINGS.size, dtype=bool)
             with ui.element("div").classes("scale"):
@@ -66,16 +74,18 @@ class MapPanel:
         """Draw where the ship meets the waves at its roll frequency, at twice that, and not at all."""
         found = resonances(of.ship.hull.length, of.speed, roll_frequency)
         self._map.props["lines"] = [{"points": found[name], "dash": dash} for name, dash in _DASHES if found[name]]
+        self._fitted = righting_polynomial(of.ship).max_angle
         self._lines = [name for name, _ in _DASHES if found[name]]
 
     def show(self, part: xr.Dataset, *, fresh: bool) -> None:
         """Put a block of the map in its place; the first of a new map empties it."""
         if fresh:
-            self._roll[:], self._kind[:] = np.nan, int(Kind.NO_ANSWER)
+            self._roll[:], self._peak[:], self._kind[:] = np.nan, np.nan, int(Kind.NO_ANSWER)
             self._awaited[:] = True
         rows = np.searchsorted(HEADINGS, part["heading"].values)
         columns = np.searchsorted(RATIOS, part["wave_length"].values / self._length - 1e-6)
         at = np.ix_(rows, columns)
+        self._peak[at] = part["roll_peak"].values[0]
         self._roll[at], self._kind[at] = part["roll"].values[0], part["verdict"].values[0]
         self._awaited[rows] = False
         self._send()
@@ -103,7 +113,11 @@ class MapPanel:
             ("dash", "at 2 n₂", "twice" in self._lines),
             ("dotted", "ship keeps pace with the wave", "pace" in self._lines),
         ]
-        return "".join(f'<span><i class="key {key}"></i>{words}</span>' for key, words, shown in rows if shown)
+        beyond = int((np.nan_to_num(self._peak) > self._fitted).sum())
+        words = f"{beyond} cells roll beyond {self._fitted:g}°, where the fit of the righting arm ends: extrapolated"
+        return (f"<div>{words}</div>" if beyond else "") + "".join(
+            f'<span><i class="key {key}"></i>{words}</span>' for key, words, shown in rows if shown
+        )
 
 
 @lru_cache(maxsize=1)

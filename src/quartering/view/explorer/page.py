@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import html
 import json
+import math
 from collections.abc import Awaitable, Callable
 from typing import Any
 
@@ -13,6 +14,7 @@ from nicegui import background_tasks, ui
 from nicegui.client import Client
 
 from quartering.conventions import InputError
+from quartering.hull.righting import righting_polynomial
 from quartering.hydro.coefficients import coefficients
 from quartering.view.commands.verdict import Examined, helps
 from quartering.view.explorer import downloads
@@ -79,16 +81,16 @@ class Page:
         self._ships = ui.select(self._options(), value=self.state.ship, on_change=lambda e: self._choose_ship(e.value))
         self._ships.props('dense options-dense outlined aria-label="ship"')
         self._dialog = UploadDialog(self._uploaded)
-        ui.button("Your hull", icon="upload_file", on_click=self._dialog.open).props("flat dense no-caps").mark(
-            "upload"
-        )
+        ui.button("Your hull", icon="upload_file", color=None, on_click=self._dialog.open).props(
+            "flat dense no-caps"
+        ).mark("upload")
         ui.element("span").classes("push")
-        ui.button("Copy link", icon="link", on_click=self._copy).props("flat dense no-caps")
-        with ui.button("Download", icon="download").props("flat dense no-caps"), ui.menu():
+        ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
+        with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
             for words, work in self._files().items():
                 ui.menu_item(words, on_click=work)
         dark = ui.dark_mode(None)
-        theme = ui.button(icon=_THEMES[None][0]).props('flat dense aria-label="light or dark"')
+        theme = ui.button(icon=_THEMES[None][0], color=None).props('flat dense aria-label="light or dark"')
 
         def turn() -> None:
             order = list(_THEMES)
@@ -209,7 +211,7 @@ class Page:
         self._wrong.set_content("")
         self._sentence.set_content(_headline(found))
         self._heal.set_content("")
-        self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in notes))
+        self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in [*notes, *_beyond(found)]))
         self._show_scene(state, of)
         for step in (self._fill_panel, self._fill_map, self._fill_cures):
             if self.state is not state:
@@ -271,24 +273,48 @@ def _of_map(state: State) -> State:
     return state.model_copy(update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height"})
 
 
+def _beyond(found: Examined) -> list[str]:
+    """A note where the motion leaves the range of the righting arm's polynomial."""
+    fitted = righting_polynomial(found.ship).max_angle
+    peak = math.degrees(found.motion.peak[1]) if found.motion.status.ok else 0.0
+    if peak <= fitted:
+        return []
+    return [f"It rolls to {peak:.3g}°, beyond {fitted:g}° where the fit of the righting arm ends: extrapolated."]
+
+
 def _headline(found: Examined) -> str:
-    """The verdict's sentence: the condition quiet, the verdict bold and coloured, the reasons below."""
+    """The verdict's sentence: the condition quiet, the verdict bold, its numbers in a smaller line below."""
     where, _, said = found.verdict.sentence.partition(": ")
-    first, mark, rest = said.partition(":")
-    if not mark:
-        first, mark, rest = said.partition(";")
+    first, mark, rest = said.partition(": ")
+    because, numbers = _parted(rest)
     look = "stable" if found.verdict.stable else "unstable"
-    size = f" Roll {_degrees(found)}." if found.motion.status.ok else ""
+    size = f" Roll {math.degrees(found.motion.amplitude[1]):.3g}°." if found.motion.status.ok else ""
+    escaped = [html.escape(text) for text in (where, first, because, numbers)]
     return (
-        f"<h1><span class='when'>{html.escape(where)}:</span> <b class='{look}'>{html.escape(first)}</b>"
-        f"{html.escape(mark + rest)}{size}</h1>"
+        f"<h1><span class='when'>{escaped[0]}:</span> <b class='{look}'>{escaped[1]}</b>{mark}{escaped[2]}.{size}</h1>"
+        f"<p>{escaped[3]}</p>"
     )
 
 
-def _degrees(found: Examined) -> str:
-    import math
+def _parted(reasons: str) -> tuple[str, str]:
+    """What grows or dies out, and the numbers behind it.
 
-    return f"{math.degrees(found.motion.amplitude[1]):.3g}°"
+    Examples
+    --------
+    >>> _parted("roll grows (+0.1 1/s by Floquet; K2 (full) agrees); K_vpp adds most (+0.2 1/s).")
+    ('roll grows', '+0.1 1/s by Floquet; K2 (full) agrees; K_vpp adds most (+0.2 1/s).')
+    >>> _parted("disturbances die out at 0.03 1/s or faster; first-order theory says the same.")
+    ('disturbances die out at 0.03 1/s or faster', 'first-order theory says the same.')
+    """
+    opened, semicolon = reasons.find(" ("), reasons.find("; ")
+    if opened < 0 or 0 <= semicolon < opened:
+        because, _, numbers = reasons.partition("; ")
+        return because.removesuffix("."), numbers
+    depth, closed = 1, opened + 2
+    while depth and closed < len(reasons):
+        depth += {"(": 1, ")": -1}.get(reasons[closed], 0)
+        closed += 1
+    return reasons[:opened], reasons[opened + 2 : closed - 1] + reasons[closed:]
 
 
 _FOOT = (

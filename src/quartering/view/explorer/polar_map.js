@@ -92,7 +92,8 @@ export default {
       this.cells.forEach((cell, k) => {
         const roll = this.roll[k], kind = this.kind[k], code = String(kind);
         const known = roll !== null && roll !== undefined;
-        cell.setAttribute("fill", known ? this.palette[Math.min(n, Math.round(n * roll / this.top))] : "");
+        const colour = known ? this.palette[Math.min(n, Math.round(n * roll / this.top))] : "";
+        for (const name of ["fill", "stroke"]) cell.setAttribute(name, colour);  // the stroke hides the seams
         cell.setAttribute("class", known ? "q-cell" : kind === null ? "q-cell q-awaited" : "q-cell q-none");
         const over = this.hatched.includes(kind) ? "hatch" : this.dotted.includes(kind) ? "dots" : "";
         this.marks[k].setAttribute("fill", over ? `url(#${this.uid}-${over})` : "none");
