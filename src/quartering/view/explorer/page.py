@@ -74,7 +74,7 @@ class Page:
             ui.html(_FOOT, sanitize=False).classes("foot")
         if problem:
             self._say_wrong(problem)
-        self.change()
+        self._go()
 
     def _bar(self) -> None:
         ui.label("quartering").classes("wordmark")
@@ -113,10 +113,16 @@ class Page:
     def change(self, **values: Any) -> None:
         """Change the state; what is on the page follows."""
         try:
-            self.state = self.state.changed(**values)
+            state = self.state.changed(**values)
         except InputError as error:
             self._say_wrong(str(error))
             return
+        if state != self.state or self._stopped:
+            self.state = state
+            self._wrong.set_content("")
+            self._go()
+
+    def _go(self) -> None:
         self._stopped = False
         if self._following is None or self._following.done():
             self._following = background_tasks.create(self._follow(), name="explorer page")
@@ -128,9 +134,10 @@ class Page:
 
     def _choose_ship(self, name: str) -> None:
         if name != self.state.ship:
-            at = self.state
-            self.state = State(ship=name, heading=at.heading, harmonics=at.harmonics, panel=at.panel, over=at.over)
-            self.change()
+            kept = ("heading", "harmonics", "panel", "over")
+            self.state = State(ship=name, **{key: getattr(self.state, key) for key in kept})
+            self._wrong.set_content("")
+            self._go()
 
     def _uploaded(self, known: Known) -> None:
         self._fleet.keep(known)
@@ -208,7 +215,6 @@ class Page:
                 if self.state is state:
                     await self._fill_map(state, self_scene[0])
             raise
-        self._wrong.set_content("")
         self._sentence.set_content(_headline(found))
         self._heal.set_content("")
         self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in [*notes, *_beyond(found)]))
