@@ -5,7 +5,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test bench clean
+.PHONY: demo test browser bench clean
 
 demo: $(VENV)/.demo
 	mkdir -p demo
@@ -17,6 +17,13 @@ test: $(VENV)/.dev
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/python -m pytest
+
+# The explorer is tested in Chromium; where it is missing and apt-get can bring it, it is brought.
+browser:
+	@command -v chromium || command -v chromium-browser || command -v google-chrome || { \
+	  command -v apt-get >/dev/null || { echo "no chromium here, and no apt-get to bring it: install it yourself"; exit 2; }; \
+	  as_root=; [ "$$(id -u)" = 0 ] || as_root="sudo -n"; \
+	  $$as_root apt-get update -qq && $$as_root apt-get install -qq -y --no-install-recommends chromium fonts-dejavu-core; }
 
 bench: $(VENV)/.dev
 	$(BIN)/python benchmarks/polar.py

@@ -7,6 +7,7 @@ from urllib.parse import parse_qsl
 
 import numpy as np
 import pytest
+import xarray as xr
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -18,7 +19,7 @@ from quartering.study.sweep import sweep
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
 from quartering.view.explorer.answers import map_blocks, noting, scene
-from quartering.view.explorer.downloads import case_file, map_dataset
+from quartering.view.explorer.downloads import case_file, map_dataset, netcdf, picture, report
 from quartering.view.explorer.fleet import Fleet
 from quartering.view.explorer.state import STARTING, State
 from quartering.view.explorer.turns import Turns
@@ -164,6 +165,24 @@ def test_the_case_file_gives_the_map_again(tmp_path):
         np.testing.assert_allclose(again[variable].values, shown[variable].values, rtol=1e-9, atol=1e-12)
     assert (again["verdict"].values == shown["verdict"].values).all()
     assert 52.0 in rerun["heading"].values
+
+
+def test_the_map_goes_home_as_picture_and_as_dataset(tmp_path):
+    state = State(ship="wigley", steepness=0.01)
+    of = scene(state, Fleet().known("wigley"))
+    assert picture(of, "png").startswith(b"\x89PNG")
+    assert b"<svg" in picture(of, "svg")[:2000]
+    (tmp_path / "map.nc").write_bytes(netcdf(of))
+    ds = xr.load_dataset(tmp_path / "map.nc")
+    again = qt.polar(qt.ship("wigley"), of.waves, [of.speed], ds["heading"].values)
+    np.testing.assert_allclose(ds["roll"].values, again["roll"].values, rtol=1e-12)
+    assert ds.attrs["provenance"] == again.attrs["provenance"]
+
+
+def test_the_report_goes_home_where_there_is_one():
+    pytest.importorskip("quartering.view.report", reason="no report yet")
+    of = scene(State(ship="wigley", steepness=0.01), Fleet().known("wigley"))
+    assert b"Wigley" in report(of)
 
 
 def test_waves_that_break_are_left_out_of_the_map():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -41,6 +42,11 @@ def plain(name: str, unit: str, low: float, high: float, step: float, factor: fl
     return Scale(name, unit, low, high, step, lambda si: si * factor, lambda typed: typed / factor)
 
 
+def _ends(scale: Scale) -> tuple[tuple[Callable[[float], int], float], ...]:
+    """The limits of a scale, each with the way it is rounded to whole steps."""
+    return (math.ceil, scale.low), (math.floor, scale.high)
+
+
 class Dial:
     """Label, number, unit and slider; a click on the unit reads the value in the next one.
 
@@ -59,7 +65,7 @@ class Dial:
             with self._label:
                 self._name = ui.label("")
             self._number = ui.number(on_change=self._moved).props(
-                f'id=number-{key} for=number-{key} dense borderless hide-bottom-space input-class="dial-number"'
+                f'id=number-{key} for=number-{key} dense borderless hide-bottom-space debounce=250 input-class="dial-number"'
             )
             self._unit = ui.button("", color=None, on_click=self._next).props("flat dense no-caps").classes("dial-unit")
             self._unit.props(f'aria-label="unit of {key.replace("_", " ")}"')
@@ -77,10 +83,11 @@ class Dial:
             self._name.set_text(scale.name)
             self._unit.set_text(scale.unit)
             self._unit.set_enabled(len(scales) > 1)
-            for name, limit in (("min", scale.low), ("max", scale.high), ("step", scale.step)):
+            low, high = (round(end(limit / scale.step) * scale.step, 6) for end, limit in _ends(scale))
+            for name, limit in (("min", low), ("max", high), ("step", scale.step)):
                 self._slider.props[name] = limit
             self._number.props["step"] = scale.step
-            self._slider.set_value(min(max(typed, scale.low), scale.high))
+            self._slider.set_value(min(max(typed, low), high))
             self._number.set_value(float(f"{typed:.4g}"))
         finally:
             self._quiet = False
@@ -89,9 +96,16 @@ class Dial:
         if self._quiet or event.value is None:
             return
         value = self._scales[self._at].meant(float(event.value))
-        if abs(value - self._value) > 1e-4 * abs(self._value):
-            self._value = value
-            self._turned(value, self._at)
+        if abs(value - self._value) <= 1e-4 * abs(self._value):
+            return
+        self._value = value
+        self._quiet = True
+        if event.sender is self._slider:
+            self._number.set_value(float(f"{event.value:.4g}"))
+        else:
+            self._slider.set_value(event.value)
+        self._quiet = False
+        self._turned(value, self._at)
 
     def _next(self) -> None:
         at = (self._at + 1) % len(self._scales)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
 import io
 import json
@@ -15,6 +16,7 @@ from quartering.view.explorer.answers import HEADINGS, Scene, joined, map_blocks
 from quartering.view.explorer.fleet import Known
 from quartering.view.explorer.state import LOADING, State
 
+_REPORT = "quartering.view.report"
 _UNITS = {"gm": " m", "gyradius_roll": " m", "gyradius_yaw": " m", "roll_damping": ""}
 
 
@@ -88,15 +90,13 @@ def case_text(state: State, of: Scene, ship: str) -> str:
 
 def has_report() -> bool:
     """Can a report be written?"""
-    return importlib.util.find_spec("quartering.view.report") is not None
+    return importlib.util.find_spec(_REPORT) is not None
 
 
 def report(of: Scene) -> bytes:
     """The report on the map of a page, one HTML file."""
-    from quartering.view import report as reports  # type: ignore[attr-defined]
-
-    written: str = reports.report_html(of.ship, map_dataset(of))
-    return written.encode()
+    page: str = importlib.import_module(_REPORT).report_html(of.ship, map_dataset(of))
+    return page.encode()
 
 
 def stem(known: Known) -> str:

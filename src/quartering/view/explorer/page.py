@@ -225,6 +225,8 @@ class Page:
             await step(state, of, found)
 
     def _show_scene(self, state: State, of: Scene) -> None:
+        if self.state is not state:  # a dial in motion is not turned back
+            return
         self._controls.show(of, state)
         self._map.place(of)
         self._panel.front(state)
@@ -285,7 +287,9 @@ def _beyond(found: Examined) -> list[str]:
     peak = math.degrees(found.motion.peak[1]) if found.motion.status.ok else 0.0
     if peak <= fitted:
         return []
-    return [f"It rolls to {peak:.3g}°, beyond {fitted:g}° where the fit of the righting arm ends: extrapolated."]
+    return [
+        f"With all harmonics it rolls to {peak:.3g}°, beyond {fitted:g}° where the fit of the righting arm ends: extrapolated."
+    ]
 
 
 def _headline(found: Examined) -> str:
@@ -294,7 +298,7 @@ def _headline(found: Examined) -> str:
     first, mark, rest = said.partition(": ")
     because, numbers = _parted(rest)
     look = "stable" if found.verdict.stable else "unstable"
-    size = f" Roll {math.degrees(found.motion.amplitude[1]):.3g}°." if found.motion.status.ok else ""
+    size = f" Roll amplitude {math.degrees(found.motion.amplitude[1]):.3g}°." if found.motion.status.ok else ""
     escaped = [html.escape(text) for text in (where, first, because, numbers)]
     return (
         f"<h1><span class='when'>{escaped[0]}:</span> <b class='{look}'>{escaped[1]}</b>{mark}{escaped[2]}.{size}</h1>"

@@ -6,12 +6,14 @@ import importlib.util
 import socket
 import threading
 import webbrowser
+from contextlib import suppress
 
 import typer
 
 from quartering.conventions import InputError
 from quartering.view.progress import announce_compilation
 
+_LONGEST_MESSAGE = 1_000_000
 _LOCAL = ("127.0.0.1", "localhost", "::1")
 
 
@@ -44,7 +46,8 @@ def run_explorer(ship: str | None, host: str, port: int, browser: bool) -> None:
         typer.echo(f"note: everyone who can reach {host} can use it", err=True)
     if browser:
         threading.Timer(0.5, webbrowser.open, (address,)).start()
-    uvicorn.run(server, host=host, port=port, log_level="warning", ws_max_size=1_000_000)
+    with suppress(KeyboardInterrupt):  # Ctrl-C is how it ends
+        uvicorn.run(server, host=host, port=port, log_level="warning", ws_max_size=_LONGEST_MESSAGE)
 
 
 def _check_port(host: str, port: int) -> None:

@@ -45,7 +45,7 @@ class State(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
-    ship: str = Field(default="series60-cb60", max_length=200)
+    ship: str = Field(default="series60-cb60", max_length=1000)
     gm: float | None = Field(default=None, gt=0, le=1e3)
     gyradius_roll: float | None = Field(default=None, gt=0, le=1e3)
     gyradius_yaw: float | None = Field(default=None, gt=0, le=1e4)
