@@ -39,7 +39,7 @@ class Fleet:
     Examples
     --------
     >>> Fleet().known("wigley").ship.name
-    'Wigley 1/10'
+    'Wigley hull'
     """
 
     def __init__(self, given: str | None = None) -> None:

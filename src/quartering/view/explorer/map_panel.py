@@ -29,6 +29,11 @@ def _words(kind: Kind) -> str:
     return kind.label.replace("-", " ") if kind <= Kind.STABLE else f"unstable ({kind.label})"
 
 
+def _key(name: str) -> str:
+    """Sample of a pattern or line for the legend."""
+    return f'<i class="key {name}"></i>' if name else ""
+
+
 class _Map(Element, component="polar_map.js"):
     """The component in the browser."""
 
@@ -106,6 +111,7 @@ class MapPanel:
         calm = int((self._kind == Kind.COURSE_IN_CALM_WATER).sum())
         unstable = self._kind.size - stable - none - calm
         rows = [
+            ("", "every cell is stable", stable == self._kind.size),
             ("hatch", f"{unstable} of {self._kind.size} cells unstable", unstable),
             ("dots", f"{calm} course-unstable even in calm water", calm),
             ("grey", f"{none} without an answer", none),
@@ -116,7 +122,7 @@ class MapPanel:
         beyond = int((np.nan_to_num(self._peak) > self._fitted).sum())
         words = f"{beyond} cells roll beyond {self._fitted:g}°, where the fit of the righting arm ends: extrapolated"
         return (f"<div>{words}</div>" if beyond else "") + "".join(
-            f'<span><i class="key {key}"></i>{words}</span>' for key, words, shown in rows if shown
+            f"<span>{_key(key)}{words}</span>" for key, words, shown in rows if shown
         )
 
 

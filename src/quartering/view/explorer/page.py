@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import html
 import json
-import math
 from collections.abc import Awaitable, Callable
 from typing import Any
 
@@ -14,7 +13,6 @@ from nicegui import background_tasks, ui
 from nicegui.client import Client
 
 from quartering.conventions import InputError
-from quartering.hull.righting import righting_polynomial
 from quartering.hydro.coefficients import coefficients
 from quartering.view.commands.verdict import Examined, helps
 from quartering.view.explorer import downloads
@@ -22,6 +20,7 @@ from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.fleet import Fleet, Known
+from quartering.view.explorer.headline import beyond, headline
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.state import State
 from quartering.view.explorer.turns import Turns
@@ -215,9 +214,9 @@ class Page:
                 if self.state is state:
                     await self._fill_map(state, self_scene[0])
             raise
-        self._sentence.set_content(_headline(found))
+        self._sentence.set_content(headline(found))
         self._heal.set_content("")
-        self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in [*notes, *_beyond(found)]))
+        self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in [*notes, *beyond(found)]))
         self._show_scene(state, of)
         for step in (self._fill_panel, self._fill_map, self._fill_cures):
             if self.state is not state:
@@ -279,52 +278,6 @@ class Page:
 def _of_map(state: State) -> State:
     """The part of a state the map depends on."""
     return state.model_copy(update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height"})
-
-
-def _beyond(found: Examined) -> list[str]:
-    """A note where the motion leaves the range of the righting arm's polynomial."""
-    fitted = righting_polynomial(found.ship).max_angle
-    peak = math.degrees(found.motion.peak[1]) if found.motion.status.ok else 0.0
-    if peak <= fitted:
-        return []
-    return [
-        f"With all harmonics it rolls to {peak:.3g}°, beyond {fitted:g}° where the fit of the righting arm ends: extrapolated."
-    ]
-
-
-def _headline(found: Examined) -> str:
-    """The verdict's sentence: the condition quiet, the verdict bold, its numbers in a smaller line below."""
-    where, _, said = found.verdict.sentence.partition(": ")
-    first, mark, rest = said.partition(": ")
-    because, numbers = _parted(rest)
-    look = "stable" if found.verdict.stable else "unstable"
-    size = f" Roll amplitude {math.degrees(found.motion.amplitude[1]):.3g}°." if found.motion.status.ok else ""
-    escaped = [html.escape(text) for text in (where, first, because, numbers)]
-    return (
-        f"<h1><span class='when'>{escaped[0]}:</span> <b class='{look}'>{escaped[1]}</b>{mark}{escaped[2]}.{size}</h1>"
-        f"<p>{escaped[3]}</p>"
-    )
-
-
-def _parted(reasons: str) -> tuple[str, str]:
-    """What grows or dies out, and the numbers behind it.
-
-    Examples
-    --------
-    >>> _parted("roll grows (+0.1 1/s by Floquet; K2 (full) agrees); K_vpp adds most (+0.2 1/s).")
-    ('roll grows', '+0.1 1/s by Floquet; K2 (full) agrees; K_vpp adds most (+0.2 1/s).')
-    >>> _parted("disturbances die out at 0.03 1/s or faster; first-order theory says the same.")
-    ('disturbances die out at 0.03 1/s or faster', 'first-order theory says the same.')
-    """
-    opened, semicolon = reasons.find(" ("), reasons.find("; ")
-    if opened < 0 or 0 <= semicolon < opened:
-        because, _, numbers = reasons.partition("; ")
-        return because.removesuffix("."), numbers
-    depth, closed = 1, opened + 2
-    while depth and closed < len(reasons):
-        depth += {"(": 1, ")": -1}.get(reasons[closed], 0)
-        closed += 1
-    return reasons[:opened], reasons[opened + 2 : closed - 1] + reasons[closed:]
 
 
 _FOOT = (
