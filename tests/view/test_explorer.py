@@ -1,6 +1,7 @@
 """The explorer as a visitor meets it, in a real browser: look, drag, click, upload, take a file home and run it again."""
 
 import json
+import math
 import os
 import re
 import shutil
@@ -305,6 +306,15 @@ def test_a_wave_that_breaks_is_told_and_the_page_goes_on(visit):
     page.locator("#number-wave_height").fill("3")
     page.wait_for_function("document.querySelector('.says h1').innerText.includes('x 3 m')")
     assert page.locator(".wrong").count() == 0
+
+
+def test_a_ship_that_keeps_pace_with_the_wave_gets_no_answer_but_its_map(visit):
+    speed = math.sqrt(9.81 * 150.0 / (2 * math.pi))  # the celerity of the wave
+    page = visit(f"ship=series60-cb60&speed={speed!r}&heading=0&wave_length=150&wave_height=4")
+    page.wait_for_selector(".wrong")
+    assert "No periodic motion" in sentence(page)
+    assert "keeps pace" in page.inner_text(".wrong")
+    filled(page)
 
 
 def test_it_fits_a_phone_and_follows_the_dark(visit):

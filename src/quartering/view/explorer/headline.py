@@ -8,6 +8,8 @@ import math
 from quartering.hull.righting import righting_polynomial
 from quartering.view.commands.verdict import Examined
 
+NO_MOTION = "<h1><b class='unstable'>No periodic motion here</b></h1>"
+
 
 def beyond(found: Examined) -> list[str]:
     """A note where the motion leaves the range of the righting arm's polynomial."""

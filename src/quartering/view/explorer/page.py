@@ -20,7 +20,7 @@ from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.fleet import Fleet, Known
-from quartering.view.explorer.headline import beyond, headline
+from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.state import State
 from quartering.view.explorer.turns import Turns
@@ -200,28 +200,26 @@ class Page:
             self._shown = state
 
     async def _settle(self, state: State) -> None:
-        def judged() -> tuple[Scene, Examined]:
-            of = scene(state, self._fleet.known(state.ship))
-            self_scene.append(of)
-            return of, verdict(of)
-
-        self_scene: list[Scene] = []
+        of, _ = await self._take(lambda: scene(state, self._fleet.known(state.ship)))
         try:
-            (of, found), notes = await self._take(judged)
-        except InputError:
-            if self_scene:  # the ship and sea exist, the condition has no answer: dials and map are shown all the same
-                self._show_scene(state, self_scene[0])
-                if self.state is state:
-                    await self._fill_map(state, self_scene[0])
-            raise
-        self._sentence.set_content(headline(found))
-        self._heal.set_content("")
-        self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in [*notes, *beyond(found)]))
+            found, notes = await self._take(lambda: verdict(of))
+        except InputError as error:  # ship and sea are as they should be; in this condition there is no motion
+            self._say(NO_MOTION, [])
+            self._say_wrong(str(error))
+            self._show_scene(state, of)
+            await self._fill_map(state, of)
+            return
+        self._say(headline(found), [*notes, *beyond(found)])
         self._show_scene(state, of)
         for step in (self._fill_panel, self._fill_map, self._fill_cures):
             if self.state is not state:
                 return
             await step(state, of, found)
+
+    def _say(self, words: str, notes: list[str]) -> None:
+        self._sentence.set_content(words)
+        self._heal.set_content("")
+        self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in notes))
 
     def _show_scene(self, state: State, of: Scene) -> None:
         if self.state is not state:  # a dial in motion is not turned back
