@@ -30,11 +30,8 @@ _AXIS = {"zeroline": False, "ticks": "outside", "ticklen": 4, "title": {"standof
 def _chart(
     traces: Sequence[Mapping[str, Any]], x: str, y: str, *, height: int = 260, legend: bool = True, **layout: Any
 ) -> Chart:
-    """A figure with one pair of axes."""
-    axes = {"xaxis": _axis(x), "yaxis": _axis(y)}
-    for name in list(layout):
-        if name.startswith(("xaxis", "yaxis")):
-            axes[name] = axes.get(name, _axis("")) | layout.pop(name)
+    """A figure with one pair of axes; what `layout` says of an axis is added to it."""
+    axes = {name: _axis(title) | layout.pop(name, {}) for name, title in (("xaxis", x), ("yaxis", y))}
     return {
         "data": list(traces),
         "layout": {
@@ -116,8 +113,8 @@ def unit_circle(v: Verdict) -> Chart:
     reach = max(1.15, 1.1 * float(np.nan_to_num(np.abs(v.multipliers)).max()))
     square = {"range": [-reach, reach]}
     return _chart(
-        traces, "Re μ", "Im μ", height=300, xaxis=_axis("Re μ") | square | {"constrain": "domain"},
-        yaxis=_axis("Im μ") | square | {"scaleanchor": "x", "constrain": "domain"},
+        traces, "Re μ", "Im μ", height=300, xaxis=square | {"constrain": "domain"},
+        yaxis=square | {"scaleanchor": "x", "constrain": "domain"},
     )  # fmt: skip
 
 
@@ -172,8 +169,7 @@ def tornado(found: xr.Dataset, of: str) -> Chart:
     }  # fmt: skip
     what = "roll amplitude [deg]" if of == "roll" else "leading exponent [1/s]"
     return _chart(
-        [bars], f"change of the {what} when each grows by 10 %", "", height=360, legend=False,
-        xaxis=_axis(f"change of {what} per +10 %") | {"zeroline": True, "zerolinewidth": 1},
+        [bars], f"change of {what} per +10 %", "", height=360, legend=False, xaxis={"zeroline": True, "zerolinewidth": 1},
     )  # fmt: skip
 
 
@@ -207,7 +203,7 @@ def body_plan(ship: Ship) -> Chart:
     })  # fmt: skip
     return _chart(
         traces, "aft body ← half breadth [m] → fore body", "height [m]", height=260, legend=False,
-        yaxis=_axis("height [m]") | {"scaleanchor": "x"},
+        yaxis={"scaleanchor": "x"},
     )  # fmt: skip
 
 

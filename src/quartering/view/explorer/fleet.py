@@ -43,8 +43,8 @@ class Fleet:
     """
 
     def __init__(self, given: str | None = None) -> None:
-        self._labels = {entry.name: entry.description for entry in available_ships()}
-        self._given = given if given is not None and given not in self._labels else None
+        self._names = [entry.name for entry in available_ships()]
+        self._given = given if given is not None and given not in self._names else None
         if self._given is not None:
             self._own = Known(self._given, self._given, ship(self._given))
         self._uploads: OrderedDict[str, Known] = OrderedDict()
@@ -57,7 +57,7 @@ class Fleet:
         ------
         InputError    as from `known`
         """
-        if key not in self._labels:
+        if key not in self._names:
             self.known(key)
 
     def known(self, key: str) -> Known:
@@ -69,7 +69,7 @@ class Fleet:
         """
         if key == self._given:
             return self._own
-        if key in self._labels:
+        if key in self._names:
             return Known(key, key, ship(key))
         with self._lock:
             if key in self._uploads:
@@ -85,7 +85,7 @@ class Fleet:
     def options(self) -> dict[str, str]:
         """Key -> label of the ships everybody may choose."""
         own = {self._given: self._given} if self._given else {}
-        return own | {name: name for name in self._labels}
+        return own | {name: name for name in self._names}
 
     def keep(self, found: Known) -> None:
         """Hold an uploaded hull; links name it by the digest of its content."""
