@@ -5,7 +5,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test docs bench clean
+.PHONY: demo test docs browser bench clean
 
 demo: $(VENV)/.demo
 	mkdir -p demo
@@ -21,6 +21,13 @@ test: $(VENV)/.dev
 docs: $(VENV)/.docs
 	$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs build/docs
 	@echo "build/docs/index.html"
+
+# The explorer is tested in Chromium; where it is missing and apt-get can bring it, it is brought.
+browser:
+	@command -v chromium || command -v chromium-browser || command -v google-chrome || { \
+	  command -v apt-get >/dev/null || { echo "no chromium here, and no apt-get to bring it: install it yourself"; exit 2; }; \
+	  as_root=; [ "$$(id -u)" = 0 ] || as_root="sudo -n"; \
+	  $$as_root apt-get update -qq && $$as_root apt-get install -qq -y --no-install-recommends chromium fonts-dejavu-core; }
 
 bench: $(VENV)/.dev
 	$(BIN)/python benchmarks/polar.py

@@ -51,6 +51,7 @@ _COMMANDS = (
     cli_paper.figures,
     cli_paper.duffing,
     cli_pages.report,
+    cli_pages.app,
 )
 for _command in _COMMANDS:
     app.command()(_command)

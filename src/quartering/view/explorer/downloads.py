@@ -1,0 +1,104 @@
+"""Files to take home: the map as picture and dataset, the case file that gives it again, and the report."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import io
+import json
+import tempfile
+import zipfile
+from pathlib import Path
+
+import xarray as xr
+
+from quartering.view.explorer.answers import HEADINGS, Scene, joined, map_blocks
+from quartering.view.explorer.fleet import Known
+from quartering.view.explorer.state import LOADING, State
+
+_REPORT = "quartering.view.report"
+_UNITS = {"gm": " m", "gyradius_roll": " m", "gyradius_yaw": " m", "roll_damping": ""}
+
+
+def map_dataset(of: Scene) -> xr.Dataset:
+    """The whole map of a page."""
+    return joined([block() for block in map_blocks(of)])
+
+
+def picture(of: Scene, ending: str) -> bytes:
+    """The map as a picture, "png" or "svg"."""
+    from quartering.view.plots import style
+    from quartering.view.plots.polar_map import polar_map
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"map.{ending}"
+        style.save(polar_map(map_dataset(of)), path)
+        return path.read_bytes()
+
+
+def netcdf(of: Scene) -> bytes:
+    """The map as netCDF."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "map.nc"
+        map_dataset(of).to_netcdf(path)
+        return path.read_bytes()
+
+
+def case_file(state: State, of: Scene) -> tuple[str, bytes]:
+    """Name and content of the case that gives the view again; a zip with the lines for a hull that was uploaded."""
+    known = of.known
+    text = case_text(state, of, "ship.yaml" if known.files else known.key)
+    if not known.files:
+        return f"{stem(known)}-case.yaml", text.encode()
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as bundle:
+        for name, data in {"case.yaml": text.encode(), **known.files}.items():
+            bundle.writestr(name, data)
+    return f"{stem(known)}-case.zip", packed.getvalue()
+
+
+def case_text(state: State, of: Scene, ship: str) -> str:
+    """Case file with the chosen condition, and the map where its waves share one height.
+
+    A case holds every combination of its values, so waves of one steepness cannot stand in it together: the chosen length
+    does, at all headings.
+    """
+    heading = sorted({*HEADINGS.tolist(), of.heading})
+    if state.wave_height is None:
+        lengths, what = [of.wave.length], "all headings in the chosen wave (the map's other waves have other heights)"
+    else:
+        lengths, what = (
+            sorted({*(wave.length for wave in of.waves), of.wave.length}),
+            "the map, and the chosen condition",
+        )
+    own = {name: getattr(state, name) for name in LOADING if getattr(state, name) is not None}
+    lines = [
+        f"# From the explorer: {what}.",
+        "# Run it:  quartering sweep <this file> -o result    then    quartering worst result",
+        f"# Chosen: heading {of.heading!r} deg, wave length {of.wave.length!r} m.",
+        f"ship: {json.dumps(ship)}",
+        f"speed: {of.speed!r}                # m/s",
+        f"heading: {json.dumps(heading)}     # deg",
+        f"wave_length: {json.dumps(lengths)} # m",
+        f"wave_height: {of.wave.height!r}    # m",
+        *(["loading:"] if own else []),
+        *(f'  {name}: "{value!r}{_UNITS[name]}"' for name, value in own.items()),
+        f"harmonics: {of.harmonics}",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def has_report() -> bool:
+    """Can a report be written?"""
+    return importlib.util.find_spec(_REPORT) is not None
+
+
+def report(of: Scene) -> bytes:
+    """The report on the map of a page, one HTML file."""
+    page: str = importlib.import_module(_REPORT).report_html(of.ship, map_dataset(of))
+    return page.encode()
+
+
+def stem(known: Known) -> str:
+    """Short name of a ship, to name files with."""
+    return Path(known.label).stem or "ship"

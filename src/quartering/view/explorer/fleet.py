@@ -1,0 +1,96 @@
+"""The ships a server knows: the built-in ones, the one it was started with, and hulls brought by visitors."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from quartering.conventions import InputError
+from quartering.hull.readers import available_ships
+from quartering.hull.ship import Ship, ship
+
+MOST_UPLOADS = 64
+"""Uploaded hulls kept; the one unused for longest goes first."""
+
+
+@dataclass(frozen=True, eq=False)
+class Known:
+    """A ship the server knows.
+
+    Parameters
+    ----------
+    key : str                   what links and calls name it by
+    label : str                 what people read
+    ship : Ship
+    files : mapping             name -> content of the files it was made of, for an upload
+    """
+
+    key: str
+    label: str
+    ship: Ship
+    files: Mapping[str, bytes] = field(default_factory=dict)
+
+
+class Fleet:
+    """Ships by key. A key never is a path: nobody opens a file of the server by naming it.
+
+    Examples
+    --------
+    >>> Fleet().known("wigley").ship.name
+    'Wigley hull'
+    """
+
+    def __init__(self, given: str | None = None) -> None:
+        self._names = [entry.name for entry in available_ships()]
+        self._given = given if given is not None and given not in self._names else None
+        if self._given is not None:
+            self._own = Known(self._given, self._given, ship(self._given))
+        self._uploads: OrderedDict[str, Known] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def check(self, key: str) -> None:
+        """Refuse a key that is none of this server's; the ship itself is not read.
+
+        Raises
+        ------
+        InputError    as from `known`
+        """
+        if key not in self._names:
+            self.known(key)
+
+    def known(self, key: str) -> Known:
+        """A ship by its key.
+
+        Raises
+        ------
+        InputError    a key that is none of this server's
+        """
+        if key == self._given:
+            return self._own
+        if key in self._names:
+            return Known(key, key, ship(key))
+        with self._lock:
+            if key in self._uploads:
+                self._uploads.move_to_end(key)
+                return self._uploads[key]
+        if key.startswith("upload-"):
+            raise InputError(
+                "this server does not hold the hull of this link (any more); upload the same file with the same dimensions"
+                " and the link works again"
+            )
+        raise InputError(f'ship "{key[:80]}" is unknown here; known are {", ".join(self.options())}')
+
+    def options(self) -> dict[str, str]:
+        """Key -> label of the ships everybody may choose."""
+        own = {self._given: self._given} if self._given else {}
+        return own | {name: name for name in self._names}
+
+    def keep(self, found: Known) -> None:
+        """Hold an uploaded hull; links name it by the digest of its content."""
+        with self._lock:
+            self._uploads[found.key] = found
+            self._uploads.move_to_end(found.key)
+            while len(self._uploads) > MOST_UPLOADS:
+                self._uploads.popitem(last=False)

@@ -1,0 +1,286 @@
+"""The page: sentence on top, dials, map and panel below; one `Page` for each browser tab."""
+
+from __future__ import annotations
+
+import asyncio
+import html
+import json
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+import xarray as xr
+from nicegui import background_tasks, ui
+from nicegui.client import Client
+
+from quartering.conventions import InputError
+from quartering.hydro.coefficients import coefficients
+from quartering.view.commands.verdict import Examined, helps
+from quartering.view.explorer import downloads
+from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting, scene, verdict
+from quartering.view.explorer.cell_panel import CellPanel, parts
+from quartering.view.explorer.controls import Controls
+from quartering.view.explorer.fleet import Fleet, Known
+from quartering.view.explorer.headline import NO_MOTION, beyond, headline
+from quartering.view.explorer.map_panel import MapPanel
+from quartering.view.explorer.state import State
+from quartering.view.explorer.turns import Turns
+from quartering.view.explorer.upload_dialog import UploadDialog
+
+_THEMES = {None: ("contrast", "as the system"), True: ("dark_mode", "dark"), False: ("light_mode", "light")}
+
+
+class Page:
+    """What one visitor sees and does; nothing of it is shared but the ships and the turns.
+
+    Parameters
+    ----------
+    client : Client      of NiceGUI: this browser tab
+    fleet : Fleet
+    turns : Turns
+    state : State        what the link asked for
+    problem : str        what was wrong with the link, or ""
+    """
+
+    def __init__(self, client: Client, fleet: Fleet, turns: Turns, state: State, problem: str) -> None:
+        self._client, self._fleet, self._turns = client, fleet, turns
+        self.state = state
+        self._shown: State | None = None
+        self._following: asyncio.Task[None] | None = None
+        self._stopped = False
+        self._map_of: State | None = None
+        self._build(problem)
+
+    def _build(self, problem: str) -> None:
+        with ui.element("div").classes("sheet"):
+            with ui.element("header").classes("bar"):
+                self._bar()
+            with ui.element("section").classes("says").props("aria-live=polite"):
+                self._sentence = ui.html("<h1 class='when'>…</h1>", sanitize=False).mark("sentence")
+                self._heal = ui.html("", sanitize=False)
+                self._notes = ui.html("", sanitize=False)
+                self._wrong = ui.html("", sanitize=False).mark("problem")
+            with ui.element("div").classes("grid"):
+                with ui.element("section").classes("dials"):
+                    self._controls = Controls(self.change)
+                with ui.element("section").classes("map"):
+                    self._map = MapPanel(lambda heading, length: self.change(heading=heading, wave_length=length))
+                    with ui.element("div").classes("progress"):
+                        self._progress = ui.label("").mark("progress")
+                        self._stop = ui.button("Stop", on_click=self._stop_map).props("flat dense no-caps")
+                        self._stop.set_visibility(False)
+                with ui.element("section").classes("panel"):
+                    self._panel = CellPanel(self.change)
+            ui.html(_FOOT, sanitize=False).classes("foot")
+        if problem:
+            self._say_wrong(problem)
+        self._go()
+
+    def _bar(self) -> None:
+        ui.label("quartering").classes("wordmark")
+        self._ships = ui.select(self._options(), value=self.state.ship, on_change=lambda e: self._choose_ship(e.value))
+        self._ships.props('dense options-dense outlined aria-label="ship"')
+        self._dialog = UploadDialog(self._uploaded)
+        ui.button("Your hull", icon="upload_file", color=None, on_click=self._dialog.open).props(
+            "flat dense no-caps"
+        ).mark("upload")
+        ui.element("span").classes("push")
+        ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
+        with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
+            for words, work in self._files().items():
+                ui.menu_item(words, on_click=work)
+        dark = ui.dark_mode(None)
+        theme = ui.button(icon=_THEMES[None][0], color=None).props('flat dense aria-label="light or dark"')
+
+        def turn() -> None:
+            order = list(_THEMES)
+            dark.value = order[(order.index(dark.value) + 1) % len(order)]
+            theme.set_icon(_THEMES[dark.value][0])
+
+        theme.on_click(turn)
+
+    def _options(self) -> dict[str, str]:
+        options = self._fleet.options()
+        if self.state.ship in options:
+            return options
+        try:
+            return {self.state.ship: self._fleet.known(self.state.ship).label, **options}
+        except InputError:
+            return {self.state.ship: "?", **options}
+
+    # What a visitor does
+
+    def change(self, **values: Any) -> None:
+        """Change the state; what is on the page follows."""
+        try:
+            state = self.state.changed(**values)
+        except InputError as error:
+            self._say_wrong(str(error))
+            return
+        if state != self.state or self._stopped:
+            self.state = state
+            self._wrong.set_content("")
+            self._go()
+
+    def _go(self) -> None:
+        self._stopped = False
+        if self._following is None or self._following.done():
+            self._following = background_tasks.create(self._follow(), name="explorer page")
+
+    def leave(self) -> None:
+        """The visitor has gone: give up what is under way."""
+        if self._following is not None:
+            self._following.cancel()
+
+    def _choose_ship(self, name: str) -> None:
+        if name != self.state.ship:
+            kept = ("heading", "harmonics", "panel", "over")
+            self.state = State(ship=name, **{key: getattr(self.state, key) for key in kept})
+            self._wrong.set_content("")
+            self._go()
+
+    def _uploaded(self, known: Known) -> None:
+        self._fleet.keep(known)
+        self._ships.set_options({known.key: known.label, **self._options()})
+        self._ships.set_value(known.key)
+        self.change(panel="hull")
+
+    def _stop_map(self) -> None:
+        self._stopped = True
+
+    def _copy(self) -> None:
+        self._client.run_javascript("navigator.clipboard.writeText(location.href)")
+        ui.notify("The link to exactly this view is copied.", position="top")
+
+    def _files(self) -> dict[str, Callable[[], Awaitable[None]]]:
+        """What can be downloaded."""
+
+        def file(ending: str, work: Callable[[Scene], bytes]) -> Callable[[], Awaitable[None]]:
+            async def send() -> None:
+                def made() -> tuple[str, bytes]:
+                    of = scene(self.state, self._fleet.known(self.state.ship))
+                    return f"{downloads.stem(of.known)}-polar.{ending}", work(of)
+
+                await self._send(made)
+
+            return send
+
+        async def case() -> None:
+            def made() -> tuple[str, bytes]:
+                return downloads.case_file(self.state, scene(self.state, self._fleet.known(self.state.ship)))
+
+            await self._send(made)
+
+        files = {
+            "Case file that gives this view": case,
+            "Map, PNG": file("png", lambda of: downloads.picture(of, "png")),
+            "Map, SVG": file("svg", lambda of: downloads.picture(of, "svg")),
+            "Map, netCDF": file("nc", downloads.netcdf),
+        }
+        return files | ({"Report, HTML": file("html", downloads.report)} if downloads.has_report() else {})
+
+    async def _send(self, made: Callable[[], tuple[str, bytes]]) -> None:
+        try:
+            (name, content), _ = await self._turns.take(self._client.id, noting(made))
+        except InputError as error:
+            self._say_wrong(str(error))
+            return
+        with self._client:
+            ui.download.content(content, name)
+
+    # What follows
+
+    async def _follow(self) -> None:
+        """Bring the page up to its state; when the state moves on meanwhile, begin again with the new one."""
+        while self._shown is not self.state:
+            state = self.state
+            try:
+                await self._settle(state)
+            except InputError as error:
+                self._say_wrong(str(error))
+            self._shown = state
+
+    async def _settle(self, state: State) -> None:
+        of, _ = await self._take(lambda: scene(state, self._fleet.known(state.ship)))
+        try:
+            found, notes = await self._take(lambda: verdict(of))
+        except InputError as error:  # ship and sea are as they should be; in this condition there is no motion
+            self._say(NO_MOTION, [])
+            self._say_wrong(str(error))
+            self._show_scene(state, of)
+            await self._fill_map(state, of)
+            return
+        self._say(headline(found), [*notes, *beyond(found)])
+        self._show_scene(state, of)
+        for step in (self._fill_panel, self._fill_map, self._fill_cures):
+            if self.state is not state:
+                return
+            await step(state, of, found)
+
+    def _say(self, words: str, notes: list[str]) -> None:
+        self._sentence.set_content(words)
+        self._heal.set_content("")
+        self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in notes))
+
+    def _show_scene(self, state: State, of: Scene) -> None:
+        if self.state is not state:  # a dial in motion is not turned back
+            return
+        self._controls.show(of, state)
+        self._map.place(of)
+        self._panel.front(state)
+        link = json.dumps(f"?{state.query()}")
+        self._client.run_javascript(f"history.replaceState({{}}, '', {link})")
+
+    async def _fill_panel(self, state: State, of: Scene, found: Examined) -> None:
+        shown, _ = await self._take(lambda: parts(state, of, found))
+        if self.state is state:
+            self._panel.show(state.panel, shown)
+
+    async def _fill_map(self, state: State, of: Scene, _: Examined | None = None) -> None:
+        """The map, block by block, unless it is the one that is there."""
+        asked = _of_map(state)
+        if asked == self._map_of:
+            return
+        self._map_of = None
+        frequency, _notes = await self._take(lambda: coefficients(of.ship, 0.0, 0.0).roll_frequency)
+        self._map.lines(of, float(frequency))
+        done = 0
+        for block in map_blocks(of):
+            part: xr.Dataset
+            part, _notes = await self._take(block)
+            if self.state is not state:
+                return
+            self._map.show(part, fresh=done == 0)
+            done += part.sizes["heading"]
+            self._stop.set_visibility(done < HEADINGS.size and not self._stopped)
+            self._progress.set_text(f"{done} of {HEADINGS.size} headings" if done < HEADINGS.size else "")
+            if self._stopped:
+                self._progress.set_text(f"stopped at {done} of {HEADINGS.size} headings; any change begins again")
+                return
+        self._map_of = asked
+
+    async def _fill_cures(self, state: State, _: Scene, found: Examined) -> None:
+        if found.verdict.stable or not found.motion.status.ok:
+            return
+        healing, _notes = await self._take(lambda: helps(found))
+        if self.state is state and healing:
+            words = "; ".join(html.escape(cure.sentence) for cure in healing)
+            self._heal.set_content(f"<p class='heal'>Each of these alone restores stability: {words}.</p>")
+
+    async def _take(self, work: Callable[[], Any]) -> tuple[Any, list[str]]:
+        return await self._turns.take(self._client.id, noting(work))
+
+    def _say_wrong(self, problem: str) -> None:
+        self._wrong.set_content(f"<p class='wrong'>{html.escape(problem)}</p>")
+
+
+def _of_map(state: State) -> State:
+    """The part of a state the map depends on."""
+    return state.model_copy(update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height"})
+
+
+_FOOT = (
+    "Regular long-crested waves on deep water; no heave, pitch or flooding. Estimated coefficients are named under <i>Hull</i>."
+    " For study and design; it shows compliance with no rule. The map: bow up, waves come from the side of the cell; the right"
+    " half mirrors the left. Arrow keys on the map choose a cell. The same answers as a service:"
+    " <a href='/api/docs'>/api/docs</a>."
+)

@@ -1,0 +1,62 @@
+"""The server of the page and the service: one process, reached from this machine only unless told otherwise."""
+
+from __future__ import annotations
+
+import importlib.util
+import socket
+import threading
+import webbrowser
+from contextlib import suppress
+
+import typer
+
+from quartering.conventions import InputError
+from quartering.view.progress import announce_compilation
+
+_LONGEST_MESSAGE = 1_000_000
+_LOCAL = ("127.0.0.1", "localhost", "::1")
+
+
+def run_explorer(ship: str | None, host: str, port: int, browser: bool) -> None:
+    """Serve the explorer until Ctrl-C.
+
+    Parameters
+    ----------
+    ship : str or None    built-in ship or ship file to open with
+    host, port            to listen on
+    browser : bool        open the page in the system's browser
+
+    Raises
+    ------
+    InputError            NiceGUI is not installed, no such ship, the port is taken
+    """
+    if importlib.util.find_spec("nicegui") is None:
+        raise InputError("the explorer needs NiceGUI, which is not installed; try: pip install 'quartering[app]'")
+    _check_port(host, port)
+    import uvicorn
+
+    from quartering.view.explorer.application import explorer
+    from quartering.view.explorer.fleet import Fleet
+
+    announce_compilation()
+    server = explorer(Fleet(ship), ship)
+    address = f"http://{host}:{port}/"
+    typer.echo(f"quartering explorer: {address}   (Ctrl-C ends it; the service is described at {address}api/docs)")
+    if host not in _LOCAL:
+        typer.echo(f"note: everyone who can reach {host} can use it", err=True)
+    if browser:
+        threading.Timer(0.5, webbrowser.open, (address,)).start()
+    with suppress(KeyboardInterrupt):  # Ctrl-C is how it ends
+        uvicorn.run(server, host=host, port=port, log_level="warning", ws_max_size=_LONGEST_MESSAGE)
+
+
+def _check_port(host: str, port: int) -> None:
+    """Refuse an address that cannot be listened on."""
+    try:
+        with socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_STREAM) as trial:
+            trial.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            trial.bind((host, port))
+    except (OSError, OverflowError) as error:
+        raise InputError(
+            f"cannot listen on {host}, port {port} ({getattr(error, 'strerror', None) or error}); try --port {port % 60000 + 1}"
+        ) from None

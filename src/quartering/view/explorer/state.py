@@ -1,0 +1,134 @@
+"""The whole state of a page, and the link that carries it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal
+from urllib.parse import urlencode
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from quartering.conventions import InputError
+
+Panel = Literal["motion", "stability", "curve", "causes", "hull"]
+"""What the right side of the page shows."""
+
+Over = Literal["wave_height", "wave_length", "speed", "frequency"]
+"""What the response curve is drawn over."""
+
+LOADING = ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping")
+"""Loading values a page can change; None keeps the ship's own."""
+
+
+class State(BaseModel):
+    """What a page shows: ship, loading, sea, condition, panel.
+
+    Parameters
+    ----------
+    ship : str                              name the server knows it by
+    gm, gyradius_roll, gyradius_yaw : float    [m]; None: the ship's own
+    roll_damping : float                    fraction of critical; None: the ship's own
+    speed : float                           [m/s]; None: Fn 0.25
+    heading : float                         0 following, 180 head [deg]
+    wave_length : float                     [m]; None: the ship's length
+    wave_height, steepness : float          one of the two: the same height [m], or the same H/lambda, for all waves of the map
+    harmonics : int                         of the steady motion
+    panel, over : str                       what the right side shows
+
+    Examples
+    --------
+    >>> State(heading=30.0).query()
+    'ship=series60-cb60&heading=30'
+    >>> State.of_query({"heading": "30", "gm": "0.9"}).gm
+    0.9
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+    ship: str = Field(default="series60-cb60", max_length=1000)
+    gm: float | None = Field(default=None, gt=0, le=1e3)
+    gyradius_roll: float | None = Field(default=None, gt=0, le=1e3)
+    gyradius_yaw: float | None = Field(default=None, gt=0, le=1e4)
+    roll_damping: float | None = Field(default=None, ge=0, le=1)
+    speed: float | None = Field(default=None, ge=0, le=100)
+    heading: float = Field(default=60.0, ge=0, le=180)
+    wave_length: float | None = Field(default=None, gt=0, le=1e4)
+    wave_height: float | None = Field(default=None, ge=0, le=1e3)
+    steepness: float | None = Field(default=None, gt=0, le=1 / 7)
+    harmonics: Literal[1, 3, 5, 7, 9] = 1
+    panel: Panel = "motion"
+    over: Over = "wave_height"
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_sea(cls, given: Any) -> Any:
+        """A height or a steepness; 1/30 when neither is given."""
+        if not isinstance(given, dict):
+            return given
+        height, steepness = given.get("wave_height"), given.get("steepness")
+        if height is not None and steepness is not None:
+            raise ValueError("wave_height and steepness are both given; leave one out")
+        return given if height is not None or steepness is not None else {**given, "steepness": 1 / 30}
+
+    @model_validator(mode="before")
+    @classmethod
+    def _numbers(cls, given: Any) -> Any:
+        """Whole numbers of a link come as text."""
+        words = given.get("harmonics") if isinstance(given, dict) else None
+        return {**given, "harmonics": int(words)} if isinstance(words, str) and words.isdecimal() else given
+
+    @classmethod
+    def of_query(cls, query: Mapping[str, str]) -> State:
+        """The state a link describes; `STARTING` for a link that says nothing.
+
+        Parameters
+        ----------
+        query : mapping of str to str
+
+        Returns
+        -------
+        State
+
+        Raises
+        ------
+        InputError    an unknown key or a value that cannot be: the first one, and what is allowed
+        """
+        if not query:
+            return STARTING
+        try:
+            return cls.model_validate(dict(query))
+        except ValidationError as error:
+            raise InputError(f"this link cannot be read: {sentence(error)}") from None
+
+    def query(self) -> str:
+        """The part of a link after the question mark: the ship, and everything that is not as it would be anyway."""
+        usual = State()
+        changed = {n: v for n, v in self if v is not None and (n == "ship" or v != getattr(usual, n))}
+        return urlencode({name: f"{v:.10g}" if isinstance(v, float) else v for name, v in changed.items()})
+
+    def changed(self, **values: Any) -> State:
+        """The state with some values changed.
+
+        Raises
+        ------
+        InputError    a value that cannot be
+        """
+        try:
+            return State.model_validate(self.model_dump() | values)
+        except ValidationError as error:
+            raise InputError(sentence(error)) from None
+
+
+STARTING = State(ship="dtmb5415", speed=11.2, heading=50.0, wave_length=242.0)
+"""What a page opens with: a fast ship in quartering waves, where some of the map is unstable."""
+
+
+def sentence(error: ValidationError) -> str:
+    """The first thing that is wrong, in words."""
+    problem = error.errors()[0]
+    key = ", ".join(str(part) for part in problem["loc"])
+    given = str(problem["input"])[:80]
+    if problem["type"] == "extra_forbidden":
+        return f"{key} is unknown; known are {', '.join(State.model_fields)}"
+    said = problem["msg"].removeprefix("Value error, ").removeprefix("Input ")
+    return f"{key} = {given}: {said}" if key else said

@@ -1,0 +1,329 @@
+"""The explorer as a visitor meets it, in a real browser: look, drag, click, upload, take a file home and run it again."""
+
+import json
+import math
+import os
+import re
+import shutil
+from urllib.parse import parse_qs, urlparse
+
+import pytest
+from typer.testing import CliRunner
+
+import quartering as qt
+from quartering.study.result import open_result
+from quartering.view.cli import app
+
+pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
+playwright = pytest.importorskip("playwright.sync_api", reason="browser tests need playwright (extra `dev`)")
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+if CHROMIUM is None and os.environ.get("CI") == "true":
+    pytest.fail("no chromium on this machine, and CI must have one: `make browser` installs it", pytrace=False)
+if CHROMIUM is None:
+    pytest.skip("no chromium on this machine; `make browser` installs it", allow_module_level=True)
+
+FLAGS = (
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync",
+)  # fmt: skip
+STABLE = "ship=series60-cb60&speed=7.5&heading=30&wave_length=150&wave_height=4"
+SLOW = 20_000
+"""How long a step may take on a machine that others use too [ms]."""
+
+
+@pytest.fixture(scope="module")
+def context():
+    """One browser whose files are loaded once; every page in it is a visitor of its own."""
+    with playwright.sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=CHROMIUM, args=list(FLAGS))
+        yield browser.new_context()
+        browser.close()
+
+
+@pytest.fixture
+def visit(context, explorer):
+    """Open the page with a query. Errors, and requests to anywhere but this machine, are kept."""
+    pages = []
+
+    def open_page(query="", width=1440, height=1000, scheme="light"):
+        page = context.new_page()
+        pages.append(page)
+        page.set_viewport_size({"width": width, "height": height})
+        page.emulate_media(color_scheme=scheme)
+        page.set_default_timeout(SLOW)
+        page.wrong, page.elsewhere = [], []
+        page.on("pageerror", lambda error: page.wrong.append(str(error)))
+        page.on("console", lambda said: page.wrong.append(said.text) if said.type == "error" else None)
+        page.on("request", lambda asked: page.elsewhere.append(asked.url) if _far(asked.url) else None)
+        page.goto(f"{explorer.address}/?{query}")
+        page.wait_for_selector(".says h1 b")
+        return page
+
+    yield open_page
+    for page in pages:
+        page.close()
+
+
+def _far(url):
+    return urlparse(url).scheme in ("http", "https", "ws") and urlparse(url).hostname != "127.0.0.1"
+
+
+def filled(page):
+    """Wait until every cell of the map is known."""
+    page.wait_for_function(
+        "document.querySelectorAll('.q-cell').length === 740 && !document.querySelector('.q-awaited')"
+    )
+
+
+def busy():
+    """Do others use this machine so much that times say little about the explorer?"""
+    return os.getloadavg()[0] > 1.5 * len(os.sched_getaffinity(0))
+
+
+def sentence(page):
+    return page.inner_text(".says h1")
+
+
+def link(page):
+    return {key: values[0] for key, values in parse_qs(urlparse(page.url).query).items()}
+
+
+def test_the_first_sight_is_the_verdict_and_the_whole_map(visit):
+    visit()  # the first visitor fetches the files; the second is the warm one
+    page = visit()
+    paint = page.evaluate("performance.getEntriesByName('first-contentful-paint')[0].startTime")
+    print(f"first paint {paint:.0f} ms")
+    filled(page)
+    assert "unstable" in sentence(page)
+    assert "restores stability" in page.inner_text(".heal")
+    kinds = page.eval_on_selector_all(".q-cell", "cells => cells.map(cell => cell.dataset.kind)")
+    hatched = page.eval_on_selector_all(
+        ".q-map svg path", "all => all.filter(p => (p.getAttribute('fill') || '').includes('hatch'))"
+    )
+    assert len(hatched) == sum(int(kind) not in (-1, 0, 5) for kind in kinds) > 0  # by pattern, not by colour alone
+    assert paint < 2000 or busy()
+    assert page.wrong == page.elsewhere == []
+
+
+def test_the_sentence_is_that_of_the_command(visit):
+    words = ["--heading", "30", "--speed", "7.5", "--wave-length", "150", "--wave-height", "4", "--json"]
+    said = json.loads(CliRunner().invoke(app, ["verdict", "series60-cb60", *words]).stdout)["sentence"]
+    page = visit(STABLE)
+    shown = f"{sentence(page)} {page.inner_text('.says h1 + p')}"
+    for number in re.findall(r"\d+\.\d+", said):
+        assert number in shown
+    assert "stable" in sentence(page)
+
+
+LATENCY = """([slider, key]) => new Promise(resolve => {
+  const says = document.querySelector('.says'), thumb = document.querySelector(slider);
+  thumb.focus();
+  const begin = performance.now();
+  new MutationObserver((_, self) => { self.disconnect(); resolve(performance.now() - begin); })
+    .observe(says, { subtree: true, childList: true, characterData: true });
+  thumb.dispatchEvent(new KeyboardEvent('keydown', { key, keyCode: key === 'ArrowRight' ? 39 : 37, bubbles: true }));
+  thumb.dispatchEvent(new KeyboardEvent('keyup', { key, keyCode: key === 'ArrowRight' ? 39 : 37, bubbles: true }));
+})"""
+
+FULL_MAP = """([slider, key]) => new Promise(resolve => {
+  const thumb = document.querySelector(slider), begin = performance.now();
+  let last = begin;
+  const seen = new MutationObserver(() => { last = performance.now(); });
+  seen.observe(document.querySelector('.q-map svg'), { subtree: true, attributes: true, attributeFilter: ['fill', 'class'] });
+  thumb.focus();
+  thumb.dispatchEvent(new KeyboardEvent('keydown', { key, keyCode: 39, bubbles: true }));
+  thumb.dispatchEvent(new KeyboardEvent('keyup', { key, keyCode: 39, bubbles: true }));
+  setTimeout(() => { seen.disconnect(); resolve(last - begin); }, 3000);
+})"""
+
+
+def test_a_turned_dial_moves_verdict_link_and_map(visit):
+    page = visit(STABLE)
+    filled(page)
+    before = sentence(page)
+    thumb = page.locator("#slider-heading [tabindex='0'], #slider-heading[tabindex='0']").first
+    thumb.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("before => document.querySelector('.says h1').innerText !== before", arg=before)
+    assert "Heading 31 deg" in sentence(page)
+    page.wait_for_function("location.search.includes('heading=31')")
+    selector = "#slider-heading[tabindex], #slider-heading [tabindex]"
+    times = sorted(page.evaluate(LATENCY, [selector, key]) for key in ["ArrowRight", "ArrowLeft"] * 4)
+    print(f"dial to verdict: median {times[4]:.0f} ms, worst {times[-1]:.0f} ms")
+    whole = page.evaluate(FULL_MAP, ["#slider-speed[tabindex], #slider-speed [tabindex]", "ArrowRight"])
+    print(f"dial to the whole map of 37 x 20: {whole:.0f} ms")
+    assert whole > 0
+    assert (times[4] < 150 and whole < 1500) or busy()
+    assert page.wrong == []
+
+
+def test_dragging_a_slider_follows_with_the_mouse(visit):
+    page = visit(STABLE)
+    box = page.locator("#slider-gm").bounding_box()
+    before = page.input_value("#number-gm")
+    page.mouse.move(box["x"] + 0.3 * box["width"], box["y"] + box["height"] / 2)
+    page.mouse.down()
+    for share in (0.4, 0.5, 0.6, 0.7):
+        page.mouse.move(box["x"] + share * box["width"], box["y"] + box["height"] / 2, steps=3)
+    page.mouse.up()
+    at_rest = (
+        "Math.abs(new URLSearchParams(location.search).get('gm') - document.querySelector('#number-gm').value) < 1e-3"
+    )
+    page.wait_for_function(at_rest)
+    assert float(link(page)["gm"]) > float(before)
+
+
+def test_a_click_on_a_cell_opens_its_motion(visit):
+    page = visit(STABLE)
+    filled(page)
+    ship = qt.ship("series60-cb60")
+    page.locator(".q-cell[data-i='24'][data-j='8']").evaluate(
+        "cell => cell.dispatchEvent(new MouseEvent('click', { bubbles: true }))"
+    )
+    page.wait_for_function("document.querySelector('.says h1').innerText.includes('Heading 120 deg')")
+    length = 1.2 * ship.hull.length  # ring 8 of 0.4, 0.5, ..
+    model = qt.equations(ship, qt.Wave(length, 4.0), speed=7.5, heading=120.0)
+    motion = qt.steady_motion(model, start="rest")
+    page.wait_for_function("size => document.querySelector('.panel').innerText.includes(size)", arg="Roll ")
+    roll = f"{motion.amplitude[1] * 57.29577951308232:.3g}°"
+    page.wait_for_function("roll => document.querySelector('.panel').innerText.includes(`Roll ${roll}`)", arg=roll)
+    page.locator(".q-map svg").focus()
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_function("document.querySelector('.says h1').innerText.includes('Heading 115 deg')")
+    assert page.wrong == []
+
+
+@pytest.mark.parametrize(
+    ("panel", "says"),
+    [("stability", "Floquet"), ("curve", "harmonics"), ("causes", "leading exponent"), ("hull", "Body plan")],
+)
+def test_every_panel_draws(visit, panel, says):
+    page = visit(f"{STABLE}&panel={panel}")
+    page.wait_for_function("says => document.querySelector('.panel').innerText.includes(says)", arg=says)
+    page.wait_for_selector(".panel .main-svg")
+    assert page.locator(".panel .main-svg .trace, .panel .main-svg .points path").count() > 0
+    assert page.wrong == []
+
+
+BARGE = "x,0,4,6\n" + "\n".join(f"{x},5,5,5" for x in (-30, -10, 10, 30))
+
+
+def upload(page, name, content, draught=None):
+    page.get_by_role("button", name="Your hull").click()
+    if draught is not None:
+        page.get_by_label("draught [m]").fill(str(draught))
+        page.get_by_label("draught [m]").blur()
+    file = content if isinstance(content, str) else {"name": name, "mimeType": "text/csv", "buffer": content}
+    page.locator("input[type=file]").set_input_files(file)
+
+
+def test_an_uploaded_hull_is_drawn_and_its_case_runs_again(visit, tmp_path, monkeypatch):
+    page = visit(STABLE)
+    upload(page, "barge.csv", BARGE.encode(), draught=3)
+    page.wait_for_function(
+        "document.querySelector('.panel').innerText.includes('displaced 1,800')"
+    )  # L B T = 60 x 10 x 3 m
+    assert link(page)["ship"].startswith("upload-")
+    said = page.inner_text(".says")
+    page.get_by_role("button", name="Download").click()
+    with page.expect_download() as taken:
+        page.get_by_text("Case file").click()
+    taken.value.save_as(tmp_path / "case.zip")
+    shutil.unpack_archive(tmp_path / "case.zip", tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert rerun(tmp_path / "case.yaml", page, said) == "upload"
+
+
+def test_the_case_file_runs_again_with_the_same_answer(visit, tmp_path, monkeypatch):
+    page = visit(f"{STABLE}&gm=0.8&heading=33")
+    said = page.inner_text(".says")
+    page.get_by_role("button", name="Download").click()
+    with page.expect_download() as taken:
+        page.get_by_text("Case file").click()
+    taken.value.save_as(tmp_path / "case.yaml")
+    monkeypatch.chdir(tmp_path)
+    assert rerun(tmp_path / "case.yaml", page, said) == "built-in"
+
+
+def rerun(case, page, said):
+    """Run a case by the command line and compare the chosen condition with what the page says."""
+    runner = CliRunner()
+    result = runner.invoke(app, ["sweep", str(case), "-o", "result"])
+    assert result.exit_code == 0, result.output
+    ds = open_result("result").load()
+    at = link(page)
+    heading = float(at.get("heading", 60))
+    length = (
+        float(at["wave_length"])
+        if "wave_length" in at
+        else float(re.search(r"wave length ([\d.]+) m", case.read_text())[1])
+    )
+    cell = ds.sel(heading=heading, wave_length=length, method="nearest").squeeze()
+    assert float(cell["wave_length"]) == pytest.approx(length)
+    roll = float(re.search(r"Roll amplitude ([\d.]+)°", said)[1])
+    assert float(cell["heading"]) == pytest.approx(heading)
+    assert float(cell["roll"]) == pytest.approx(roll, rel=5e-3)  # the page shows three digits
+    assert bool(cell["verdict"] == 0) == ("unstable" not in said)
+    growth = float(re.search(r"out at ([\d.e-]+) 1/s", said)[1])
+    assert -float(cell["exponent"]) == pytest.approx(growth, rel=5e-3)
+    return "upload" if "ship.yaml" in case.read_text() else "built-in"
+
+
+def test_bad_files_are_refused_in_the_dialog_and_another_visitor_notices_nothing(visit, tmp_path):
+    other, page = visit(STABLE), visit(STABLE)
+    before = sentence(other)
+    huge = tmp_path / "huge.stl"
+    with huge.open("wb") as file:
+        file.truncate(200_000_000)
+    upload(page, "", str(huge))
+    page.wait_for_function("document.querySelector('.upload-box').innerText.includes('up to 8 MB')")
+    for name, content, says in (
+        ("hull.csv", bytes(range(256)) * 40, "cannot be read as text"),
+        ("one.csv", b"x,0,4\n0,5,5\n", "at least 4 stations"),
+        ("barge.csv", BARGE.encode(), "give the draught"),
+    ):
+        page.locator("input[type=file]").set_input_files({"name": name, "mimeType": "text/csv", "buffer": content})
+        page.wait_for_function("says => document.querySelector('.upload-box').innerText.includes(says)", arg=says)
+    page.get_by_role("button", name="Cancel").click()
+    other.locator("#number-heading").fill("40")
+    other.wait_for_function("document.querySelector('.says h1').innerText.includes('Heading 40 deg')")
+    assert sentence(page) == before  # what one visitor does, the other does not see
+    assert page.wrong == other.wrong == []
+
+
+def test_a_link_that_cannot_be_says_why_and_opens_a_page(visit):
+    page = visit("heading=nan&ship=wigley")
+    assert "heading" in page.inner_text(".wrong")
+    assert "nan" in page.inner_text(".wrong")
+
+
+def test_a_wave_that_breaks_is_told_and_the_page_goes_on(visit):
+    page = visit(STABLE)
+    page.locator("#number-wave_height").fill("40")
+    page.wait_for_selector(".wrong")
+    assert "breaks" in page.inner_text(".wrong")
+    page.locator("#number-wave_height").fill("3")
+    page.wait_for_function("document.querySelector('.says h1').innerText.includes('x 3 m')")
+    assert page.locator(".wrong").count() == 0
+
+
+def test_a_ship_that_keeps_pace_with_the_wave_gets_no_answer_but_its_map(visit):
+    speed = math.sqrt(9.81 * 150.0 / (2 * math.pi))  # the celerity of the wave
+    page = visit(f"ship=series60-cb60&speed={speed!r}&heading=0&wave_length=150&wave_height=4")
+    page.wait_for_selector(".wrong")
+    assert "No periodic motion" in sentence(page)
+    assert "keeps pace" in page.inner_text(".wrong")
+    filled(page)
+
+
+def test_it_fits_a_phone_and_follows_the_dark(visit):
+    page = visit(STABLE, width=375, height=800, scheme="dark")
+    filled(page)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 375
+    ink, paper = page.evaluate(
+        "[getComputedStyle(document.body).color, getComputedStyle(document.body).backgroundColor]"
+    )
+    light, dark = (sum(map(int, re.findall(r"\d+", colour)[:3])) for colour in (ink, paper))
+    assert light > 600 > 120 > dark
+    assert page.wrong == []

@@ -1,0 +1,194 @@
+"""What the explorer is made of, without a browser: the link, the turns, uploads, the case file."""
+
+import asyncio
+import threading
+import time
+from urllib.parse import parse_qsl
+
+import numpy as np
+import pytest
+import xarray as xr
+from hypothesis import given
+from hypothesis import strategies as st
+
+import quartering as qt
+from quartering.conventions import InputError
+from quartering.study.case import case_grid
+from quartering.study.sweep import sweep
+
+pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
+
+from quartering.view.explorer.answers import map_blocks, noting, scene
+from quartering.view.explorer.downloads import case_file, map_dataset, netcdf, picture, report
+from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.state import STARTING, State
+from quartering.view.explorer.turns import Turns
+from quartering.view.explorer.uploads import LARGEST, Sizes, hull_of_upload
+
+BARGE = "x,0,4,6\n" + "\n".join(f"{x},5,5,5" for x in (-30, -10, 10, 30))
+
+
+def lengths(low, high):
+    return st.none() | st.floats(low, high, exclude_min=True)
+
+
+@given(
+    gm=lengths(0.0, 10.0),
+    gyradius_roll=lengths(0.0, 50.0),
+    speed=st.none() | st.floats(0.0, 30.0),
+    heading=st.floats(0.0, 180.0),
+    wave_length=lengths(0.0, 900.0),
+    sea=st.tuples(st.sampled_from(["wave_height", "steepness"]), st.floats(1e-3, 0.14)),
+    harmonics=st.sampled_from([1, 3, 5]),
+    panel=st.sampled_from(["motion", "stability", "curve", "causes", "hull"]),
+)
+def test_a_link_carries_the_whole_state(sea, **values):
+    state = State(**values, **dict([sea]))
+    back = State.of_query(dict(parse_qsl(state.query())))
+    for name, value in state:
+        other = getattr(back, name)
+        assert other == (pytest.approx(value, rel=1e-9, abs=1e-12) if isinstance(value, float) else value), name
+
+
+@pytest.mark.parametrize(
+    ("query", "reason"),
+    [
+        ({"heading": "nan"}, "heading"),
+        ({"heading": "200"}, "180"),
+        ({"gm": "-1"}, "gm"),
+        ({"wave_height": "3", "steepness": "0.02"}, "leave one out"),
+        ({"haeding": "30"}, "unknown"),
+        ({"harmonics": "2"}, "harmonics"),
+        ({"speed": "inf"}, "speed"),
+    ],
+)
+def test_a_link_that_cannot_be_is_refused_with_the_reason(query, reason):
+    with pytest.raises(InputError, match=reason):
+        State.of_query(query)
+
+
+@pytest.mark.parametrize("name", ["/etc/passwd", "../my.yaml", "library/wigley.yaml", "", "upload-0123"])
+def test_no_file_of_the_server_is_opened_by_its_name(name):
+    with pytest.raises(InputError):
+        Fleet().known(name)
+
+
+def test_an_uploaded_barge_has_the_volume_of_a_box():
+    known = hull_of_upload("my barge.csv", BARGE.encode(), Sizes(draught=3.0))
+    assert qt.hydrostatics(known.ship).volume == pytest.approx(60 * 10 * 3, rel=1e-9)  # L B T
+    assert known.key == hull_of_upload("my barge.csv", BARGE.encode(), Sizes(draught=3.0)).key
+    assert known.key != hull_of_upload("my barge.csv", BARGE.encode(), Sizes(draught=3.5)).key
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "reason"),
+    [
+        ("hull.exe", b"MZ", "taken|read"),
+        ("hull.csv", bytes(range(256)) * 40, "text"),
+        ("hull.stl", b"\x00" * 200, "STL"),
+        ("hull.gdf", b"\xff\xfe" * 300, "GDF"),
+        ("hull.csv", b"x,0,4\n0,5,5\n", "at least 4 stations"),
+        ("hull.csv", b"", "empty"),
+        ("hull.csv", b"x" * (LARGEST + 1), "MB"),
+        ("hull.out", b"4 t 4.0", "."),
+        ("../../etc/cron.csv", BARGE.encode(), "draught"),
+        ("ship.yaml.csv", b"a: !!python/object/apply:os.system [ls]", "."),
+    ],
+)
+def test_a_bad_upload_is_refused_by_its_own_name(name, data, reason):
+    with pytest.raises(InputError, match=reason) as refused:
+        hull_of_upload(name, data)
+    assert "/tmp" not in str(refused.value)
+
+
+def test_clients_take_turns_and_what_is_given_up_is_skipped():
+    done = []
+
+    async def run():
+        turns, hold = Turns(), threading.Event()
+        first = asyncio.create_task(turns.take("many", hold.wait))
+        await asyncio.sleep(0.01)
+        jobs = [asyncio.create_task(turns.take("many", lambda i=i: done.append(f"many {i}"))) for i in range(4)]
+        await asyncio.sleep(0.01)
+        one = asyncio.create_task(turns.take("one", lambda: done.append("one")))
+        await asyncio.sleep(0.01)
+        jobs[1].cancel()
+        hold.set()
+        await asyncio.gather(first, one, *jobs, return_exceptions=True)
+        turns.close()
+
+    asyncio.run(run())
+    assert done == ["many 0", "one", "many 2", "many 3"]
+
+
+def test_the_server_answers_others_while_a_computation_runs():
+    async def run():
+        turns = Turns()
+        slow = asyncio.create_task(turns.take("a", lambda: time.sleep(0.3)))
+        ticks = 0
+        while not slow.done():
+            await asyncio.sleep(0.01)
+            ticks += 1
+        turns.close()
+        return ticks
+
+    assert asyncio.run(run()) > 5  # the loop went on
+
+
+def test_an_error_in_a_turn_reaches_its_own_waiter_only():
+    def fail():
+        raise InputError("no such thing")
+
+    async def run():
+        turns = Turns()
+        found = await asyncio.gather(turns.take("a", fail), turns.take("b", lambda: 7), return_exceptions=True)
+        turns.close()
+        return found
+
+    failed, fine = asyncio.run(run())
+    assert isinstance(failed, InputError)
+    assert fine == 7
+
+
+def test_the_case_file_gives_the_map_again(tmp_path):
+    state = STARTING.changed(steepness=None, wave_height=3.0, gm=0.8, heading=52.0)
+    of = scene(state, Fleet().known(state.ship))
+    name, content = case_file(state, of)
+    path = tmp_path / name
+    path.write_bytes(content)
+    grid = case_grid(path)
+    rerun = sweep(grid.ship, **grid.axes, **grid.loadings, harmonics=grid.harmonics).isel(loading=0, wave_height=0)
+    shown = map_dataset(of)
+    again = rerun.sel(heading=shown["heading"], wave_length=shown["wave_length"])
+    for variable in ("roll", "exponent", "k2"):
+        # The forces are the same; the two paths put them together in another order of operations.
+        np.testing.assert_allclose(again[variable].values, shown[variable].values, rtol=1e-9, atol=1e-12)
+    assert (again["verdict"].values == shown["verdict"].values).all()
+    assert 52.0 in rerun["heading"].values
+
+
+def test_the_map_goes_home_as_picture_and_as_dataset(tmp_path):
+    state = State(ship="wigley", steepness=0.01)
+    of = scene(state, Fleet().known("wigley"))
+    assert picture(of, "png").startswith(b"\x89PNG")
+    assert b"<svg" in picture(of, "svg")[:2000]
+    (tmp_path / "map.nc").write_bytes(netcdf(of))
+    ds = xr.load_dataset(tmp_path / "map.nc")
+    again = qt.polar(qt.ship("wigley"), of.waves, [of.speed], ds["heading"].values)
+    np.testing.assert_allclose(ds["roll"].values, again["roll"].values, rtol=1e-12)
+    assert ds.attrs["provenance"] == again.attrs["provenance"]
+
+
+def test_the_report_goes_home_where_there_is_one():
+    pytest.importorskip("quartering.view.report", reason="no report yet")
+    of = scene(State(ship="wigley", steepness=0.01), Fleet().known("wigley"))
+    assert b"Wigley" in report(of)
+
+
+def test_waves_that_break_are_left_out_of_the_map():
+    state = State(ship="wigley", wave_height=8.0, wave_length=100.0)
+    of = scene(state, Fleet().known("wigley"))
+    assert all(wave.steepness <= 1 / 7 for wave in of.waves)
+    block, notes = noting(map_blocks(of)[0])()
+    assert block["roll"].sizes["wave_length"] == len(of.waves) < 20
+    assert "extrapolated" in notes[0]

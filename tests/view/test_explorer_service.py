@@ -1,0 +1,158 @@
+"""The service beside the pages: its answers are the library's, and what it is given wrongly does not hurt it."""
+
+import json
+import re
+import socket
+import threading
+import urllib.error
+import urllib.parse
+import urllib.request
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import quartering as qt
+from quartering.view.cli import app
+
+CONDITION = {"ship": "series60-cb60", "speed": 7.5, "heading": 30, "wave_length": 150, "wave_height": 4}
+MAP = {
+    "ship": "series60-cb60",
+    "gm": 0.9,
+    "speed": [5.0, 7.5],
+    "heading": [30, 60],
+    "wave_length": [100, 150],
+    "steepness": 0.02,
+}
+
+
+def ask(explorer, path, content=None, query=None):
+    """Status and answer."""
+    address = f"{explorer.address}{path}" + (f"?{urllib.parse.urlencode(query, doseq=True)}" if query else "")
+    data = None if content is None else content if isinstance(content, bytes) else json.dumps(content).encode()
+    request = urllib.request.Request(address, data, {"content-type": "application/json"})
+    try:
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            return answer.status, json.load(answer)
+    except urllib.error.HTTPError as error:
+        with error:
+            return error.code, json.loads(error.read())
+
+
+def test_verdict_is_that_of_the_command(explorer):
+    status, served = ask(explorer, "/api/verdict", query=CONDITION)
+    words = ["--heading", "30", "--speed", "7.5", "--wave-length", "150", "--wave-height", "4", "--json"]
+    printed = json.loads(CliRunner().invoke(app, ["verdict", "series60-cb60", *words]).stdout)
+    assert status == 200
+    assert served.pop("notes") == []
+    assert served == printed
+    assert ask(explorer, "/api/verdict", CONDITION)[1] == served | {"notes": []}
+
+
+def test_polar_is_that_of_the_library(explorer):
+    status, served = ask(explorer, "/api/polar", MAP)
+    assert status == 200
+    waves = [qt.Wave(length, 0.02 * length) for length in MAP["wave_length"]]
+    ds = qt.polar(qt.ship("series60-cb60").with_(gm=0.9), waves, MAP["speed"], MAP["heading"])
+    for name in ("roll", "k2", "exponent"):
+        np.testing.assert_allclose(np.array(served[name], dtype=float), ds[name].values, rtol=1e-12)
+        assert served["units"][name] == ds[name].attrs["units"]
+    assert served["verdict"][0][0][0] == "stable"
+    assert "K_ppp" in served["estimated_coefficients"]
+    assert ask(explorer, "/api/polar", query=MAP)[1]["roll"] == served["roll"]
+
+
+@pytest.mark.parametrize(
+    ("path", "content", "reason"),
+    [
+        ("/api/verdict", CONDITION | {"speed": float("nan")}, "speed: .*finite"),
+        ("/api/verdict", CONDITION | {"wave_height": float("inf")}, "wave_height: .*"),
+        ("/api/verdict", CONDITION | {"wave_height": 100}, "breaks"),
+        ("/api/verdict", CONDITION | {"ship": "/etc/passwd"}, "unknown"),
+        ("/api/verdict", CONDITION | {"speeed": 3}, "speeed"),
+        ("/api/verdict", CONDITION | {"gm": -0.1}, "gm"),
+        ("/api/verdict", CONDITION | {"harmonics": 2}, "harmonics"),
+        ("/api/verdict", {"ship": "wigley"}, "speed"),
+        ("/api/verdict", b"{not json", "JSON"),
+        ("/api/polar", MAP | {"heading": [float("nan")]}, "finite"),
+        (
+            "/api/polar",
+            MAP | {"heading": [i / 10 for i in range(1000)], "speed": [i / 100 for i in range(1000)]},
+            "cells",
+        ),
+        ("/api/polar", MAP | {"wave_height": 2.0}, "one of the two"),
+        ("/api/polar", MAP | {"wave_length": []}, "wave_length"),
+        ("/api/polar", MAP | {"wave_length": [100, 100]}, "once"),
+    ],
+)
+def test_a_call_that_cannot_be_is_refused_with_the_reason(explorer, path, content, reason):
+    status, answer = ask(explorer, path, content)
+    assert status == 422
+    assert re.search(reason, answer["error"]), answer["error"]
+
+
+def test_the_service_describes_itself_without_the_network(explorer):
+    with urllib.request.urlopen(f"{explorer.address}/api/docs") as answer:
+        page = answer.read().decode()
+    assert "/api/verdict" in page
+    assert "wave_length" in page
+    assert "src=" not in page
+    assert "https:" not in page
+    with urllib.request.urlopen(f"{explorer.address}/api/openapi.json") as answer:
+        assert set(json.load(answer)["paths"]) == {"/api/verdict", "/api/polar"}
+
+
+def test_a_200_megabyte_upload_is_refused_before_it_is_sent(explorer):
+    head = "POST /_nicegui/client/x/upload/1 HTTP/1.1\r\nhost: localhost\r\ncontent-length: 200000000\r\n\r\n"
+    with socket.create_connection(("127.0.0.1", explorer.port), timeout=30) as sent:
+        sent.sendall(head.encode())
+        assert b" 413 " in sent.recv(200)
+
+
+def sent_until_cut(sent, piece, most):
+    """Number of pieces the other side took."""
+    for count in range(most):
+        try:
+            sent.sendall(piece)
+        except OSError:
+            return count
+    return most
+
+
+def test_an_endless_upload_is_cut_off_and_others_notice_nothing(explorer):
+    head = "POST /api/polar HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/json\r\ntransfer-encoding: chunked\r\n\r\n"
+    with socket.create_connection(("127.0.0.1", explorer.port), timeout=30) as sent:
+        sent.sendall(head.encode())
+        pieces = sent_until_cut(sent, b"10000\r\n" + b"x" * 65536 + b"\r\n", 3200)
+    assert pieces * 65536 < 60e6  # what was taken, and what the sockets hold
+    assert ask(explorer, "/api/verdict", CONDITION)[0] == 200
+    assert "Traceback" not in explorer.written()
+
+
+def test_many_callers_at_once_all_get_their_own_answer(explorer):
+    headings = list(range(10, 170, 10))
+    found = {}
+
+    def call(heading):
+        found[heading] = ask(explorer, "/api/verdict", CONDITION | {"heading": heading})[1]["condition"]["heading"]
+
+    callers = [threading.Thread(target=call, args=(heading,)) for heading in headings]
+    for caller in callers:
+        caller.start()
+    for caller in callers:
+        caller.join()
+    assert found == {heading: heading for heading in headings}
+
+
+def test_a_port_that_is_taken_is_refused(explorer):
+    result = CliRunner().invoke(app, ["app", "--no-browser", "--port", str(explorer.port)])
+    assert result.exit_code == 2
+    assert f"port {explorer.port}" in result.stderr
+    assert "--port" in result.stderr
+
+
+def test_a_missing_extra_is_one_message(monkeypatch):
+    monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
+    result = CliRunner().invoke(app, ["app", "--no-browser"])
+    assert result.exit_code == 2
+    assert "pip install 'quartering[app]'" in result.stderr
