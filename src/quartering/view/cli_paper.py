@@ -12,18 +12,29 @@ from quartering.view.outcome import answering
 
 def figures(
     numbers: Annotated[list[str] | None, typer.Argument(help="Which: 6, 14-16; by default all 23.")] = None,
-    output: Annotated[str, typer.Option("-o", "--output", help="Folder to write them to.")] = "figures",
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o", "--output", help='Folder to write them to, "figures" by default; with --scoreboard a page (.md).'
+        ),
+    ] = None,
     kind: Annotated[list[str] | None, typer.Option(help="png, svg or pdf, repeatable; by default png.")] = None,
     points: Annotated[
         str | None, typer.Option(help="Folder of points read from the printed figures: fig06.csv, ..")
     ] = None,
+    scoreboard: Annotated[bool, typer.Option("--scoreboard", help="Measure the paper's claims instead.")] = False,
     json: Json = False,
 ) -> None:
-    """Recompute the figures of Haddara (1971) from real hulls."""
+    """Recompute the figures of Haddara (1971) from real hulls, or measure its claims."""
     with answering():
+        if scoreboard:
+            from quartering.view.commands.scoreboard import print_scoreboard
+
+            print_scoreboard(output, json)
+            return
         from quartering.view.commands.figures import draw_figures
 
-        draw_figures(numbers or [], output, kind or ["png"], points, json)
+        draw_figures(numbers or [], output or "figures", kind or ["png"], points, json)
 
 
 def duffing(
