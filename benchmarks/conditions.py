@@ -1,0 +1,150 @@
+"""Conditions a second: the periodic motion in three harmonics with its Floquet multipliers, K2 and S, beside other tools.
+
+Series 60, CB 0.60, with the paper's cubic righting moment: 3 speeds x 37 headings x 20 wave lengths x 14 steepnesses.
+Ours is timed over all of them; each alternative on a sample of the same conditions, as one would use it there:
+
+- plain numba: harmonic balance by sampling, Newton's method with numpy.linalg.solve, Runge-Kutta for the multipliers, in one
+  compiled loop over conditions (written here)
+- scipy: solve_ivp (DOP853) through 40 periods, then the variational equations over one
+- mousai (harmonic balance of three harmonics; no multipliers)
+- heyoka: shooting on Taylor-series integration with variational equations
+- jax + diffrax: shooting, batched by vmap
+
+Those that are not installed are left out by name. Prints medians and ratios of one run. AUTO-07p has no wheel to install.
+
+Usage: python benchmarks/conditions.py
+       pip install mousai heyoka "jax[cpu]" diffrax   # for the alternatives
+"""
+
+import statistics
+import time
+from dataclasses import replace
+
+import numpy as np
+import others
+
+import quartering as qt
+from quartering.motion.harmonic import harmonic_balance, solve_with_care
+from quartering.motion.of_ship import ship_system
+from quartering.stability.assessment import assess
+from quartering.stability.first_order import first_order
+from quartering.stability.floquet import fastest_rate, floquet
+from quartering.stability.variation import variation_along
+from quartering.threads import spread, workers
+
+BLOCK, ORDERS, ACCURACY = 1024, (1, 3), 1e-6
+
+
+def systems():
+    """The conditions in blocks, with a cubic righting moment."""
+    ship = qt.ship("series60-cb60")
+    length = ship.hull.length
+    speeds = np.array([0.15, 0.2, 0.25]) * np.sqrt(9.81 * length)
+    lengths = np.linspace(0.5, 2.4, 20) * length
+    u, mu, wave = (a.ravel() for a in np.meshgrid(speeds, np.linspace(2.5, 177.5, 37), lengths, indexing="ij"))
+    base = ship_system(ship, 2 * np.pi / wave, u, mu)
+    cubic = base.system.powers.sum(axis=1) <= 3
+    blocks = []
+    for steepness in np.linspace(1 / 200, 1 / 40, 14):
+        one = base.at_amplitude((steepness * wave / 2)[:, None])
+        one = replace(
+            one,
+            powers=one.powers[cubic],
+            modulus=one.modulus[cubic],
+            coefficients=np.ascontiguousarray(one.coefficients[:, :, cubic]),
+        )
+        blocks += [part(one, slice(i, i + BLOCK)) for i in range(0, one.count, BLOCK)]
+    return blocks
+
+
+def part(system, rows):
+    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+    return replace(system, **{name: np.ascontiguousarray(getattr(system, name)[rows]) for name in names})
+
+
+def motion_and_stability(system):
+    """Periodic motion, multipliers, K2; S = -K2/(2 n2)."""
+    u, status, _ = harmonic_balance(system, ORDERS)
+    phasors, along = variation_along(system, u, ORDERS)
+    indices = first_order(system, phasors, np.hypot(u[:, :, 0], u[:, :, 1]), "map")
+    trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
+    rate = fastest_rate(phasors, indices.mean_jacobian)
+    result = floquet(system, u, ORDERS, rate, trace, ACCURACY, variation=(phasors, along), detail="map")
+    return u, status, result.multipliers, indices.k2, -indices.k2 / (2 * indices.n2)
+
+
+def whole_ladder(system):
+    u, status, _ = harmonic_balance(system, ORDERS)
+    return u, status, assess(system, u, ORDERS, detail="map")
+
+
+def seconds(work, blocks, repeats=7):
+    """Median, smallest and largest time of several runs over all blocks on all cores, after one that is not counted."""
+    list(spread(work, blocks))
+    times = []
+    for _ in range(repeats):
+        begin = time.perf_counter()
+        list(spread(work, blocks))
+        times.append(time.perf_counter() - begin)
+    return statistics.median(times), min(times), max(times)
+
+
+def sample_of(blocks, count):
+    """Conditions drawn with a fixed seed from those of gentle slope, where every tool finds the same motion."""
+    random = np.random.default_rng(1971)
+    gentle = blocks[: len(blocks) // 4]
+    chosen = [part(b, np.sort(random.choice(b.count, -(-count // len(gentle)), replace=True))) for b in gentle]
+    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+    return replace(gentle[0], **{n: np.concatenate([getattr(c, n) for c in chosen])[:count] for n in names})
+
+
+def accuracy(block):
+    """Largest errors of amplitude and multipliers against the careful solver and multipliers to 1e-10, the same harmonics."""
+    u, status, multipliers, *_ = motion_and_stability(block)
+    exact, *_ = solve_with_care(block, ORDERS)
+    fine = assess(block, exact, ORDERS, accuracy=1e-10).floquet.multipliers
+    same = (status == 0) & (np.abs(u - exact).max(axis=(1, 2)) < 1e-6 * np.abs(exact).max(axis=(1, 2)))
+    size, other = np.hypot(u[:, :, 0], u[:, :, 1]), np.hypot(exact[:, :, 0], exact[:, :, 1])
+    apart = np.abs(multipliers[:, :, None] - fine[:, None, :]).min(axis=1).max(axis=1)
+    return np.max(np.abs(size - other)[same] / other.max()), np.nanmax(apart[same]), int((~same).sum())
+
+
+def main():
+    blocks = systems()
+    count = sum(b.count for b in blocks)
+    print(f"{count} conditions of the cubic system, three harmonics, {workers()} cores; median of 7 (min, max)")
+    rates = {}
+    for words, goal, work in (
+        ("motion, multipliers, K2, S", 100_000, motion_and_stability),
+        ("the whole ladder as well", 50_000, whole_ladder),
+    ):
+        median, least, most = seconds(work, blocks)
+        rates[words] = median / count
+        print(
+            f"{words:28s} {count / median:9,.0f} a second ({count / most:,.0f} to {count / least:,.0f}), goal {goal:,};"
+            f" {1e6 * median / count:.1f} us each"
+        )
+    ours = rates["motion, multipliers, K2, S"]
+    found = [accuracy(b) for b in blocks[::5]]
+    print(
+        f"largest error: amplitude {max(f[0] for f in found):.1e} of the largest, multipliers {max(f[1] for f in found):.1e};"
+        f" another motion than one at a time finds: {sum(f[2] for f in found)} of {sum(b.count for b in blocks[::5])}"
+    )
+    for name, run in others.ALL.items():
+        sample = sample_of(blocks, others.SIZES[name])
+        found = run(sample)
+        if found is None:
+            print(f"{name:16s} not installed")
+            continue
+        each, amplitudes, multipliers = found
+        u, _, own, *_ = motion_and_stability(sample)
+        size = np.hypot(u[:, :, 0], u[:, :, 1])
+        words = f"roll apart by {np.nanmedian(np.abs(amplitudes[:, 1] / size[:, 1] - 1)):.0e} (median)"
+        if multipliers is not None:
+            apart = np.abs(multipliers[:, :, None] - own[:, None, :]).min(axis=1).max(axis=1)
+            words += f", multipliers by {np.nanmedian(apart):.0e}"
+        print(f"{name:16s} {1e6 * each:11,.1f} us each, {each / ours:9,.0f} times ours; {words}")
+
+
+if __name__ == "__main__":
+    main()
