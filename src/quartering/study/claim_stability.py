@@ -46,8 +46,8 @@ def uncoupled_roll_is_never_unstable() -> Finding:
     judged = [stability(model, motion) for motion in motions]
     folds = [v for v in judged if v.kind == "fold"]
     words = (
-        f"largest growth rate over all headings {max(rates):+.4f} 1/s at H/lambda up to 1/{VERY_STEEP}; but {len(folds)} of the "
-        f"{len(judged)} motions found of a softening roll equation near resonance are unstable, at a fold"
+        f"largest growth rate over all headings {max(rates):+.4f} 1/s at H/lambda up to 1/{VERY_STEEP}; but {len(folds)} of "
+        f"the {len(judged)} motions found of a softening roll equation near resonance are unstable, at a fold"
     )
     return graded(max(rates) < 0 and not folds, max(rates) < 0, words)
 
