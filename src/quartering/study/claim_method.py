@@ -11,7 +11,6 @@ from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
 from quartering.study.claim import MODERATE, STEEP, Finding, graded, paper_ship, speed_of, wave_of
-from quartering.study.coexisting import all_motions
 
 _PERIODS = 40
 
