@@ -35,7 +35,7 @@ def moment_is_largest_in_beam_seas() -> Finding:
     """The cause given for the peak of roll near beam seas."""
     one = paper_ship()
     forces = compare_forces(one, [one.hull.length], HEADINGS, speed_of(one))
-    found = forces["amplitude"].isel(wave_length=0).sel(mode="roll")
+    found = forces["amplitude"].squeeze(drop=True).sel(mode="roll")
     where = {form: float(HEADINGS[int(np.argmax(found.sel(form=form).values))]) for form in ("froude-krylov", "stf")}
     total = found.sel(form="stf")
     words = (
@@ -121,7 +121,7 @@ def _differences(form: str, speed: float | None = None) -> list[float]:
     """Largest difference of a form of the wave force from strip theory with contour potentials: sway, roll, yaw."""
     one = paper_ship()
     found: xr.Dataset = compare_forces(one, [one.hull.length], HEADINGS, speed_of(one) if speed is None else speed)
-    return [float(x) for x in found["largest_difference"].sel(form=form)]
+    return [float(x) for x in found["largest_difference"].squeeze(drop=True).sel(form=form)]
 
 
 def _of_modes(parts: list[float]) -> str:
