@@ -109,7 +109,7 @@ def test_every_example_gets_a_title_and_still_compiles():
 
     for script in sorted((ROOT / "examples").glob("plot_*.py")):
         made = titled(script.read_text())
-        lines = made.splitlines()
+        lines = made.removeprefix('"""').strip().splitlines()
         assert set(lines[1]) == {"="}
-        assert len(lines[1]) == len(lines[0].removeprefix('"""'))
+        assert len(lines[1]) == len(lines[0])
         compile(made, script.name, "exec")

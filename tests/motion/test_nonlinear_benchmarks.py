@@ -7,7 +7,6 @@ restoring force of its own, which sway and yaw do not have.
 import numpy as np
 import pytest
 
-from quartering.motion.branch import all_motions
 from quartering.motion.duffing import duffing_model
 from quartering.motion.ensemble import safe_shares
 from quartering.motion.equations import Model
@@ -15,6 +14,7 @@ from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import motion_record
 from quartering.stability.verdict import stability
+from quartering.study.coexisting import all_motions
 from tests.reference import table
 
 FORCED = [{key: float(value) for key, value in row.items()} for row in table("duffing_forced.csv")]

@@ -10,7 +10,7 @@ from rich.table import Table
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship, ship
-from quartering.loads.comparison import MEANINGS, MEASURE, PANELS, compare_forces
+from quartering.loads.comparison import MEANINGS, MEASURE, OWN, PANELS, compare_forces
 from quartering.references import REFERENCES
 from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
@@ -27,8 +27,8 @@ def compare_forms(
     name: str, speed: str, wave_lengths: str, forms: Sequence[str], output: str | None, as_json: bool
 ) -> None:
     """Print and draw force amplitudes per metre of wave amplitude, and how far the forms are apart."""
-    chosen = _chosen(forms)
     one = ship(name)
+    chosen = _chosen(forms, one)
     path = claim(output, PICTURES) if output else None
     u = value(speed, "speed", sizes(one), "--speed")
     lengths = values([wave_lengths], "length", sizes(one), "--wave-lengths", 5)
@@ -69,12 +69,18 @@ def small_print(compared: xr.Dataset) -> str:
     return f"Moments about {compared.attrs['reference_point']}. {meanings}.{mesh} Sources: {'; '.join(papers)}."
 
 
-def _chosen(forms: Sequence[str]) -> list[str]:
-    """The forms named and the one they are measured by, in their usual order; without names all but the panels."""
+def _chosen(forms: Sequence[str], one: Ship) -> list[str]:
+    """The forms named and the one they are measured by, in their usual order; without names all but the panels.
+
+    A ship without a database of its own has no form of that name.
+    """
     unknown = [form for form in forms if form not in MEANINGS]
     if unknown:
         raise InputError(f"form {unknown[0]!r} given; allowed: {', '.join(MEANINGS)}; try '{MEASURE}'")
-    return [form for form in MEANINGS if (form in (*forms, MEASURE) if forms else form != PANELS)]
+    if OWN in forms and one.database is None:
+        raise InputError(f"--form {OWN}: {one.name} has no database of its own; give one in the ship file (database:)")
+    without = {PANELS} if one.database is not None else {PANELS, OWN}
+    return [form for form in MEANINGS if (form in (*forms, MEASURE) if forms else form not in without)]
 
 
 def _panels(one: Ship, lengths: Sequence[float]) -> xr.Dataset:
