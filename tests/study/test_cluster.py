@@ -1,5 +1,6 @@
 """Worker processes: the same numbers wherever a block is computed, also when a worker dies."""
 
+import asyncio
 import pickle
 
 import numpy as np
@@ -18,6 +19,16 @@ CONDITIONS = {
     "wave_height": [0.5, 1.5, 3.0],
     "gm": [0.6, 0.9, 1.2],
 }
+
+
+@pytest.fixture(autouse=True)
+def event_loop():
+    """A loop for distributed's client, whatever tests that drove a browser have left behind in this process."""
+    loop = asyncio.new_event_loop()
+    asyncio.set_event_loop(loop)
+    yield
+    loop.close()
+    asyncio.set_event_loop(None)
 
 
 @pytest.mark.parametrize("name", ["cloud", "local:0", "local:many", "tcp:host"])

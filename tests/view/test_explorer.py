@@ -28,7 +28,7 @@ FLAGS = (
     "--disable-component-update", "--disable-sync",
 )  # fmt: skip
 STABLE = "ship=series60-cb60&speed=7.5&heading=30&wave_length=150&wave_height=4"
-SLOW = 20_000
+SLOW = 60_000
 """How long a step may take on a machine that others use too [ms]."""
 
 
