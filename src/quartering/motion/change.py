@@ -147,13 +147,14 @@ def change_of_states(u: Floats, du: Floats, frequency: float, turned: Floats, or
 
 
 def products(
-    states: Floats, powers: NDArray[np.int64], modulus: NDArray[np.int64]
+    states: Floats, sign: Floats, powers: NDArray[np.int64], modulus: NDArray[np.int64]
 ) -> Callable[[tuple[int, ...]], Floats]:
     """The nonlinear products at given states, and their derivatives of any order.
 
     Parameters
     ----------
     states : (s, 4) float                      v, phi, p, r
+    sign : (s, 4) float                        of each, or its mean over some neighbourhood
     powers : (t, 4) int, modulus : (t,) int    of each product, as in `System`
 
     Returns
@@ -167,13 +168,13 @@ def products(
 
     Examples
     --------
-    >>> made = products(np.array([[0.0, 0.0, -3.0, 0.0]]), np.array([[0, 0, 1, 0]]), np.array([3]))   # p|p|
+    >>> state = np.array([[0.0, 0.0, -3.0, 0.0]])
+    >>> made = products(state, np.sign(state), np.array([[0, 0, 1, 0]]), np.array([3]))  # p|p|
     >>> made(())[0].tolist(), made((2,))[0].tolist(), made((2, 2))[0].tolist()
     ([-9.0], [6.0], [-2.0])
     """
-    sign = np.where(states >= 0, 1.0, -1.0)
     knots, which = np.unique(np.where(modulus > KNOT_CODE, (modulus - KNOT_CODE) * KNOT, 0.0), return_inverse=True)
-    heel = states[:, [1]] - sign[:, [1]] * knots
+    heel = states[:, [1]] - np.where(states[:, [1]] >= 0, knots, -knots)
     raised = [_powers(heel) if s == 1 else _powers(states[:, [s]]) for s in range(4)]
     beyond = np.abs(states[:, [1]]) > knots[which]
     factor = np.where(modulus > KNOT_CODE, beyond, 1.0)

@@ -101,7 +101,7 @@ def _rows(
     w = float(system.frequency[0])
     states = states_along(u[None], system.frequency, orders, phases)[0]
     moved = change_of_states(u, du, w, changes.frequency, orders, phases)
-    product = products(states, system.powers, system.modulus)
+    product = products(states, _mean_sign(u, system, orders, phases), system.powers, system.modulus)
     by_state = np.stack([product((s,)) for s in range(4)], axis=2)
     rows = system.linear[0, :3, :4] + np.einsum("kt,nts->nks", system.coefficients[0], by_state)
     changed = np.tensordot(changes.coefficients, by_state, axes=(2, 1)).transpose(0, 2, 1, 3)
@@ -110,6 +110,13 @@ def _rows(
         bend = np.stack([product((s, q)) for q in range(4)], axis=2)
         changed += moved[:, :, s, None, None] * np.einsum("kt,ntq->nkq", system.coefficients[0], bend)
     return rows, changed
+
+
+def _mean_sign(u: Floats, system: System, orders: tuple[int, ...], phases: Floats) -> Floats:
+    """Sign of each state, averaged over the interval round its phase: a jump within it keeps its place to second order."""
+    half = 0.5 * (phases[1] - phases[0])
+    before, after = (states_along(u[None], system.frequency, orders, phases + side)[0] for side in (-half, half))
+    return np.asarray((before + after) / np.maximum(np.abs(before) + np.abs(after), _TINY))
 
 
 def _first_order(rows: Floats, moved: Floats, linear: Floats, changed: Floats) -> tuple[Floats, Floats]:
