@@ -118,7 +118,9 @@ def states_along(u: Floats, frequency: Floats, orders: tuple[int, ...], phases: 
     return np.stack([v, u[:, 1] @ values, p, r], axis=2)
 
 
-def change_of_states(u: Floats, du: Floats, frequency: float, turned: Floats, orders: tuple[int, ...], phases: Floats) -> Floats:
+def change_of_states(
+    u: Floats, du: Floats, frequency: float, turned: Floats, orders: tuple[int, ...], phases: Floats
+) -> Floats:
     """Derivatives of the states of one motion at given phases.
 
     Parameters

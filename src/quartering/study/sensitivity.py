@@ -76,8 +76,9 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     Exact by implicit differentiation: of the motion, then along it of the variational equations.  By the coefficients on
     the right (and the wave height) there is no other step.  By loading and speed, the coefficients of the equations
     themselves are differenced (fourth order, relative step 1e-4), since they come from tables; then the chain is exact.
-    K_G = KM - GM, so the derivatives by KG and GM are in the ratio -KG/GM.  NaN at a fold, where multipliers meet, and for
-    K2 where first-order theory has no roll mode.
+    KG = KM - GM, so the derivatives by KG and GM are in the ratio -KG/GM.  NaN where the two leading multipliers meet (a
+    fold among them), and for K2 where first-order theory has no roll mode.  Beside a modulus or a spline, K2 is differentiated
+    as a mean over the whole cycle, to 1e-6; its value is a mean over samples, whose own slope is off by some 1e-3.
     Source: [H71] Fig. 22 (K2 against the percentage change of each coefficient); implicit function theorem, closed form.
 
     Examples
@@ -94,7 +95,9 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     if not np.isfinite(u).all():
         raise InputError("no periodic motion in this condition, so nothing to differentiate; try a lower wave")
     rows = coefficient_rows(model) + _design_rows(ship, wave, speed, heading, model)
-    here, slopes, why = derivatives(model.system, [row.change for row in rows], u[0], orders_for(model.system, harmonics))
+    here, slopes, why = derivatives(
+        model.system, [row.change for row in rows], u[0], orders_for(model.system, harmonics)
+    )
     data = {
         name: (
             "parameter",
@@ -103,9 +106,17 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
         )
         for i, (name, (u, text)) in enumerate(_COLUMNS.items())
     }
-    data["value"] = ("parameter", np.array([row.value for row in rows]), {"long_name": "value of the parameter, in its own unit"})
+    data["value"] = (
+        "parameter",
+        np.array([row.value for row in rows]),
+        {"long_name": "value of the parameter, in its own unit"},
+    )
     data["unit"] = ("parameter", np.array([row.unit for row in rows]), {"long_name": "unit of the parameter"})
-    data["method"] = ("parameter", np.array([row.method for row in rows]), {"long_name": "how the derivatives were found"})
+    data["method"] = (
+        "parameter",
+        np.array([row.method for row in rows]),
+        {"long_name": "how the derivatives were found"},
+    )
     attributes: dict[str, object] = {f"base_{name}": float(here[i]) for i, name in enumerate(_COLUMNS)}
     attributes |= {"ship": ship.name, "references": ", ".join(model.references)}
     if why:
@@ -167,7 +178,9 @@ def coefficient_rows(model: Model) -> list[Row]:
     rows = []
     for name, value in model.terms.items():
         if value != 0.0:
-            alone = Model(model.inertia, {name: value}, model.frequency, *np.zeros((2, 3)), autopilot=model.autopilot).system
+            alone = Model(
+                model.inertia, {name: value}, model.frequency, *np.zeros((2, 3)), autopilot=model.autopilot
+            ).system
             linear = alone.linear.copy()
             linear[:, 3:] = 0.0  # the rudder's own equation is the autopilot's
             rows.append(Row(name, unit(name), value, replace(alone, linear=linear, frequency=np.zeros(1)), _EXACT))
