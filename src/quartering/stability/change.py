@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,6 @@ from quartering.stability.variation import transition_matrices
 
 Complex = NDArray[np.complex128]
 
-_ARRAYS = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
 _VELOCITIES = [0, 2, 3]
 _PHASES, _PHASES_OF_KINKS = 32, 2048
 _ACCURACY = 1e-10
@@ -165,7 +164,7 @@ def _maps(system: System, u: Floats, orders: tuple[int, ...], span: float, count
     a, b = u[:, first::2, None], u[:, first + 1 :: 2, None]
     begun[:, :, first::2] = (a * cos + b * sin).transpose(2, 0, 1)
     begun[:, :, first + 1 :: 2] = (b * cos - a * sin).transpose(2, 0, 1)
-    every = replace(system, **{name: np.repeat(getattr(system, name), count, axis=0) for name in _ARRAYS})
+    every = system.each(lambda array: np.repeat(array, count, axis=0))
     total = steps_for(system.frequency, span, np.array([rate]), max(orders), _ACCURACY)
     steps = np.full(count, -(-int(total[0]) // count))
     march = steered_transitions if system.states > HEADING else transition_matrices

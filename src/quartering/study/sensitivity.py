@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +28,6 @@ from quartering.study.shared import systems
 _LOADING = {"gm": "m", "gyradius_roll": "m", "gyradius_yaw": "m", "roll_damping": "1"}
 _EXACT = "exact"
 _DIFFERENCED = "exact; of the equations' coefficients, differences"
-_ARRAYS = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
 _STEP = 1e-4
 _FACTORS = 1 + _STEP * OFFSETS
 _COLUMNS = {
@@ -76,9 +76,10 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     Exact by implicit differentiation: of the motion, then along it of the variational equations.  By the coefficients on
     the right (and the wave height) there is no other step.  By loading and speed, the coefficients of the equations
     themselves are differenced (fourth order, relative step 1e-4), since they come from tables; then the chain is exact.
-    KG = KM - GM, so the derivatives by KG and GM are in the ratio -KG/GM.  NaN where the two leading multipliers meet (a
-    fold among them), and for K2 where first-order theory has no roll mode.  Beside a modulus or a spline, K2 is differentiated
-    as a mean over the whole cycle, to 1e-6; its value is a mean over samples, whose own slope is off by some 1e-3.
+    KG = KM - GM, so the derivatives by KG and GM are in the ratio -KG/GM.  At a fold they grow without bound; NaN where
+    the two leading multipliers meet, and for K2 where first-order theory has no roll mode.  Beside a modulus or a spline,
+    K2 is differentiated as a mean over the whole cycle, to 1e-6; its value is a mean over samples, whose own slope is off
+    by some 1e-3.
     Source: [H71] Fig. 22 (K2 against the percentage change of each coefficient); implicit function theorem, closed form.
 
     Examples
@@ -91,13 +92,21 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     if harmonics < 3:
         raise InputError(f"harmonics={harmonics}: sensitivities are of harmonic balance; give 3, 5, 7, ...")
     model = equations(ship, wave, speed, heading)
-    u, _, _ = harmonic_balance(model.system, orders_for(model.system, harmonics), from_rest=True)
+    orders = orders_for(model.system, harmonics)
+    u, _, _ = harmonic_balance(model.system, orders, from_rest=True)
     if not np.isfinite(u).all():
         raise InputError("no periodic motion in this condition, so nothing to differentiate; try a lower wave")
     rows = coefficient_rows(model) + _design_rows(ship, wave, speed, heading, model)
-    here, slopes, why = derivatives(
-        model.system, [row.change for row in rows], u[0], orders_for(model.system, harmonics)
-    )
+    here, slopes, why = derivatives(model.system, [row.change for row in rows], u[0], orders)
+    attributes: dict[str, object] = {f"base_{name}": float(here[i]) for i, name in enumerate(_COLUMNS)}
+    attributes |= {"ship": ship.name, "references": ", ".join(model.references)}
+    if why:
+        attributes["no_exponent"] = why
+    return _table(rows, slopes).assign_attrs(attributes)
+
+
+def _table(rows: list[Row], slopes: Floats) -> xr.Dataset:
+    """Parameters and derivatives (m, 6), labelled."""
     data = {
         name: (
             "parameter",
@@ -106,22 +115,16 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
         )
         for i, (name, (u, text)) in enumerate(_COLUMNS.items())
     }
-    data["value"] = (
-        "parameter",
-        np.array([row.value for row in rows]),
-        {"long_name": "value of the parameter, in its own unit"},
-    )
-    data["unit"] = ("parameter", np.array([row.unit for row in rows]), {"long_name": "unit of the parameter"})
-    data["method"] = (
-        "parameter",
-        np.array([row.method for row in rows]),
-        {"long_name": "how the derivatives were found"},
-    )
-    attributes: dict[str, object] = {f"base_{name}": float(here[i]) for i, name in enumerate(_COLUMNS)}
-    attributes |= {"ship": ship.name, "references": ", ".join(model.references)}
-    if why:
-        attributes["no_exponent"] = why
-    return xr.Dataset(data, {"parameter": np.array([row.name for row in rows])}, attributes)
+    about = {
+        "value": "value of the parameter, in its own unit",
+        "unit": "unit of the parameter",
+        "method": "how the derivatives were found",
+    }
+    data |= {
+        name: ("parameter", np.array([getattr(row, name) for row in rows]), {"long_name": text})
+        for name, text in about.items()
+    }
+    return xr.Dataset(data, {"parameter": np.array([row.name for row in rows])})
 
 
 def derivatives(
@@ -147,7 +150,7 @@ def derivatives(
     Source: `change_of_motion`, `change_of_stability`.
     """
     whole = joined([system, *changes])
-    one, change = _part(whole, slice(0, 1)), _part(whole, slice(1, None))
+    one, change = whole.each(lambda array: array[:1]), whole.each(lambda array: array[1:])
     judged = assess(one, u[None], orders, accuracy=1e-11)
     du = change_of_motion(one, change, u, orders)
     rate = fastest_rate(variational_harmonics(one, u[None], orders), judged.first_order.mean_jacobian)
@@ -155,8 +158,8 @@ def derivatives(
     first = 1 if orders[0] == 0 else 0
     cos, sin = u[:, first], u[:, first + 1]
     amplitude = np.hypot(cos, sin)
-    with np.errstate(invalid="ignore"):  # a mode at rest has no direction
-        growth = (cos * du[:, :, first] + sin * du[:, :, first + 1]) / amplitude
+    # a mode at rest, as in a head sea, stays at rest
+    growth = (cos * du[:, :, first] + sin * du[:, :, first + 1]) / np.where(amplitude > 0, amplitude, 1.0)
     scale = np.array([1.0, 180 / np.pi, 180 / np.pi])
     f = judged.first_order
     here = np.concatenate([scale * amplitude, f.k2, f.index, judged.floquet.growth])
@@ -178,9 +181,8 @@ def coefficient_rows(model: Model) -> list[Row]:
     rows = []
     for name, value in model.terms.items():
         if value != 0.0:
-            alone = Model(
-                model.inertia, {name: value}, model.frequency, *np.zeros((2, 3)), autopilot=model.autopilot
-            ).system
+            calm = np.zeros(3)
+            alone = Model(model.inertia, {name: value}, model.frequency, calm, calm, autopilot=model.autopilot).system
             linear = alone.linear.copy()
             linear[:, 3:] = 0.0  # the rudder's own equation is the autopilot's
             rows.append(Row(name, unit(name), value, replace(alone, linear=linear, frequency=np.zeros(1)), _EXACT))
@@ -191,21 +193,20 @@ def _design_rows(ship: Ship, wave: Wave, speed: float, heading: float, model: Mo
     """Loading, speed and wave height; a value of zero has no relative change."""
     loading = {name: getattr(ship.loading, name) for name in _LOADING if getattr(ship.loading, name) != 0.0}
     ships = [loaded(ship, {name: value * factor}) for name, value in loading.items() for factor in _FACTORS]
-    at = [np.array([one]) for one in (wave.wavenumber, float(speed), float(heading))]
-    solved = list(systems(ships, *at))
+    k, u, mu = (np.array([one]) for one in (wave.wavenumber, float(speed), float(heading)))
+    solved = list(systems(ships, k, u, mu))
     rows = []
     for i, (name, value) in enumerate(loading.items()):
         change = _differenced(solved[OFFSETS.size * i : OFFSETS.size * (i + 1)], wave.amplitude)
         rows.append(Row(name, _LOADING[name], value, change, _DIFFERENCED))
         if name == "gm":
-            kg = ship.loading.kg
-            rows.append(Row("kg", "m", kg, _scaled(change, -kg / value), _DIFFERENCED))
+            by_kg = change.each(partial(np.multiply, -ship.loading.kg / value))
+            rows.append(Row("kg", "m", ship.loading.kg, by_kg, _DIFFERENCED))
     if speed > 0.0:
-        k, u, mu = (np.repeat(one, OFFSETS.size) for one in at)
-        change = _differenced([ship_system(ship, k, u * _FACTORS, mu)], wave.amplitude)
+        four = np.ones(OFFSETS.size)
+        change = _differenced([ship_system(ship, k * four, u * _FACTORS, mu * four)], wave.amplitude)
         rows.append(Row("speed", "m/s", float(speed), change, _DIFFERENCED))
-    excited = _scaled(model.system, 0.0)
-    change = replace(excited, cos=model.system.cos, sin=model.system.sin)
+    change = replace(model.system.each(np.zeros_like), cos=model.system.cos, sin=model.system.sin)
     rows.append(Row("wave_height", "m", wave.height, change, _EXACT))
     return rows
 
@@ -213,12 +214,4 @@ def _design_rows(ship: Ship, wave: Wave, speed: float, heading: float, model: Mo
 def _differenced(around: list[ShipSystem], amplitude: float) -> System:
     """Derivative of the equations by the relative change of a parameter, from those at the four offsets."""
     whole = joined([one.at_amplitude(np.full((one.system.count, 1), amplitude)) for one in around])
-    return replace(whole, **{name: difference(getattr(whole, name), _STEP)[None] for name in _ARRAYS})
-
-
-def _scaled(change: System, factor: float) -> System:
-    return replace(change, **{name: factor * getattr(change, name) for name in _ARRAYS})
-
-
-def _part(systems: System, part: slice) -> System:
-    return replace(systems, **{name: getattr(systems, name)[part] for name in _ARRAYS})
+    return whole.each(lambda array: difference(array, _STEP)[None])
