@@ -51,6 +51,19 @@ def test_margin_asks_for_more():
     assert hard.needed > easy.needed
 
 
+@pytest.mark.parametrize("name", ["K_prr", "roll_damping", "wave_height"])
+def test_with_a_margin_the_exponent_at_the_cure_is_minus_the_margin(name):
+    """Disturbances die out at just the rate asked for, by the one-case verdict."""
+    margin = 0.005
+    cure = cures(SHIP, WAVE, SPEED, HEADING, parameters=[name], margin=margin)[0]
+    ship, wave = SHIP, WAVE
+    if name == "wave_height":
+        wave = qt.Wave(WAVE.length, cure.needed)
+    else:
+        ship = SHIP.with_(coefficients={name: cure.needed}) if name == "K_prr" else SHIP.with_(**{name: cure.needed})
+    assert verdict(ship, wave).exponents[0].real == pytest.approx(-margin, abs=2e-6)
+
+
 def test_a_stable_motion_needs_no_cure_and_a_negative_margin_is_refused():
     assert cures(qt.ship("series60-cb60"), WAVE, SPEED, HEADING) == []
     with pytest.raises(qt.InputError, match="margin"):

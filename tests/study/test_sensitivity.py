@@ -18,26 +18,6 @@ def table():
     return qt.sensitivity(SHIP, WAVE, SPEED, HEADING)
 
 
-def measured(**changes):
-    ship = SHIP.with_(**changes)
-    model = qt.equations(ship, WAVE, SPEED, HEADING)
-    motion = qt.steady_motion(model, 3, start="rest")
-    verdict = qt.stability(model, motion)
-    return np.array([np.degrees(motion.amplitude[1]), verdict.k2, verdict.exponents[0].real])
-
-
-@pytest.mark.parametrize("name", ["K_ppp", "K_prr", "N_rrr", "Y_v"])
-def test_coefficient_derivatives_agree_with_multipliers(table, name):
-    """Independent path: the ship with that coefficient multiplied, solved from scratch."""
-    if name == "Y_v":  # the ship's own Y_v enters nothing else
-        assert table["value"].sel(parameter=name) < 0
-    step = 1e-3
-    up, down = measured(coefficients={name: 1 + step}), measured(coefficients={name: 1 - step})
-    expected = (up - down) / (2 * step)
-    found = np.array([float(table[k].sel(parameter=name)) for k in ("roll", "k2", "exponent")])
-    np.testing.assert_allclose(found, expected, rtol=2e-4, atol=2e-7)
-
-
 def test_roll_derivatives_by_every_coefficient_agree_with_implicit_differentiation_to_1e_6(table):
     """du/dtheta = -R_u^-1 R_theta, exact: the balance equations are linear in every coefficient, so R(2 theta) - R(theta)
     is theta R_theta."""
@@ -58,13 +38,6 @@ def test_roll_derivatives_by_every_coefficient_agree_with_implicit_differentiati
         assert found == pytest.approx(expected, rel=1e-6, abs=1e-6 * np.degrees(amplitude)), name
         checked += 1
     assert checked > 20
-
-
-def test_gm_derivative_agrees_with_changed_loading(table):
-    gm, step = SHIP.loading.gm, 1e-3
-    expected = (measured(gm=gm * (1 + step)) - measured(gm=gm * (1 - step))) / (2 * step)
-    found = np.array([float(table[k].sel(parameter="gm")) for k in ("roll", "k2", "exponent")])
-    np.testing.assert_allclose(found, expected, rtol=1e-3, atol=1e-6)
 
 
 def test_linear_limit_roll_is_proportional_to_wave_height():

@@ -71,19 +71,43 @@ def basis(orders: tuple[int, ...], degree: int, modulus: bool, extra: int = 0) -
     symmetric = all(h % 2 == 1 for h in orders)
     samples += samples % 2
     phases = 2 * np.pi * np.arange(samples // 2 if symmetric else samples) / samples
-    values, rates, factors, weights = [], [], [], []
+    values, rates, factors = harmonics_at(orders, phases)
+    weights = np.where(factors > 0, 2.0, 1.0) / phases.size
+    for table in (values, rates, factors, weights):
+        table.flags.writeable = False
+    return Basis(orders, values, rates, factors, weights)
+
+
+def harmonics_at(orders: tuple[int, ...], phases: Floats) -> tuple[Floats, Floats, Floats]:
+    """Cosines and sines of chosen harmonics at any phases.
+
+    Parameters
+    ----------
+    orders : tuple of int    harmonics, ascending; 0 is the mean
+    phases : (m,) float      [rad]
+
+    Returns
+    -------
+    values, rates : (b, m) float    as in `Basis`
+    factors : (b,) float
+
+    Notes
+    -----
+    Source: closed form.
+
+    Examples
+    --------
+    >>> harmonics_at((0, 1), np.array([0.0]))[0].ravel().tolist()
+    [1.0, 1.0, 0.0]
+    """
+    values, rates, factors = [], [], []
     for h in orders:
         if h == 0:
             values.append(np.ones_like(phases))
             rates.append(np.ones_like(phases))
             factors.append(0.0)
-            weights.append(1.0 / phases.size)
             continue
         values += [np.cos(h * phases), np.sin(h * phases)]
         rates += [-h * np.sin(h * phases), h * np.cos(h * phases)]
         factors += [float(h)] * 2
-        weights += [2.0 / phases.size] * 2
-    tables = [np.ascontiguousarray(np.array(t, dtype=float)) for t in (values, rates, factors, weights)]
-    for t in tables:
-        t.flags.writeable = False
-    return Basis(orders, *tables)
+    return np.array(values), np.array(rates), np.array(factors)

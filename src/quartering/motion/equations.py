@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any
 
@@ -83,6 +83,12 @@ class System:
         for array in (self.linear, self.coefficients, self.mean, self.cos, self.sin):
             ok &= np.isfinite(array).reshape(self.count, -1).all(axis=1)
         return ok
+
+    def each(self, change: Callable[[Floats], Floats]) -> System:
+        """The same products, with a function applied to every array that has the conditions in front."""
+        names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+        arrays: dict[str, Any] = {name: change(getattr(self, name)) for name in names}
+        return replace(self, **arrays)
 
     def kernel_arrays(self) -> tuple[NDArray[Any], ...]:
         """Arrays in the order every compiled kernel takes them.

@@ -213,6 +213,40 @@ def _combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Fl
     return np.asarray(eigenvalues(matrix).real.max(axis=1))
 
 
+def roll_mode(rows: Any, linear: Any) -> tuple[Any, Any, Any]:
+    """Free roll about a motion: frequency, shape, and growth rate away from resonance.
+
+    Parameters
+    ----------
+    rows : (n, 3, 4)            mean of d(v', p', r')/d(v, phi, p, r) over the motion; a stiffness that rights the ship
+    linear : (n, 3 or 4, s)     linear part of the equations, for what an autopilot answers
+
+    Returns
+    -------
+    n2 : (n,)       [rad/s]
+    rho : (n, 3)    sway [m/rad], roll, yaw
+    rate : (n,)     K2/(2 n2) [1/s]
+
+    Notes
+    -----
+    Analytic in all its arguments, so complex ones give derivatives.  An autopilot without lag answers the heading in
+    quadrature with the roll rate; with one, it damps roll through its yaw.  Source: [H71] eqs. (9)-(13).
+
+    Examples
+    --------
+    >>> rows = np.array([[[-1.0, 0, 0, 0], [0, -4.0, -0.2, 0], [0, 0, 0, -1.0]]])
+    >>> [float(one[0]) for one in roll_mode(rows, np.zeros((1, 3, 4)))[::2]]
+    [2.0, -0.1]
+    """
+    stiffness = rows[:, :, 1]
+    n2, rho = np.sqrt(-stiffness[:, 1]), stiffness / stiffness[:, [1]]
+    rate = 0.5 * np.einsum("nj,nj->n", rho, rows[:, 1][:, _VELOCITIES])
+    if linear.shape[2] > RUDDER:
+        turn_rate, angle, decay = linear[:, 3, 3:].T
+        rate = rate - 0.5 * rho[:, 2] * linear[:, 1, RUDDER] * (angle + turn_rate * decay) / (n2**2 + decay**2)
+    return n2, rho, rate
+
+
 def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Detail = "full") -> FirstOrder:
     """First-order stability of periodic motions from the harmonics of their variational matrix.
 
@@ -249,13 +283,12 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
     finite = np.isfinite(phasors).reshape(system.count, -1).all(axis=1) & system.finite
     phasors = np.where(finite[:, None, None, None], phasors, 0.0)
     w = np.where(finite, system.frequency, 1.0)
-    stiffness = phasors[:, 0, :, 1].real
-    mean = phasors[:, 0][:, :, _VELOCITIES].real
-    oscillates = finite & (stiffness[:, 1] < 0)
-    safe = np.where(oscillates, stiffness[:, 1], -1.0)
-    n2, rho = np.sqrt(-safe), stiffness / safe[:, None]
-    steering = np.where(finite, (feedback(system.linear, n2)[:, 1] / (1j * n2)).real, 0.0)  # damping of roll by its yaw
-    rate = 0.5 * (np.einsum("nj,nj->n", rho, mean[:, 1]) + rho[:, 2] * steering)
+    rows = phasors[:, 0].real.copy()
+    mean = rows[:, :, _VELOCITIES]
+    oscillates = finite & (rows[:, 1, 1] < 0)
+    rows[~oscillates, 1, 1] = -1.0
+    own = np.where(finite[:, None, None], system.linear, 0.0)
+    n2, rho, rate = roll_mode(rows, own)
     detuning = 0.5 * np.array(RESONANCES) * w[:, None] - n2[:, None]
     kappa = phasors[:, 1:, 1, 1]
     damping = np.einsum("nj,nmj->nm", rho, phasors[:, 1:, 1][:, :, _VELOCITIES])
@@ -264,7 +297,6 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
         root = np.abs(modulation) ** 2 / (16 * n2[:, None] ** 2) - detuning**2
         return rate[:, None] + np.sqrt(np.maximum(root, 0.0))
 
-    own = np.where(finite[:, None, None], system.linear, 0.0)
     course = _course(mean, rho, own)
     slow = _growth_rates(course)
     spectrum = np.full((w.size, system.states), np.nan, dtype=complex)

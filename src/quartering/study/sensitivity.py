@@ -1,8 +1,10 @@
-"""How response and stability change with every coefficient and every value a designer can set."""
+"""How response and stability change with every coefficient and every value a designer can set: exact derivatives."""
 
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -10,29 +12,46 @@ import xarray as xr
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
+from quartering.motion.change import OFFSETS, change_of_motion, difference
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
-from quartering.motion.of_ship import equations
+from quartering.motion.of_ship import ShipSystem, equations, ship_system
 from quartering.names import unit
 from quartering.stability.assessment import assess
+from quartering.stability.change import change_of_stability
+from quartering.stability.floquet import fastest_rate
+from quartering.stability.variation import variational_harmonics
 from quartering.study.family import joined
 from quartering.study.grid import loaded
+from quartering.study.shared import systems
 
-_STEP = 1e-3
-_OFFSETS = np.array([-2.0, -1.0, 1.0, 2.0])
-_WEIGHTS = np.array([1.0, -8.0, 8.0, -1.0]) / 12.0
-_DESIGN = {
-    "gm": ("m", "metacentric height"),
-    "gyradius_roll": ("m", "radius of gyration in roll"),
-    "gyradius_yaw": ("m", "radius of gyration in yaw"),
-    "roll_damping": ("1", "added roll damping, fraction of critical"),
-    "speed": ("m/s", "forward speed"),
-    "wave_height": ("m", "wave height"),
+_LOADING = {"gm": "m", "gyradius_roll": "m", "gyradius_yaw": "m", "roll_damping": "1"}
+_EXACT = "exact"
+_DIFFERENCED = "exact; of the equations' coefficients, differences"
+_STEP = 1e-4
+_FACTORS = 1 + _STEP * OFFSETS
+_COLUMNS = {
+    "sway": ("m", "sway amplitude"),
+    "roll": ("deg", "roll amplitude"),
+    "yaw": ("deg", "yaw amplitude"),
+    "k2": ("1/s2", "K2"),
+    "index": ("1/s", "stability index S"),
+    "exponent": ("1/s", "leading Floquet exponent"),
 }
 
 
+class Row(NamedTuple):
+    """One parameter: name, unit, value, and the derivative of the equations by its relative change."""
+
+    name: str
+    unit: str
+    value: float
+    change: System
+    method: str
+
+
 def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmonics: int = 3) -> xr.Dataset:
-    """Derivatives of roll amplitude, K2 and the leading Floquet exponent by every coefficient and design value.
+    """Derivatives of amplitudes, K2, index and leading Floquet exponent by every coefficient and design value.
 
     Parameters
     ----------
@@ -44,8 +63,9 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
 
     Returns
     -------
-    xarray.Dataset       over ``parameter``: value, unit, and ``roll`` [deg], ``k2`` [1/s2], ``exponent`` [1/s] per relative
-                         change of the parameter (theta d/d theta); attributes hold the base values
+    xarray.Dataset       over ``parameter``: value, unit, method, and ``sway`` [m], ``roll``, ``yaw`` [deg], ``k2`` [1/s2],
+                         ``index`` [1/s], ``exponent`` [1/s] per relative change of the parameter (theta d/d theta);
+                         attributes hold the base values and, where the exponent has no derivative, the reason
 
     Raises
     ------
@@ -53,9 +73,14 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
 
     Notes
     -----
-    Fourth-order central differences of the converged solution (relative step 1e-3, error below 1e-8 of the value); each
-    neighbouring solution starts from the base motion, so all belong to one branch.  Singular at a fold.
-    Source: [H71] Fig. 22 (K2 against the percentage change of each coefficient).
+    Exact by implicit differentiation: of the motion, then along it of the variational equations.  By the coefficients on
+    the right (and the wave height) there is no other step.  By loading and speed, the coefficients of the equations
+    themselves are differenced (fourth order, relative step 1e-4), since they come from tables; then the chain is exact.
+    KG = KM - GM, so the derivatives by KG and GM are in the ratio -KG/GM.  At a fold they grow without bound; NaN where
+    the two leading multipliers meet, and for K2 where first-order theory has no roll mode.  Beside a modulus or a spline,
+    K2 is differentiated as a mean over the whole cycle, to 1e-6; its value is a mean over samples, whose own slope is off
+    by some 1e-3.
+    Source: [H71] Fig. 22 (K2 against the percentage change of each coefficient); implicit function theorem, closed form.
 
     Examples
     --------
@@ -68,68 +93,125 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
         raise InputError(f"harmonics={harmonics}: sensitivities are of harmonic balance; give 3, 5, 7, ...")
     model = equations(ship, wave, speed, heading)
     orders = orders_for(model.system, harmonics)
-    base, _, _ = harmonic_balance(model.system, orders, from_rest=True)
-    if not np.isfinite(base).all():
+    u, _, _ = harmonic_balance(model.system, orders, from_rest=True)
+    if not np.isfinite(u).all():
         raise InputError("no periodic motion in this condition, so nothing to differentiate; try a lower wave")
-    names, units, values, systems = _neighbours(ship, wave, speed, heading, model)
-    found = _measures(joined(systems), orders, np.repeat(base, len(systems), axis=0))
-    slopes = np.einsum("o,pom->pm", _WEIGHTS, found.reshape(len(names), _OFFSETS.size, 3)) / _STEP
-    here = _measures(model.system, orders, base)[0]
-    columns = {"roll": ("deg", "roll amplitude"), "k2": ("1/s2", "K2"), "exponent": ("1/s", "leading Floquet exponent")}
+    rows = coefficient_rows(model) + _design_rows(ship, wave, speed, heading, model)
+    here, slopes, why = derivatives(model.system, [row.change for row in rows], u[0], orders)
+    attributes: dict[str, object] = {f"base_{name}": float(here[i]) for i, name in enumerate(_COLUMNS)}
+    attributes |= {"ship": ship.name, "references": ", ".join(model.references)}
+    if why:
+        attributes["no_exponent"] = why
+    return _table(rows, slopes).assign_attrs(attributes)
+
+
+def _table(rows: list[Row], slopes: Floats) -> xr.Dataset:
+    """Parameters and derivatives (m, 6), labelled."""
     data = {
         name: (
             "parameter",
             slopes[:, i],
             {"units": u, "long_name": f"change of {text} per relative change of the parameter"},
         )
-        for i, (name, (u, text)) in enumerate(columns.items())
+        for i, (name, (u, text)) in enumerate(_COLUMNS.items())
     }
-    data["value"] = ("parameter", np.array(values), {"long_name": "value of the parameter, in its own unit"})
-    data["unit"] = ("parameter", np.array(units), {"long_name": "unit of the parameter"})
-    attributes: dict[str, object] = {f"base_{name}": float(here[i]) for i, name in enumerate(columns)}
-    attributes |= {"ship": ship.name, "references": ", ".join(model.references)}
-    return xr.Dataset(data, {"parameter": np.array(names)}, attributes)
+    about = {
+        "value": "value of the parameter, in its own unit",
+        "unit": "unit of the parameter",
+        "method": "how the derivatives were found",
+    }
+    data |= {
+        name: ("parameter", np.array([getattr(row, name) for row in rows]), {"long_name": text})
+        for name, text in about.items()
+    }
+    return xr.Dataset(data, {"parameter": np.array([row.name for row in rows])})
 
 
-def _neighbours(
-    ship: Ship, wave: Wave, speed: float, heading: float, model: Model
-) -> tuple[list[str], list[str], list[float], list[System]]:
-    """Parameters, and for each the systems at the four offsets in turn."""
-    names, units, values, systems = [], [], [], []
+def derivatives(
+    system: System, changes: list[System], u: Floats, orders: tuple[int, ...]
+) -> tuple[Floats, Floats, str]:
+    """Amplitudes, K2, index and exponent of one motion, and their derivatives by m parameters of its equations.
+
+    Parameters
+    ----------
+    system : System            one condition
+    changes : list of System   derivative of its arrays by each parameter
+    u : (3, b) float           the motion, from `harmonic_balance`
+    orders : tuple of int      its harmonics
+
+    Returns
+    -------
+    here : (6,) float          sway [m], roll, yaw [deg], K2 [1/s2], index, exponent [1/s]
+    slopes : (m, 6) float
+    why : str                  why the exponent has no derivative; empty where it has
+
+    Notes
+    -----
+    Source: `change_of_motion`, `change_of_stability`.
+    """
+    whole = joined([system, *changes])
+    one, change = whole.each(lambda array: array[:1]), whole.each(lambda array: array[1:])
+    judged = assess(one, u[None], orders, accuracy=1e-11)
+    du = change_of_motion(one, change, u, orders)
+    rate = fastest_rate(variational_harmonics(one, u[None], orders), judged.first_order.mean_jacobian)
+    stability = change_of_stability(one, change, u, du, orders, float(rate[0]))
+    first = 1 if orders[0] == 0 else 0
+    cos, sin = u[:, first], u[:, first + 1]
+    amplitude = np.hypot(cos, sin)
+    # a mode at rest, as in a head sea, stays at rest
+    growth = (cos * du[:, :, first] + sin * du[:, :, first + 1]) / np.where(amplitude > 0, amplitude, 1.0)
+    scale = np.array([1.0, 180 / np.pi, 180 / np.pi])
+    f = judged.first_order
+    here = np.concatenate([scale * amplitude, f.k2, f.index, judged.floquet.growth])
+    slopes = np.column_stack([scale * growth, stability.k2, stability.index, stability.exponent])
+    return here, slopes, stability.why
+
+
+def coefficient_rows(model: Model) -> list[Row]:
+    """Every term of a model that is not zero: the equations are linear in each.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    list of Row
+    """
+    rows = []
     for name, value in model.terms.items():
-        if value == 0.0:
-            continue
-        names.append(name)
-        units.append(unit(name))
-        values.append(value)
-        for offset in _OFFSETS:
-            changed = dict(model.terms) | {name: value * (1 + _STEP * offset)}
-            systems.append(replace(model, terms=changed).system)
-    here = {key: getattr(ship.loading, key) for key in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping")}
-    here |= {"speed": float(speed), "wave_height": wave.height}
-    for name, value in here.items():
-        if value == 0.0:
-            continue
-        names.append(name)
-        units.append(_DESIGN[name][0])
-        values.append(value)
-        for offset in _OFFSETS:
-            other = value * (1 + _STEP * offset)
-            at_speed = other if name == "speed" else speed
-            at_wave = Wave(wave.length, other) if name == "wave_height" else wave
-            changed_ship = ship if name in ("speed", "wave_height") else loaded(ship, {name: other})
-            systems.append(equations(changed_ship, at_wave, at_speed, heading).system)
-    return names, units, values, systems
+        if value != 0.0:
+            calm = np.zeros(3)
+            alone = Model(model.inertia, {name: value}, model.frequency, calm, calm, autopilot=model.autopilot).system
+            linear = alone.linear.copy()
+            linear[:, 3:] = 0.0  # the rudder's own equation is the autopilot's
+            rows.append(Row(name, unit(name), value, replace(alone, linear=linear, frequency=np.zeros(1)), _EXACT))
+    return rows
 
 
-def _measures(system: System, orders: tuple[int, ...], start: Floats) -> Floats:
-    """Roll amplitude [deg], K2 [1/s2] and leading exponent [1/s] (n, 3) of the motions nearest to `start`."""
-    u, _, _ = harmonic_balance(system, orders, start=start)
-    result = assess(system, u, orders, accuracy=1e-11)
-    roll = np.degrees(np.hypot(u[:, 1, -2 * _waves(orders)], u[:, 1, 1 - 2 * _waves(orders)]))
-    return np.column_stack([roll, result.first_order.k2, result.floquet.growth])
+def _design_rows(ship: Ship, wave: Wave, speed: float, heading: float, model: Model) -> list[Row]:
+    """Loading, speed and wave height; a value of zero has no relative change."""
+    loading = {name: getattr(ship.loading, name) for name in _LOADING if getattr(ship.loading, name) != 0.0}
+    ships = [loaded(ship, {name: value * factor}) for name, value in loading.items() for factor in _FACTORS]
+    k, u, mu = (np.array([one]) for one in (wave.wavenumber, float(speed), float(heading)))
+    solved = list(systems(ships, k, u, mu))
+    rows = []
+    for i, (name, value) in enumerate(loading.items()):
+        change = _differenced(solved[OFFSETS.size * i : OFFSETS.size * (i + 1)], wave.amplitude)
+        rows.append(Row(name, _LOADING[name], value, change, _DIFFERENCED))
+        if name == "gm":
+            by_kg = change.each(partial(np.multiply, -ship.loading.kg / value))
+            rows.append(Row("kg", "m", ship.loading.kg, by_kg, _DIFFERENCED))
+    if speed > 0.0:
+        four = np.ones(OFFSETS.size)
+        change = _differenced([ship_system(ship, k * four, u * _FACTORS, mu * four)], wave.amplitude)
+        rows.append(Row("speed", "m/s", float(speed), change, _DIFFERENCED))
+    change = replace(model.system.each(np.zeros_like), cos=model.system.cos, sin=model.system.sin)
+    rows.append(Row("wave_height", "m", wave.height, change, _EXACT))
+    return rows
 
 
-def _waves(orders: tuple[int, ...]) -> int:
-    """Number of harmonics without the mean: the fundamental's columns stand that many pairs from the end."""
-    return sum(h > 0 for h in orders)
+def _differenced(around: list[ShipSystem], amplitude: float) -> System:
+    """Derivative of the equations by the relative change of a parameter, from those at the four offsets."""
+    whole = joined([one.at_amplitude(np.full((one.system.count, 1), amplitude)) for one in around])
+    return whole.each(lambda array: difference(array, _STEP)[None])

@@ -1,0 +1,203 @@
+"""How a periodic motion and the products in its equations change: exact derivatives, by the implicit function theorem."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.basis import harmonics_at
+from quartering.motion.branch import balance_of
+from quartering.motion.equations import Floats, System
+from quartering.motion.terms import KNOT, KNOT_CODE
+
+OFFSETS = np.array([-2.0, -1.0, 1.0, 2.0])
+"""Steps away at which `difference` wants its function."""
+_WEIGHTS = np.array([1.0, -8.0, 8.0, -1.0]) / 12.0
+_STEP = 1e-3
+_HIGHEST = 8
+
+
+def difference(values: Floats, step: float) -> Floats:
+    """Derivative of a smooth function by central differences extrapolated to fourth order.
+
+    Parameters
+    ----------
+    values : (4, ...) float    of the function at `OFFSETS` times the step
+    step : float
+
+    Returns
+    -------
+    (...) float                exact but for rounding for polynomials to the fourth degree
+
+    Notes
+    -----
+    Source: closed form (Richardson extrapolation).
+
+    Examples
+    --------
+    >>> round(float(difference((1 + 0.1 * OFFSETS) ** 4, 0.1)), 12)
+    4.0
+    """
+    return np.asarray(np.tensordot(_WEIGHTS, values, 1) / step)
+
+
+def change_of_motion(system: System, changes: System, u: Floats, orders: tuple[int, ...]) -> Floats:
+    """Derivatives of a periodic motion by parameters of its equations.
+
+    Parameters
+    ----------
+    system : System          one condition
+    changes : System         derivatives of its arrays by each of m parameters, with its products
+    u : (3, b) float         the motion, as from `harmonic_balance`
+    orders : tuple of int    its harmonics
+
+    Returns
+    -------
+    (m, 3, b) float
+
+    Notes
+    -----
+    du = -R_u^-1 dR, with the residual R of the balance equations. R is affine in everything but the frequency, so dR is a
+    difference without error; by the frequency, a smooth function, R is differenced at the motion held.  Singular at a fold.
+    Source: implicit function theorem; [Krack19].
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
+    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
+    >>> none = {name: 0 * getattr(system, name) for name in ("linear", "coefficients", "mean", "sin", "frequency")}
+    >>> u = np.array([[0, 0], [0, 0.1], [0, 0]])
+    >>> bool(np.allclose(change_of_motion(system, replace(system, **none), u, (1,))[0], u))  # proportional to the force
+    True
+    """
+    here, matrix = balance_of(system, orders, u)
+    names = ("linear", "coefficients", "mean", "cos", "sin")
+    by_frequency = np.zeros_like(here)
+    if changes.frequency.any():
+        others = (replace(system, frequency=system.frequency * (1 + _STEP * offset)) for offset in OFFSETS)
+        turned = np.array([balance_of(other, orders, u, with_matrix=False)[0] for other in others])
+        by_frequency = difference(turned, _STEP) / system.frequency
+    right = np.empty((changes.count, here.size))
+    for i in range(changes.count):
+        moved = replace(system, **{name: getattr(system, name) + getattr(changes, name)[[i]] for name in names})
+        right[i] = balance_of(moved, orders, u, with_matrix=False)[0] - here + changes.frequency[i] * by_frequency
+    return np.asarray(-np.linalg.solve(matrix, right.T).T.reshape(-1, *u.shape))
+
+
+def states_along(u: Floats, frequency: Floats, orders: tuple[int, ...], phases: Floats) -> Floats:
+    """States of periodic motions at given phases.
+
+    Parameters
+    ----------
+    u : (n, 3, b) float       motions, as from `harmonic_balance`
+    frequency : (n,) float    [rad/s]
+    orders : tuple of int     their harmonics
+    phases : (s,) float       [rad]
+
+    Returns
+    -------
+    (n, s, 4) float           v, phi, p, r
+
+    Notes
+    -----
+    Source: [H71] eq. (A-3), for any set of harmonics.
+
+    Examples
+    --------
+    >>> states_along(np.array([[[0, 0], [0, 0.1], [0, 0]]]), np.array([2.0]), (1,), np.array([0.0])).tolist()
+    [[[0.0, 0.0, 0.2, 0.0]]]
+    """
+    values, rates, factors = harmonics_at(orders, phases)
+    speed = np.where(factors > 0, frequency[:, None], 1.0)
+    v, r = ((u[:, k] * speed) @ rates for k in (0, 2))
+    p = (u[:, 1] * speed * (factors > 0)) @ rates
+    return np.stack([v, u[:, 1] @ values, p, r], axis=2)
+
+
+def change_of_states(
+    u: Floats, du: Floats, frequency: float, turned: Floats, orders: tuple[int, ...], phases: Floats
+) -> Floats:
+    """Derivatives of the states of one motion at given phases.
+
+    Parameters
+    ----------
+    u : (3, b) float        the motion
+    du : (m, 3, b) float    its derivatives by m parameters
+    frequency : float       [rad/s]
+    turned : (m,) float     derivatives of the frequency
+    orders : tuple of int   harmonics
+    phases : (s,) float     [rad], held
+
+    Returns
+    -------
+    (m, s, 4) float
+
+    Notes
+    -----
+    Source: closed form (`states_along`).
+    """
+    swinging = u.copy()
+    if orders[0] == 0:
+        swinging[:, 0] = 0.0
+    velocities = states_along(swinging[None], np.ones(1), orders, phases)
+    velocities[:, :, 1] = 0.0
+    return states_along(du, np.full(len(du), frequency), orders, phases) + turned[:, None, None] * velocities
+
+
+def products(
+    states: Floats, sign: Floats, powers: NDArray[np.int64], modulus: NDArray[np.int64]
+) -> Callable[[tuple[int, ...]], Floats]:
+    """The nonlinear products at given states, and their derivatives of any order.
+
+    Parameters
+    ----------
+    states : (s, 4) float                      v, phi, p, r
+    sign : (s, 4) float                        of each, or its mean over some neighbourhood
+    powers : (t, 4) int, modulus : (t,) int    of each product, as in `System`
+
+    Returns
+    -------
+    function of the variables (0-3) to differentiate by, which gives (s, t) float
+
+    Notes
+    -----
+    |x| is sign(x) x, and a knot's (|phi| - knot)+^3 sgn phi is the cube of phi - sign(phi) knot beyond the knot: every product
+    is a monomial with a sign.  Source: closed form.
+
+    Examples
+    --------
+    >>> state = np.array([[0.0, 0.0, -3.0, 0.0]])
+    >>> made = products(state, np.sign(state), np.array([[0, 0, 1, 0]]), np.array([3]))  # p|p|
+    >>> made(())[0].tolist(), made((2,))[0].tolist(), made((2, 2))[0].tolist()
+    ([-9.0], [6.0], [-2.0])
+    """
+    knots, which = np.unique(np.where(modulus > KNOT_CODE, (modulus - KNOT_CODE) * KNOT, 0.0), return_inverse=True)
+    heel = states[:, [1]] - np.where(states[:, [1]] >= 0, knots, -knots)
+    raised = [_powers(heel) if s == 1 else _powers(states[:, [s]]) for s in range(4)]
+    beyond = np.abs(states[:, [1]]) > knots[which]
+    factor = np.where(modulus > KNOT_CODE, beyond, 1.0)
+    full = powers.copy()
+    for s in range(4):
+        barred = modulus == s + 1
+        factor = np.where(barred, sign[:, [s]] * factor, factor)
+        full[barred, s] += 1
+
+    def derivative(by: tuple[int, ...]) -> Floats:
+        left, value = full.copy(), factor
+        for s in by:
+            value = value * left[:, s]
+            left[:, s] = np.maximum(left[:, s] - 1, 0)
+        for s in range(4):
+            value = value * raised[s][left[:, s], :, which if s == 1 else 0].T
+        return np.asarray(value)
+
+    return derivative
+
+
+def _powers(x: Floats) -> Floats:
+    """Powers 0 to 7 (8, ...) of an array."""
+    return np.cumprod(np.concatenate([np.ones_like(x)[None], np.repeat(x[None], _HIGHEST - 1, axis=0)]), axis=0)

@@ -1,0 +1,171 @@
+"""How the stability of a periodic motion changes: exact derivatives of K2, of the index and of the leading exponent."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.basis import harmonics_at
+from quartering.motion.change import change_of_states, products, states_along
+from quartering.motion.equations import Floats, System
+from quartering.motion.steering import HEADING, holds_heading, state_matrix, turning
+from quartering.stability.first_order import roll_mode
+from quartering.stability.floquet import steps_for
+from quartering.stability.steered import steered_transitions
+from quartering.stability.variation import transition_matrices
+
+Complex = NDArray[np.complex128]
+
+_VELOCITIES = [0, 2, 3]
+_PHASES, _PHASES_OF_KINKS = 32, 2048
+_ACCURACY = 1e-10
+_DEFECTIVE, _SAME = 1e6, 1e-7
+_TINY = 1e-30
+
+
+@dataclass(frozen=True, eq=False)
+class StabilityChange:
+    """Derivatives of the stability of one motion by m parameters.
+
+    Parameters
+    ----------
+    k2 : (m,) float          [1/s2]; NaN where first-order theory has no roll mode
+    index : (m,) float       S = -K2/(2 n2) [1/s]
+    exponent : (m,) float    leading Floquet exponent [1/s]; NaN where it has no derivative
+    why : str                why not; empty where it has
+    """
+
+    k2: Floats
+    index: Floats
+    exponent: Floats
+    why: str
+
+
+def change_of_stability(
+    system: System, changes: System, u: Floats, du: Floats, orders: tuple[int, ...], rate: float
+) -> StabilityChange:
+    """Derivatives of K2, index and leading exponent of a periodic motion by parameters of its equations.
+
+    Parameters
+    ----------
+    system : System          one condition
+    changes : System         derivatives of its arrays by each of m parameters, with its products
+    u : (3, b) float         the motion
+    du : (m, 3, b) float     its derivatives, from `change_of_motion`
+    orders : tuple of int    harmonics
+    rate : float             from `fastest_rate`, to choose steps [1/s]
+
+    Returns
+    -------
+    StabilityChange
+
+    Notes
+    -----
+    K2 follows from the mean of the variational matrix A(t), whose derivative along the motion is exact. The exponent is
+    lambda with y' = A y = y(t) e^{lambda t}: at phases held, d lambda = <l dA r> + (lambda - <l A r>) d w / w, the mean over
+    a cycle, with the right and left periodic vectors r, l and l r = 1. The mean is taken at equal phases: to rounding where
+    the products are smooth, to 1e-6 with a modulus or a spline.  Source: [H71] eqs. (8)-(13); perturbation of a simple
+    eigenvalue (closed form).  Valid: the leading multiplier is simple.
+
+    Examples
+    --------
+    See `quartering.sensitivity`.
+    """
+    u, du = turning(system.linear, u[None], orders)[0], turning(np.repeat(system.linear, len(du), axis=0), du, orders)
+    symmetric = all(h % 2 == 1 for h in orders)
+    span = 0.5 if symmetric else 1.0
+    per_harmonic = _PHASES_OF_KINKS // max(orders) if system.has_modulus else _PHASES
+    count = int(2 * span * per_harmonic * max(orders))
+    phases = 2 * np.pi * span * np.arange(count) / count
+    rows, moved = _rows(system, changes, u, du, orders, phases)
+    k2, index = _first_order(rows.mean(axis=0), moved.mean(axis=1), system.linear, changes.linear)
+    value, left, right, why = _leading_mode(system, u, orders, span, count, rate)
+    if why:
+        return StabilityChange(k2, index, np.full(len(du), np.nan), why)
+    whole = state_matrix(rows, np.repeat(system.linear, count, axis=0))
+    mean = np.einsum("na,nab,nb->", left, whole, right) / count
+    push = left[:, _VELOCITIES]
+    slope = np.einsum("nk,mnks,ns->m", push, moved, right[:, :4]) / count
+    slope += np.einsum("nk,mks,ns->m", push, changes.linear[:, :3, 4:], right[:, 4:]) / count
+    slope += (value - mean) * changes.frequency / system.frequency
+    return StabilityChange(k2, index, slope.real, "")
+
+
+def _rows(
+    system: System, changes: System, u: Floats, du: Floats, orders: tuple[int, ...], phases: Floats
+) -> tuple[Floats, Floats]:
+    """Rows v', p', r' of the variational matrix (s, 3, 4) and their derivatives (m, s, 3, 4)."""
+    w = float(system.frequency[0])
+    states = states_along(u[None], system.frequency, orders, phases)[0]
+    moved = change_of_states(u, du, w, changes.frequency, orders, phases)
+    product = products(states, _mean_sign(u, system, orders, phases), system.powers, system.modulus)
+    by_state = np.stack([product((s,)) for s in range(4)], axis=2)
+    rows = system.linear[0, :3, :4] + np.einsum("kt,nts->nks", system.coefficients[0], by_state)
+    changed = np.tensordot(changes.coefficients, by_state, axes=(2, 1)).transpose(0, 2, 1, 3)
+    changed += changes.linear[:, None, :3, :4]
+    for s in range(4):
+        bend = np.stack([product((s, q)) for q in range(4)], axis=2)
+        changed += moved[:, :, s, None, None] * np.einsum("kt,ntq->nkq", system.coefficients[0], bend)
+    return rows, changed
+
+
+def _mean_sign(u: Floats, system: System, orders: tuple[int, ...], phases: Floats) -> Floats:
+    """Sign of each state, averaged over the interval round its phase: a jump within it keeps its place to second order."""
+    half = 0.5 * (phases[1] - phases[0])
+    before, after = (states_along(u[None], system.frequency, orders, phases + side)[0] for side in (-half, half))
+    return np.asarray((before + after) / np.maximum(np.abs(before) + np.abs(after), _TINY))
+
+
+def _first_order(rows: Floats, moved: Floats, linear: Floats, changed: Floats) -> tuple[Floats, Floats]:
+    """Derivatives of K2 and of the index from the mean variational matrix (3, 4), by a complex step: exact."""
+    if not rows[1, 1] < 0:
+        return np.full(len(moved), np.nan), np.full(len(moved), np.nan)
+    n2, _, rate = roll_mode(rows + 1j * _TINY * moved, linear + 1j * _TINY * changed)
+    return (2 * n2 * rate).imag / _TINY, -rate.imag / _TINY
+
+
+def _leading_mode(
+    system: System, u: Floats, orders: tuple[int, ...], span: float, count: int, rate: float
+) -> tuple[complex, Complex, Complex, str]:
+    """Leading exponent [1/s], its left and right vectors (count, s) at the phases, and why it has no derivative."""
+    maps = _maps(system, u, orders, span, count, rate)
+    over = np.eye(system.states)
+    for one in maps:
+        over = one @ over
+    if system.states > HEADING and not holds_heading(system.linear)[0]:
+        over[HEADING, HEADING] = 0.0  # neutral: it decides nothing
+    values, vectors = np.linalg.eig(over.astype(complex))
+    first = int(np.argmax(np.abs(values)))
+    mu, rows = values[first], np.linalg.pinv(vectors)
+    left, right = np.empty((count, system.states), complex), np.empty((count, system.states), complex)
+    others = np.delete(values, first)
+    together = np.abs(np.abs(others) - abs(mu)) < _SAME * abs(mu)
+    if np.linalg.norm(rows[first]) > _DEFECTIVE or (np.abs(others - mu) < _SAME * abs(mu)).any():
+        return 0.0, left, right, "two leading multipliers meet: the exponent has no derivative there"
+    if (together & (np.abs(others - mu.conjugate()) > _SAME * abs(mu))).any():
+        return 0.0, left, right, "two modes lead together: which of them leads changes here"
+    fall = mu ** (-1.0 / count)
+    right[0], last = vectors[:, first], rows[first]
+    for n in range(count - 1):
+        right[n + 1] = maps[n] @ right[n] * fall
+    for n in reversed(range(count)):
+        last = left[n] = last @ maps[n] * fall
+    return complex(np.log(mu)) * float(system.frequency[0]) / (2 * np.pi * span), left, right, ""
+
+
+def _maps(system: System, u: Floats, orders: tuple[int, ...], span: float, count: int, rate: float) -> Floats:
+    """Transition matrices (count, s, s) from each phase to the next: the motion turned to begin there."""
+    first = int(orders[0] == 0)
+    values, _, _ = harmonics_at(orders, 2 * np.pi * span * np.arange(count) / count)
+    cos, sin = values[first::2], values[first + 1 :: 2]
+    begun = np.repeat(u[None], count, axis=0)
+    a, b = u[:, first::2, None], u[:, first + 1 :: 2, None]
+    begun[:, :, first::2] = (a * cos + b * sin).transpose(2, 0, 1)
+    begun[:, :, first + 1 :: 2] = (b * cos - a * sin).transpose(2, 0, 1)
+    every = system.each(lambda array: np.repeat(array, count, axis=0))
+    total = steps_for(system.frequency, span, np.array([rate]), max(orders), _ACCURACY)
+    steps = np.full(count, -(-int(total[0]) // count))
+    march = steered_transitions if system.states > HEADING else transition_matrices
+    return march(every, begun, orders, span / count, steps)
