@@ -24,11 +24,13 @@ import numpy as np
 import others
 
 import quartering as qt
+from quartering.motion.basis import basis
 from quartering.motion.harmonic import harmonic_balance, solve_with_care
 from quartering.motion.of_ship import ship_system
 from quartering.stability.assessment import assess
 from quartering.stability.first_order import first_order
 from quartering.stability.floquet import fastest_rate, floquet
+from quartering.stability.magnus import magnus_steps
 from quartering.stability.variation import variation_along
 from quartering.threads import spread, workers
 
@@ -109,6 +111,38 @@ def accuracy(block):
     return np.max(np.abs(size - other)[same] / other.max()), np.nanmax(apart[same]), int((~same).sum())
 
 
+NEWTON_MATRICES = 2.5
+"""Matrices a condition takes on the way from the linear motion, each for three steps; most take two, some three."""
+
+
+def operations(system):
+    """Additions and multiplications a condition takes, counted from the loops; and this machine's rate in dgemm [1/s]."""
+    table, along = basis(ORDERS, system.degree, False), basis(ORDERS, system.degree - 2, False, extra=14)
+    nb, samples, points = table.values.shape[0], table.values.shape[1], along.values.shape[1]
+    size, terms = 3 * nb, system.powers.shape[0]
+    slopes = int((system.powers > 0).sum())
+    state, force, jacobian = 9 * nb, 24 + 9 * terms, 12 + 10 * slopes
+    derivative = samples * (state + jacobian + 15 * nb + 18 * nb**2)
+    residual = samples * (state + force + 6 * nb)
+    newton = derivative + 2 * size**3 / 3 + 3 * (residual + 2 * size**2)
+    phasors, _ = variation_along(system, *motion_of(system))
+    rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
+    steps = magnus_steps(system.frequency, phasors, rate, 0.5, ACCURACY)[0].mean()
+    product = 128
+    magnus = steps * (3 * 24 * points + 13 * product + 16 * 40)
+    count = NEWTON_MATRICES * newton + points * (state + jacobian + 24 * 7) + magnus + 2500
+    square = np.random.default_rng(0).random((1500, 1500))
+    square @ square
+    begin = time.perf_counter()
+    square @ square
+    return count, 2 * 1500**3 / (time.perf_counter() - begin)
+
+
+def motion_of(system):
+    u, *_ = harmonic_balance(system, ORDERS)
+    return u, ORDERS
+
+
 def main():
     blocks = systems()
     count = sum(b.count for b in blocks)
@@ -125,6 +159,11 @@ def main():
             f" {1e6 * median / count:.1f} us each"
         )
     ours = rates["motion, multipliers, K2, S"]
+    work, machine = operations(blocks[len(blocks) // 2])
+    print(
+        f"about {work:,.0f} operations a condition; dgemm does {machine / 1e9:.0f} thousand million a second here, so the"
+        f" arithmetic limit is {1e6 * work / machine:.1f} us a condition: {work / machine / ours:.0%} of it is reached"
+    )
     found = [accuracy(b) for b in blocks[::5]]
     print(
         f"largest error: amplitude {max(f[0] for f in found):.1e} of the largest, multipliers {max(f[1] for f in found):.1e};"
