@@ -16,11 +16,13 @@ from quartering.hull.offsets import scaled
 from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship, ship
 from quartering.hydro.calm_water import calm_water_exponents, state_matrix
-from quartering.hydro.coefficients import Coefficients, coefficients, rigid_inertia
+from quartering.hydro.coefficient_table import Coefficients, rigid_inertia
+from quartering.hydro.coefficients import coefficients
+from quartering.hydro.freeroll import natural_roll_frequency
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import clarke_derivatives, hull_lift, to_si
 from quartering.hydro.moments import hull_moments, section_table
-from quartering.hydro.rolldamping import fraction_of_critical, natural_roll_frequency
+from quartering.hydro.rolldamping import fraction_of_critical
 from quartering.hydro.strip import frequency_floor, hydrodynamics
 from quartering.names import KNOWN, RUDDER_NAMES, canonical, dimension, unit
 
