@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Final
 
 import numpy as np
 
-from quartering.motion.equations import System
-
-ARRAYS: Final = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-"""What of a system differs from condition to condition."""
+from quartering.motion.equations import PER_CONDITION, System
 
 
 def joined(systems: Sequence[System]) -> System:
@@ -34,7 +30,9 @@ def joined(systems: Sequence[System]) -> System:
            [0. , 0.1]])
     """
     first = systems[0]
-    stacked = {name: np.concatenate([getattr(s, name) for s in systems]) for name in ARRAYS if name != "coefficients"}
+    stacked = {
+        name: np.concatenate([getattr(s, name) for s in systems]) for name in PER_CONDITION if name != "coefficients"
+    }
     products = [list(zip(map(tuple, s.powers.tolist()), s.modulus.tolist(), strict=True)) for s in systems]
     if all(one == products[0] for one in products):
         return replace(first, coefficients=np.concatenate([s.coefficients for s in systems]), **stacked)
@@ -70,5 +68,25 @@ def apart(systems: System) -> list[System]:
     >>> [s.count for s in apart(joined([one, one]))]
     [1, 1]
     """
-    rows = (slice(i, i + 1) for i in range(systems.count))
-    return [replace(systems, **{name: getattr(systems, name)[row] for name in ARRAYS}) for row in rows]
+    return [systems.rows(slice(i, i + 1)) for i in range(systems.count)]
+
+
+def copies(system: System, count: int) -> System:
+    """One condition as a batch of equal ones.
+
+    Parameters
+    ----------
+    system : System    one condition
+    count : int
+
+    Returns
+    -------
+    System
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> copies(Model(np.eye(3), {"K_phi": -1.0}, 0.8, (0, 1, 0), (0, 0, 0)).system, 3).count
+    3
+    """
+    return system.rows(np.zeros(count, dtype=np.intp))

@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.motion.batch import copies
 from quartering.motion.branch import balance_of, follow_branch, start_of_branch
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
@@ -109,29 +110,6 @@ def _has(u: Floats, orders: tuple[int, ...], parity: int) -> bool:
     """Does a motion have even (0) or odd (1) harmonics, beyond rounding?"""
     own = [c for h, where in columns(orders).items() if h % 2 == parity for c in range(where.start, where.stop)]
     return bool(np.abs(u[:, own]).max() > _ZERO * np.abs(u).max())
-
-
-def copies(system: System, count: int) -> System:
-    """One condition as a batch of equal ones.
-
-    Parameters
-    ----------
-    system : System    one condition
-    count : int
-
-    Returns
-    -------
-    System
-
-    Notes
-    -----
-    Source: none needed.
-    """
-    arrays = {
-        name: np.repeat(getattr(system, name), count, axis=0)
-        for name in ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    }
-    return replace(system, **arrays)
 
 
 def _from_branch(model: Model) -> list[Floats]:

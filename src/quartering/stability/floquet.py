@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -232,8 +232,7 @@ def _transitions(
     phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale)
     rest = np.flatnonzero(found & ~np.isfinite(phi).all(axis=(1, 2)))
     if rest.size:
-        names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-        few = replace(system, **{name: getattr(system, name)[rest] for name in names})
+        few = system.rows(rest)
         many = steps_for(few.frequency, span, rate[rest], max(orders), accuracy)
         phi[rest] = transition_matrices(few, u[rest], orders, span, many)
     return phi

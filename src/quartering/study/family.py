@@ -12,9 +12,9 @@ from scipy.interpolate import CubicSpline
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.motion.batch import ARRAYS, joined
+from quartering.motion.batch import joined
 from quartering.motion.branch import Family
-from quartering.motion.equations import Floats, Model, System
+from quartering.motion.equations import PER_CONDITION, Floats, Model, System
 from quartering.motion.of_ship import equations, ship_system
 from quartering.motion.terms import parse
 from quartering.study.dataset import attributes
@@ -167,7 +167,7 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
             f"between {of.names[which]} = {of.low[which]:g} and {of.high[which]:g} the ship keeps pace with the wave;"
             " take narrower limits"
         )
-    splines = {name: CubicSpline(share, getattr(systems, name), axis=0) for name in ARRAYS}
+    splines = {name: CubicSpline(share, getattr(systems, name), axis=0) for name in PER_CONDITION}
 
     def at_share(t: float) -> System:
         return replace(systems, **{name: np.ascontiguousarray(spline(t)[None]) for name, spline in splines.items()})

@@ -10,12 +10,12 @@ import xarray as xr
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
+from quartering.motion.batch import joined
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.of_ship import equations
 from quartering.names import unit
 from quartering.stability.assessment import assess
-from quartering.study.family import joined
 from quartering.study.grid import loaded
 
 _STEP = 1e-3

@@ -83,12 +83,9 @@ def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
     >>> part_of(two, slice(1, 2)).system.count
     1
     """
-    s = equations.system
-    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    system = replace(s, **{name: getattr(s, name)[part] for name in names})
     return replace(
         equations,
-        system=system,
+        system=equations.system.rows(part),
         encounter_frequency=equations.encounter_frequency[part],
         slow=equations.slow[part],
     )
