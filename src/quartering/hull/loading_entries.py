@@ -25,7 +25,27 @@ _DEFAULTS = {
 def loading_entries(
     where: str, own: LoadingKeys, base_keys: ShipKeys | None, base: Ship | None, hull: Hull
 ) -> dict[str, Entry]:
-    """Loading values of a file: its own, then those of its base (metres in proportion to the hull), then the usual."""
+    """Loading values of a file: its own, then those of its base (metres in proportion to the hull), then the usual.
+
+    Parameters
+    ----------
+    where : str                       file named in messages
+    own : LoadingKeys                 of the file
+    base_keys, base : or None         keys of the base ship, and that ship
+    hull : Hull                       of the file
+
+    Returns
+    -------
+    dict of str to Entry
+
+    Raises
+    ------
+    InputError                        both gm and kg
+
+    Notes
+    -----
+    Source: the format of the ship file.
+    """
     if own.gm is not None and own.kg is not None:
         raise InputError(f"{where}: gm and kg are both given; one follows from the other (kg = KM - gm), leave one out")
     entries = dict(_DEFAULTS)
@@ -74,7 +94,26 @@ def _proportional(entry: Entry, ratio: float) -> Entry:
 
 
 def loading_of(where: str, hull: Hull, entries: dict[str, Entry]) -> Loading:
-    """Loading in SI, checked."""
+    """Loading in SI, checked.
+
+    Parameters
+    ----------
+    where : str          file named in messages
+    hull : Hull
+    entries : mapping    from `loading_entries`
+
+    Returns
+    -------
+    Loading
+
+    Raises
+    ------
+    InputError           a value or unit that cannot be, what `reloaded` refuses
+
+    Notes
+    -----
+    Source: the format of the ship file.
+    """
     sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
     lengths = {
         key: quantity(entries[key].value, "length", what=f"{where}: loading, {key}", **sizes)
