@@ -171,7 +171,7 @@ def test_calm_water_exponents_hold_the_course_roots_of_rest_and_the_roll_roots_o
 
 
 @given(st.floats(0.02, 30.0), st.floats(0.1, 2.0), st.floats(0.0, 0.35))
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=5, deadline=None)  # each solves the sections of a hull anew
 def test_coefficients_obey_froude_scaling(scale, omega_hat, froude):
     # similar ships at equal omega sqrt(L/g) and Fn: every value goes with scale^(3 kg + m + s/2) of its unit
     wigley = ship("wigley")

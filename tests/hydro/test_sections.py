@@ -96,9 +96,9 @@ def test_table_of_a_ship_takes_less_than_half_a_second(monkeypatch):
     radiation_table(sections, w, DENSITY)
     times = []
     for _ in range(3):
-        start = time.perf_counter()
+        start = time.process_time()  # of this program alone: others may use the machine
         radiation_table(sections, w, DENSITY)
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     assert min(times) < 0.5
 
 
