@@ -97,8 +97,7 @@ def branch(
             _columns(line, i, over, low, high)
             for i, line in enumerate(lines_of(at, harmonics, points, steepest_of(ship_or_model)))
         ]
-    references = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
-    return xr.concat(parts, "point").assign_attrs(references=", ".join((*references, "Krack19")))
+    return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model))
 
 
 def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = np.inf) -> list[Line]:
@@ -137,6 +136,12 @@ def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = n
 def steepest_of(ship_or_model: Ship | Model) -> float:
     """Roll past which the equations describe no ship: where her righting arm vanishes [rad]; no bound for bare numbers."""
     return np.radians(vanishing_angle(ship_or_model)) if isinstance(ship_or_model, Ship) else np.inf
+
+
+def references_of(ship_or_model: Ship | Model) -> str:
+    """Keys of the papers behind curves of motions, for a dataset."""
+    own = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
+    return ", ".join((*own, "Krack19"))
 
 
 def _leaving(line: Line, known: list[Line], points: int, steepest: float) -> list[Line]:

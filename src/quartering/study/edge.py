@@ -18,7 +18,7 @@ from quartering.motion.steady import peaks
 from quartering.motion.subharmonic import ascending, columns, slowed
 from quartering.stability.assessment import assess
 from quartering.study.border import Border
-from quartering.study.branch import lines_of, steepest_of
+from quartering.study.branch import lines_of, references_of, steepest_of
 from quartering.study.dataset import attributes
 from quartering.study.family import Parameters, along, parameter_attributes, parameters
 from quartering.threads import alone, small_matrices
@@ -99,9 +99,8 @@ def edge(
             found = alone(lambda begin: _followed(of, *begin, edges, points, steepest), (border, start))
             if found is not None:
                 edges.append(found)
-    references = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
     parts = [_columns(of, one, i) for i, one in enumerate(edges)] or [_nothing(of)]
-    return xr.concat(parts, "point").assign_attrs(references=", ".join((*references, "Krack19")))
+    return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model))
 
 
 def _starts(of: Parameters, harmonics: int, steepest: float, *, splined: bool) -> list[tuple[Border, Floats]]:
