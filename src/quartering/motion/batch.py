@@ -1,13 +1,18 @@
-"""Systems of equations put into one batch, and taken apart again."""
+"""Conditions of equations put into one batch, and taken out again."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
-from quartering.motion.equations import PER_CONDITION, System
+from quartering.motion.equations import System
+
+PER_CONDITION: Final = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+"""What of a `System` has a row a condition; the products are alike in all."""
 
 
 def joined(systems: Sequence[System]) -> System:
@@ -50,6 +55,28 @@ def joined(systems: Sequence[System]) -> System:
     )
 
 
+def rows(system: System, which: slice | NDArray[np.intp]) -> System:
+    """Some of the conditions of a batch.
+
+    Parameters
+    ----------
+    system : System            n conditions
+    which : slice or (k,) int  of them, in any order; a number may repeat
+
+    Returns
+    -------
+    System
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> one = Model(np.eye(3), {"K_phi": -1.0}, 0.8, (0, 1, 0), (0, 0, 0)).system
+    >>> rows(one, np.array([0, 0])).frequency.tolist()
+    [0.8, 0.8]
+    """
+    return replace(system, **{name: getattr(system, name)[which] for name in PER_CONDITION})
+
+
 def apart(systems: System) -> list[System]:
     """The conditions of a batch one by one: the inverse of `joined`.
 
@@ -68,7 +95,7 @@ def apart(systems: System) -> list[System]:
     >>> [s.count for s in apart(joined([one, one]))]
     [1, 1]
     """
-    return [systems.rows(slice(i, i + 1)) for i in range(systems.count)]
+    return [rows(systems, slice(i, i + 1)) for i in range(systems.count)]
 
 
 def copies(system: System, count: int) -> System:
@@ -89,4 +116,4 @@ def copies(system: System, count: int) -> System:
     >>> copies(Model(np.eye(3), {"K_phi": -1.0}, 0.8, (0, 1, 0), (0, 0, 0)).system, 3).count
     3
     """
-    return system.rows(np.zeros(count, dtype=np.intp))
+    return rows(system, np.zeros(count, dtype=np.intp))

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,8 +18,6 @@ from quartering.motion.terms import TermTable, checked_number, term_table, with_
 from quartering.names import RUDDER_NAMES
 
 Floats = NDArray[np.float64]
-PER_CONDITION: Final = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-"""What of a `System` has a row a condition; the products are alike in all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,10 +83,6 @@ class System:
         for array in (self.linear, self.coefficients, self.mean, self.cos, self.sin):
             ok &= np.isfinite(array).reshape(self.count, -1).all(axis=1)
         return ok
-
-    def rows(self, which: slice | NDArray[np.intp]) -> System:
-        """Some of the conditions, by a slice or by their numbers, which may repeat."""
-        return replace(self, **{name: getattr(self, name)[which] for name in PER_CONDITION})
 
     def kernel_arrays(self) -> tuple[NDArray[Any], ...]:
         """Arrays in the order every compiled kernel takes them.

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.motion.batch import rows
 from quartering.motion.of_ship import ShipSystem, excitation, ship_system
 
 Floats = NDArray[np.float64]
@@ -85,7 +86,7 @@ def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
     """
     return replace(
         equations,
-        system=equations.system.rows(part),
+        system=rows(equations.system, part),
         encounter_frequency=equations.encounter_frequency[part],
         slow=equations.slow[part],
     )
