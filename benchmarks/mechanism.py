@@ -14,8 +14,8 @@ import numpy as np
 
 import quartering as qt
 from quartering.stability.kind import Kind
-from quartering.study.mechanism import onset, roll_alone, smallest_change
-from quartering.study.paper_model import TABLE_I, modified_model, table_ratios
+from quartering.study.paper.mechanism import onset, roll_alone, smallest_change
+from quartering.study.paper.model import TABLE_I, modified_model, table_ratios
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length

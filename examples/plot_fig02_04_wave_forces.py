@@ -17,7 +17,7 @@ takes moment *away* there, and the roll moment has two humps, near 60 and 125 de
 # %%
 # Both forms of the correction, and a third with the speed of the ship in it (Salvesen, Tuck and Faltinsen).
 import quartering as qt
-from quartering.study.paper_curves import PARTS, force_curves
+from quartering.study.paper.curves import PARTS, force_curves
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 

@@ -17,8 +17,7 @@ peaks) tells why.
 import numpy as np
 
 import quartering as qt
-from quartering.study.paper_curves import response_curves
-from quartering.view.plots.paper_curves import resonances
+from quartering.study.paper.curves import resonances, response_curves
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 

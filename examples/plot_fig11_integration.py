@@ -16,7 +16,7 @@ roll passes 40 deg, beyond the fit of the righting arm, one harmonic is not enou
 import numpy as np
 
 import quartering as qt
-from quartering.study.paper_conditions import speed_of, wave_of
+from quartering.study.paper.conditions import speed_of, wave_of
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 

@@ -21,8 +21,8 @@ three ways of judging it agree.
 import numpy as np
 
 import quartering as qt
-from quartering.study.paper_conditions import speed_of, wave_of
-from quartering.study.paper_model import feeding_model, modified_model
+from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.model import feeding_model, modified_model
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 

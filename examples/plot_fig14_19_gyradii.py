@@ -16,8 +16,8 @@ sway-yaw modes decide, nor next to resonance, where it rises steeply towards a f
 
 # %%
 # Series 60, CB 0.60: roll.
-from quartering.study.paper_conditions import FROUDE
-from quartering.study.paper_sets import gyradii_of
+from quartering.study.paper.conditions import FROUDE
+from quartering.study.paper.sets import gyradii_of
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 

@@ -10,7 +10,7 @@ stability.
 
 # %%
 # Roll at four headings.
-from quartering.study.paper_sets import heights_of
+from quartering.study.paper.sets import heights_of
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 

@@ -15,9 +15,9 @@ ours cannot be known: it is not printed.
 # %%
 # Slopes at the ship as estimated: change of the growth rate per 10 % of each coefficient.
 import quartering as qt
-from quartering.study.paper_conditions import speed_of, wave_of
-from quartering.study.paper_curves import coefficient_curves
-from quartering.study.paper_sets import COEFFICIENTS
+from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.curves import coefficient_curves
+from quartering.study.paper.sets import COEFFICIENTS
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 

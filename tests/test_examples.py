@@ -1,6 +1,7 @@
-"""Every example runs and draws its picture.
+"""Every quick example runs and draws its picture.
 
-The paper's figures (``plot_fig*.py``) run in the gallery of the documentation; what they draw is tested in ``tests/paper``.
+The gallery of the documentation runs all of them (`make docs`): the paper's figures (``plot_fig*.py``), whose content is
+tested in ``tests/paper``, and the comparisons that take longest run there alone.
 """
 
 import os
@@ -11,18 +12,15 @@ from pathlib import Path
 import pytest
 
 SLOW = {"plot_how_good", "plot_roll_excitation"}
-NEEDS = {"plot_roll_excitation": "capytaine"}
 EXAMPLES = [
-    pytest.param(script, id=script.stem, marks=[pytest.mark.slow] if script.stem in SLOW else [])
+    pytest.param(script, id=script.stem)
     for script in sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
-    if not script.stem.startswith("plot_fig")
+    if not script.stem.startswith("plot_fig") and script.stem not in SLOW
 ]
 
 
 @pytest.mark.parametrize("script", EXAMPLES)
 def test_example_draws_its_picture(script, tmp_path):
-    if script.stem in NEEDS:
-        pytest.importorskip(NEEDS[script.stem])
     picture = tmp_path / "picture.png"
     environment = os.environ | {"MPLBACKEND": "Agg"}
     subprocess.run(

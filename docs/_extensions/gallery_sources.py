@@ -12,7 +12,7 @@ FOLDER = "build/examples"
 HEAD = """Gallery
 =======
 
-Every picture is drawn by the script beside it, from the `examples` folder; all of them run in the tests.
+Every picture is drawn by the script beside it, from the `examples` folder; all of them run when these pages are built.
 """
 
 

@@ -55,16 +55,15 @@ def _public() -> str:
 
 
 def _room(package: Path, room: str, words: str) -> str:
-    modules = [
-        f"quartering.{room}.{path.stem}" for path in sorted((package / room).glob("*.py")) if _documents_something(path)
-    ]
+    paths = [path for path in sorted((package / room).rglob("*.py")) if _documents_something(path)]
+    modules = [".".join(path.relative_to(package.parent).with_suffix("").parts) for path in paths]
     return _page(f"{room}: {words}", modules)
 
 
 def _page(title: str, modules: list[str]) -> str:
     lines = [title, "=" * len(title), ""]
     for module in modules:
-        short = module.rpartition(".")[2]
+        short = module.split(".", 2)[-1]
         lines += [short, "-" * len(short), "", f".. automodule:: {module}", "   :members:", ""]
     return "\n".join(lines)
 
@@ -76,6 +75,6 @@ def _documents_something(path: Path) -> bool:
     return any(
         isinstance(node, (ast.FunctionDef, ast.ClassDef))
         and not node.name.startswith("_")
-        and not any(ast.unparse(decorator) in ("kernel", "inner") for decorator in node.decorator_list)
+        and not any(ast.unparse(decorator) in ("kernel", "inner", "abreast") for decorator in node.decorator_list)
         for node in ast.parse(path.read_text()).body
     )

@@ -24,6 +24,7 @@ from quartering.hydro.dampingforms import (
     quadratic_to_linear,
     quadratic_to_linear_and_cubic,
 )
+from quartering.hydro.freeroll import free_roll
 from quartering.hydro.ikeda import (
     Particulars,
     Rolling,
@@ -38,7 +39,7 @@ from quartering.hydro.ikeda_eddy import bilge_radius, eddy_coefficient, eddy_dam
 from quartering.hydro.integrals import about_gravity_centre
 from quartering.hydro.lewis import lewis_forms
 from quartering.hydro.multipole import radiation
-from quartering.hydro.rolldamping import _warn_sharp_bilge, free_roll, roll_damping
+from quartering.hydro.rolldamping import _warn_sharp_bilge, roll_damping
 from quartering.hydro.simplified_ikeda import simplified_ikeda
 
 DATA = Path(__file__).parents[1] / "data"

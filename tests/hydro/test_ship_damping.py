@@ -5,8 +5,9 @@ import pytest
 
 import quartering as qt
 from quartering.hydro.dampingforms import LINEAR_OF_QUADRATIC
+from quartering.hydro.freeroll import free_roll
 from quartering.hydro.measured_ship import measured_parts
-from quartering.hydro.rolldamping import free_roll, roll_damping
+from quartering.hydro.rolldamping import roll_damping
 from quartering.study.cure import cures
 from quartering.study.grid import grid
 from quartering.study.uncertainty import uncertain

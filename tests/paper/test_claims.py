@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from quartering.study.claims import CLAIMS, scoreboard_page, tally
+from quartering.study.paper.scoreboard import CLAIMS, scoreboard_page, tally
 
 PAGE = Path(__file__).parents[2] / "docs" / "scoreboard.md"
 NUMBER = re.compile(r"-?\d+\.?\d*")
@@ -64,7 +64,7 @@ def test_claim_is_answered_as_recorded_and_as_the_page_says(claim):
 
 def test_page_has_every_claim_once_and_counts_them():
     """The page, taken apart, is what the code makes of its own answers and evidence."""
-    from quartering.study.claim import Finding
+    from quartering.study.paper.claim import Finding
 
     cells = [line_of(claim.text).split(" | ") for claim in CLAIMS]
     found = [(claim, Finding(row[2], row[3].removesuffix(" |"))) for claim, row in zip(CLAIMS, cells, strict=True)]

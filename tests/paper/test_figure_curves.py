@@ -5,9 +5,8 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import GRAVITY, InputError
-from quartering.study.paper_conditions import speed_of, wave_of
-from quartering.study.paper_curves import coefficient_curves, force_curves, loading_curves, response_curves
-from quartering.view.plots.paper_curves import resonances
+from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.curves import coefficient_curves, force_curves, loading_curves, resonances, response_curves
 
 SHIP = qt.ship("series60-cb60")
 SPEED = speed_of(SHIP)

@@ -5,16 +5,16 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import InputError
-from quartering.study.paper_conditions import (
+from quartering.study.paper.conditions import (
     INSTABILITY_HEADING,
     INSTABILITY_RATIO,
     INSTABILITY_STEEPNESS,
     speed_of,
     wave_of,
 )
-from quartering.study.paper_model import TABLE_I, feeding_model, modified_model, table_ratios
-from quartering.study.paper_motions import disturbance, integration_check, time_check
-from quartering.study.paper_sets import roll_rate
+from quartering.study.paper.model import TABLE_I, feeding_model, modified_model, table_ratios
+from quartering.study.paper.motions import disturbance, integration_check, time_check
+from quartering.study.paper.sets import roll_rate
 
 SHIP = qt.ship("series60-cb60")
 SPEED = speed_of(SHIP)

@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import pytest
 
 from quartering.conventions import InputError
-from quartering.study.paper_points import COLUMNS, Point, read_points
+from quartering.study.paper.points import COLUMNS, Point, read_points
 from quartering.view.plots import style
 from quartering.view.plots.paper_figures import FIGURES
 from quartering.view.plots.paper_points import draw_points

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.study.mechanism import onset, roll_alone, smallest_change
-from quartering.study.paper_model import table_ratios
+from quartering.study.paper.mechanism import onset, roll_alone, smallest_change
+from quartering.study.paper.model import table_ratios
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "the_mechanism.md").read_text()

@@ -128,8 +128,8 @@ def test_progress_tells_rate_time_left_and_outcome(stored):
 def test_failed_conditions_are_grouped_with_advice():
     """Closed form: omega = 0 at U = sqrt(g lambda / 2 pi) in following seas."""
     found = grid(SHIP, [0.0, np.sqrt(9.81 * 60.0 / (2 * np.pi))], [0.0], [60.0], [0.5, 1.0])
+    from quartering.study.block_file import counted
     from quartering.study.conditions import evaluate_block
-    from quartering.study.store import counted
 
     (group,) = failures(counted(evaluate_block(found, 0)))
     assert group.conditions == 2

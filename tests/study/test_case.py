@@ -8,7 +8,8 @@ import pytest
 import yaml
 
 import quartering as qt
-from quartering.study.case import SCHEMA, case_grid, case_schema, read_case, starting_case
+from quartering.study.case import case_grid, case_schema, read_case
+from quartering.study.starting_case import SCHEMA, starting_case
 from quartering.study.sweep import fill
 
 START = starting_case("series60-cb60")

@@ -10,12 +10,12 @@ from scipy.optimize import brentq
 
 import quartering as qt
 from quartering.hull.autopilot import Autopilot
+from quartering.motion.batch import joined
 from quartering.motion.change import OFFSETS, difference, products, states_along
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.terms import parse
 from quartering.stability.assessment import assess
 from quartering.stability.hill import hill_exponents
-from quartering.study.family import joined
 from quartering.study.sensitivity import coefficient_rows, derivatives
 
 SHIP = qt.ship("series60-cb60")

@@ -9,8 +9,8 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import GRAVITY
-from quartering.study.paper_conditions import speed_of
-from quartering.study.paper_curves import force_curves, loading_curves, response_curves
+from quartering.study.paper.conditions import speed_of
+from quartering.study.paper.curves import force_curves, loading_curves, response_curves
 from quartering.view.cli import app
 from quartering.view.plots.paper_axes import wave_direction
 from quartering.view.plots.paper_curves import force_picture, loading_picture, response_picture, stability_picture

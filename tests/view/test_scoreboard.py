@@ -5,14 +5,14 @@ import json
 import pytest
 
 import quartering as qt
-from quartering.study import claims
+from quartering.study.paper import scoreboard
 from quartering.view.commands import scoreboard as command
 
 
 @pytest.fixture
 def _two_claims(monkeypatch):
     """The first two of them, which cost little."""
-    monkeypatch.setattr(claims, "CLAIMS", claims.CLAIMS[:2])
+    monkeypatch.setattr(scoreboard, "CLAIMS", scoreboard.CLAIMS[:2])
 
 
 @pytest.mark.usefixtures("_two_claims")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
@@ -11,29 +10,20 @@ from typing import NamedTuple
 
 import yaml
 
-from quartering.conventions import WATER_DENSITY, InputError
+from quartering.conventions import InputError
 from quartering.hull.autopilot import ASPECT, Autopilot, Rudder
 from quartering.hull.lines import hull_of
+from quartering.hull.loading_entries import loading_entries, loading_of
 from quartering.hull.offsets import Hull
 from quartering.hull.own_database import Database, database_of
 from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_damping_note, roll_method
-from quartering.hull.schema import Entry, LoadingKeys, ShipKeys, checked_keys
-from quartering.hull.ship import DRAG_COEFFICIENT, ROLL_DAMPING, Loading, Ship, reloaded
-from quartering.hull.units import Kind, quantity, split_quantity
+from quartering.hull.schema import Entry, ShipKeys, checked_keys
+from quartering.hull.ship import DRAG_COEFFICIENT, Ship
+from quartering.hull.units import Kind, quantity
 from quartering.names import checked_values
 
 LIBRARY = Path(__file__).parent / "library"
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-
-_DEFAULTS = {
-    "gm": Entry(value="0.05 B", status="assumed", source="usual for a cargo ship; nothing published was found"),
-    "gyradius_roll": Entry(value="0.35 B", status="assumed", source="usual value; nothing published was found"),
-    "gyradius_yaw": Entry(value="0.25 L", status="assumed", source="usual value; nothing published was found"),
-    "roll_damping": Entry(
-        value=ROLL_DAMPING, status="assumed", source="fraction of critical, for viscosity and bilge keels"
-    ),
-    "water_density": Entry(value=WATER_DENSITY, status="assumed", source="sea water"),
-}
 
 
 class ShipEntry(NamedTuple):
@@ -135,7 +125,7 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
     base, base_keys = _base(where, keys)
     hull = hull_of(where, keys, base.hull if base else None)
     hull = replace(hull, section_method=keys.sections or (base.hull.section_method if base else "auto"))
-    entries = _loading_entries(where, keys.loading, base_keys, base, hull)
+    entries = loading_entries(where, keys.loading, base_keys, base, hull)
     notes = _notes(keys, base, hull, entries)
     method, keels = roll_method(entries["roll_damping"].value), _bilge_keels(where, keys, base, hull)
     if method != "fraction":
@@ -144,7 +134,7 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
     return Ship(
         name=keys.name or (base.name if base else hull.name),
         hull=hull,
-        loading=_loading(where, hull, entries),
+        loading=loading_of(where, hull, entries),
         overrides={**(base.overrides if base else {}), **checked_values(f"{where}: coefficients", given)},
         multipliers={
             **(base.multipliers if base else {}),
@@ -237,72 +227,6 @@ def _base(where: str, keys: ShipKeys) -> tuple[Ship | None, ShipKeys | None]:
     if keys.base not in names:
         raise InputError(f'{where}: base: "{keys.base}" is not a built-in ship; {_nearest(keys.base, names)}')
     return _built_in(keys.base), _keys(LIBRARY / f"{keys.base}.yaml")
-
-
-def _loading_entries(
-    where: str, own: LoadingKeys, base_keys: ShipKeys | None, base: Ship | None, hull: Hull
-) -> dict[str, Entry]:
-    """Loading values of a file: its own, then those of its base (metres in proportion to the hull), then the usual."""
-    if own.gm is not None and own.kg is not None:
-        raise InputError(f"{where}: gm and kg are both given; one follows from the other (kg = KM - gm), leave one out")
-    entries = dict(_DEFAULTS)
-    if base is not None and base_keys is not None:
-        sizes = {"gyradius_roll": hull.beam / base.hull.beam, "gyradius_yaw": hull.length / base.hull.length}
-        height = hull.design_draught / base.hull.design_draught
-        entries = _over(entries, {
-            key: _proportional(entry, sizes.get(key, height if key in ("gm", "kg") else 1.0))
-            for key, entry in base_keys.loading if entry is not None
-        })  # fmt: skip
-    return _over(
-        entries,
-        {
-            key: entries[key] if key in entries and _unchanged(key, entry, entries[key], hull) else entry
-            for key, entry in own
-            if entry is not None
-        },
-    )
-
-
-def _unchanged(key: str, own: Entry, base: Entry, hull: Hull) -> bool:
-    """Does a file repeat the value of its base without a word on where it comes from? Then the base's word stands."""
-    kind: Kind = {"water_density": "density", "roll_damping": "ratio"}.get(key, "length")  # type: ignore[assignment]
-    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
-    try:
-        values = [quantity(entry.value, kind, what=key, **sizes) for entry in (own, base)]
-    except InputError:
-        return False  # refused with its own message where the loading is put together
-    return own.status == "given" and math.isclose(*values, rel_tol=1e-8)
-
-
-def _over(entries: dict[str, Entry], own: dict[str, Entry]) -> dict[str, Entry]:
-    """Entries with some replaced; gm and kg replace one another."""
-    dropped = {"gm", "kg"} if {"gm", "kg"} & own.keys() else set()
-    return {**{key: entry for key, entry in entries.items() if key not in dropped}, **own}
-
-
-def _proportional(entry: Entry, ratio: float) -> Entry:
-    """Entry in metres of a ship scaled by a ratio; one in L, B or T, or at full size, is left as it is."""
-    number, unit = split_quantity(entry.value)
-    if ratio == 1.0 or unit in ("L", "B", "T"):
-        return entry
-    return Entry(
-        value=f"{number * ratio:.6g} {unit}".strip(), status="derived", source=f"{entry.source}; scaled with the hull"
-    )
-
-
-def _loading(where: str, hull: Hull, entries: dict[str, Entry]) -> Loading:
-    """Loading in SI, checked."""
-    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
-    lengths = {
-        key: quantity(entries[key].value, "length", what=f"{where}: loading, {key}", **sizes)
-        for key in ("gm", "kg", "gyradius_roll", "gyradius_yaw")
-        if key in entries
-    }
-    density = quantity(entries["water_density"].value, "density", what=f"{where}: loading, water_density")
-    if density <= 0:
-        raise InputError(f"{where}: loading, water_density = {density:g} kg/m3; it is above 0; try 1025")
-    blank = Loading(gm=1.0, kg=0.0, gyradius_roll=1.0, gyradius_yaw=1.0, density=density)
-    return reloaded(f"{where}: loading", hull, blank, roll_damping=entries["roll_damping"].value, **lengths)
 
 
 def _notes(keys: ShipKeys, base: Ship | None, hull: Hull, entries: dict[str, Entry]) -> dict[str, str]:

@@ -11,7 +11,7 @@ from typing import Literal, cast, get_args
 
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot, Rudder
-from quartering.hull.loading import ROLL_DAMPING, Loading, reloaded
+from quartering.hull.loading import Loading, reloaded
 from quartering.hull.offsets import Hull, Sections, at_draught
 from quartering.hull.own_database import Database, database_of
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
@@ -20,12 +20,10 @@ from quartering.names import checked_values
 
 __all__ = [
     "DRAG_COEFFICIENT",
-    "ROLL_DAMPING",
     "Loading",
     "Ship",
     "checked_linear",
     "checked_sections",
-    "reloaded",
     "ship",
 ]
 

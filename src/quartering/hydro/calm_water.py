@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.coefficients import Coefficients, coefficients
+from quartering.hydro.coefficient_table import Coefficients
+from quartering.hydro.coefficients import coefficients
 
 _BY_ANGLE = ("Y_phi", "K_phi", "N_phi")
 

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from difflib import get_close_matches
+from dataclasses import replace
 from types import MappingProxyType
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,176 +16,18 @@ from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline
 from quartering.hydro.coefficient_sources import Kind, coefficient_sources
+from quartering.hydro.coefficient_table import BODY_NAMES, Coefficients, rigid_inertia
 from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
+from quartering.hydro.freeroll import free_roll
+from quartering.hydro.given import Given
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
 from quartering.hydro.own_moments import check_frequencies, ship_moments
-from quartering.hydro.rolldamping import free_roll
 from quartering.hydro.rudder import rudder_derivatives
 from quartering.hydro.ship_damping import MODULUS, AddedDamping, added_damping, damping_references
 from quartering.hydro.strip import derivatives_from_moments, frequency_floor
-from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES, canonical, unit
-
-BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
-"""Rigid-body entries of the table."""
-
-
-class Entry(NamedTuple):
-    """One line of the table of coefficients."""
-
-    name: str
-    value: float
-    unit: str
-    source: str
-    kind: Kind
-
-
-@dataclass(frozen=True, eq=False)
-class Coefficients:
-    """Coefficients of a ship at n conditions, about G in body axes, modes sway, roll, yaw; SI.
-
-    Left side ``inertia d/dt (v, p, r)``; everything else stands on the right with its own sign.
-
-    Parameters
-    ----------
-    ship : str                       name of the ship
-    frequency : (n,) float           encounter frequency, folded to >= 0 [rad/s]
-    speed : (n,) float               U [m/s]
-    inertia : (n, 3, 3) float        rigid body and added mass
-    linear : (n, 3, 3) float         rows Y, K, N, columns v, p, r; Y_r contains -m U
-    restoring : (3, 4) float         columns phi, phi^3, phi^5, phi^7
-    cubic : (3, 10) float            columns in the order of CUBIC_MONOMIALS
-    extra : mapping of str to float  further terms by name (modulus terms, products with phi), alike at every condition
-    body : mapping of str to float   "m" [kg], "I_x", "I_z", "I_xz" [kg m2]
-    roll_frequency : float           n2 of small free roll as loaded, before overrides and multipliers [rad/s]
-    sources : mapping                name -> (kind, source)
-    references : tuple of str        keys of the papers behind the numbers
-    varying : mapping of str to (n,) measured terms that vary with the speed; they add to restoring, cubic and extra
-    righting : OddSpline or None     moment K over phi beyond K_phi phi of a ship whose righting curve is a spline [N m]
-    rudder : (n, 3) float            Y_delta, K_delta, N_delta of a ship with an autopilot; None without one
-    """
-
-    ship: str
-    frequency: Floats
-    speed: Floats
-    inertia: Floats
-    linear: Floats
-    restoring: Floats
-    cubic: Floats
-    extra: Mapping[str, float]
-    body: Mapping[str, float]
-    roll_frequency: float
-    sources: Mapping[str, tuple[Kind, str]]
-    references: tuple[str, ...]
-    varying: Mapping[str, Floats] = field(default_factory=dict)
-    rudder: Floats | None = None
-    righting: OddSpline | None = None
-
-    def table(self, condition: int = 0) -> tuple[Entry, ...]:
-        """Every coefficient of one condition with unit, source and kind, in a fixed order.
-
-        Parameters
-        ----------
-        condition : int    which of the n conditions
-
-        Returns
-        -------
-        tuple of Entry    rigid body; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r without its -m U); restoring;
-                          cubic; further terms; rudder, beside an autopilot. What is estimated says so in its source.
-
-        Notes
-        -----
-        Source: [H71] equation (2) for the terms; each entry names its own.
-        """
-        added, linear = rigid_inertia(self.body) - self.inertia[condition], self.linear[condition].copy()
-        linear[0, 2] += self.body["m"] * self.speed[condition]
-        values = dict(self.body)
-        for names, matrix in (
-            (INERTIA_NAMES, added),
-            (LINEAR_NAMES, linear),
-            (RESTORING_NAMES, self.restoring),
-            (CUBIC_NAMES, self.cubic),
-        ):
-            values |= {name: float(matrix[i, j]) for i, row in enumerate(names) for j, name in enumerate(row)}
-        values |= self.extra
-        values |= {name: values.get(name, 0.0) + float(value[condition]) for name, value in self.varying.items()}
-        if self.rudder is not None:
-            values |= dict(zip(RUDDER_NAMES, self.rudder[condition].tolist(), strict=True))
-        return tuple(
-            Entry(name, value, unit(name), self.sources[name][1], self.sources[name][0])
-            for name, value in values.items()
-        )
-
-
-def rigid_inertia(body: Mapping[str, float]) -> Floats:
-    """Inertia matrix of the ship without water.
-
-    Parameters
-    ----------
-    body : mapping    "m" [kg], "I_x", "I_z", "I_xz" [kg m2]
-
-    Returns
-    -------
-    (3, 3) float    sway, roll, yaw about G
-
-    Notes
-    -----
-    Source: [H71] equation (1).
-
-    Examples
-    --------
-    >>> rigid_inertia({"m": 2.0, "I_x": 3.0, "I_z": 5.0, "I_xz": 0.5}).tolist()
-    [[2.0, 0.0, 0.0], [0.0, 3.0, -0.5], [0.0, -0.5, 5.0]]
-    """
-    cross = -body["I_xz"]
-    return np.array([[body["m"], 0.0, 0.0], [0.0, body["I_x"], cross], [0.0, cross, body["I_z"]]])
-
-
-class _Given:
-    """The ship's overrides and multipliers by canonical name, applied one coefficient at a time and recorded."""
-
-    def __init__(self, ship: Ship, sources: dict[str, tuple[Kind, str]]) -> None:
-        self.sources = sources
-        self.values = {canonical(name): value for name, value in ship.overrides.items()}
-        self.factors: dict[str, float] = {}
-        for name, factor in ship.multipliers.items():
-            self.factors[canonical(name)] = factor * self.factors.get(canonical(name), 1.0)
-        self.provenance = {canonical(name): ship.provenance.get(name, "given") for name in ship.overrides}
-        for name in self.values:
-            measured = self.provenance[name].startswith(("measured", "published"))
-            sources[name] = ("measured" if measured else "given", self.provenance[name])
-        missing = [name for name in self.factors if name not in sources]
-        if missing:
-            near = get_close_matches(missing[0], list(sources), n=1, cutoff=0.0)
-            raise InputError(
-                f'{ship.name}: a multiplier is given for "{missing[0]}", which this ship has no value of; '
-                f'give its value first, or multiply "{near[0]}"'
-            )
-        for name, factor in self.factors.items():
-            kind, source = sources[name]
-            sources[name] = (kind, f"{source}; times {factor:g}")
-
-    def applied(self, name: str, value: Floats) -> Floats:
-        """Value of one coefficient after override and multiplier."""
-        start = np.full_like(value, self.values[name]) if name in self.values else value
-        return start * self.factors.get(name, 1.0)
-
-    def matrix(self, names: tuple[tuple[str, ...], ...], matrix: Floats) -> Floats:
-        """Matrix (..., rows, columns) of coefficients after overrides and multipliers."""
-        rows = [
-            np.stack([self.applied(name, matrix[..., i, j]) for j, name in enumerate(row)], axis=-1)
-            for i, row in enumerate(names)
-        ]
-        return np.stack(rows, axis=-2)
-
-    def varying(self, terms: Mapping[str, Floats]) -> dict[str, Floats]:
-        """Terms that vary with the speed after multipliers; one that is overridden is dropped."""
-        return {n: value * self.factors.get(n, 1.0) for n, value in terms.items() if n not in self.values}
-
-    def further(self, known: set[str]) -> dict[str, float]:
-        """Overrides that name no coefficient of the standard set."""
-        return {name: value * self.factors.get(name, 1.0) for name, value in self.values.items() if name not in known}
+from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
 
 
 def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coefficients:
@@ -243,7 +82,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     if measured is not None:
         sources |= {name: ("measured", said) for name, said in measured_sources(ship, measured, sources).items()}
     rudder = _rudder(ship, u, sources)
-    given = _Given(ship, sources)
+    given = Given(ship, sources)
     roll = free_roll(ship)
     check_frequencies(ship, np.append(omega, roll.frequency))
     body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
@@ -340,7 +179,7 @@ def _restoring(ship: Ship) -> Floats:
     return rows + 0.0
 
 
-def _righting(ship: Ship, given: _Given) -> OddSpline | None:
+def _righting(ship: Ship, given: Given) -> OddSpline | None:
     """The righting spline [N m] without its slope, which is K_phi; None for a ship with a polynomial."""
     if ship.righting != "spline":
         return None

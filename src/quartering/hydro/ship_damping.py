@@ -10,8 +10,9 @@ import numpy as np
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.dampingforms import LINEAR_OF_QUADRATIC
+from quartering.hydro.freeroll import FreeRoll, free_roll
 from quartering.hydro.rollcomponents import REFERENCES, Method
-from quartering.hydro.rolldamping import FreeRoll, fraction_of_critical, free_roll, roll_damping
+from quartering.hydro.rolldamping import fraction_of_critical, roll_damping
 
 AMPLITUDE = 10.0
 """Roll amplitude about which the components are fitted, from a quarter of it to one and a half [deg]."""

@@ -1,4 +1,4 @@
-"""The section coefficients and contour potentials of a whole hull over frequency, and how to read between."""
+"""The section coefficients and contour potentials of a whole hull over frequency."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from typing import Any, Final, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 
 from quartering.cache import remembered
 from quartering.conventions import GRAVITY, InputError
@@ -282,46 +281,3 @@ def default_frequencies(beam: float, draught: float, count: int = STANDARD_FREQU
     w = knee * np.sinh(np.linspace(first, last, count))
     w[0], w[-1] = ends
     return np.asarray(w)
-
-
-def interpolate(table: SectionTable, frequency: ArrayLike) -> tuple[Floats, Floats]:
-    """Coefficients of a table's sections between its frequencies, by cubic splines.
-
-    Parameters
-    ----------
-    table : SectionTable
-    frequency : (n,) float   w >= 0; below the lowest and above the highest the end values are held [rad/s]
-
-    Returns
-    -------
-    (n, s, 3) float          a22, a24, a44
-    (n, s, 3) float          b22, b24, b44; going to zero like w^5 below the lowest frequency
-
-    Raises
-    ------
-    InputError               a frequency negative or not finite, or a table of fewer than four frequencies
-
-    Notes
-    -----
-    Source: [Tasai61] coefficients of the table; b ~ w^5 as w -> 0.  Valid: tables on `default_frequencies`.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> one = np.ones((1, 1))
-    >>> half_circle = Strips(np.zeros(1), np.ones(1), one, one, one, one, np.ones(1), np.ones(1), np.full(1, np.pi / 2))
-    >>> table = radiation_table(half_circle, default_frequencies(2.0, 1.0), density=1.0)
-    >>> a, b = interpolate(table, [np.sqrt(9.81)])
-    >>> round(float(a[0, 0, 0] / (np.pi / 2)), 4)
-    0.3818
-    """
-    w = np.atleast_1d(np.asarray(frequency, dtype=float))
-    if w.ndim != 1 or not (np.isfinite(w) & (w >= 0.0)).all():
-        raise InputError(f"frequency {frequency!r} [rad/s]: give a list of finite numbers >= 0")
-    if table.frequency.size < 4:
-        raise InputError(f"a table of {table.frequency.size} frequencies cannot be interpolated; it needs at least 4")
-    lowest, highest = table.frequency[0], table.frequency[-1]
-    inside = np.clip(w, lowest, highest)
-    curves = CubicSpline(table.frequency, np.concatenate([table.a, table.b], axis=-1), axis=0)(inside)
-    fade = (np.minimum(w, lowest) / lowest) ** 5 if lowest > 0.0 else np.ones_like(w)
-    return curves[..., :3], curves[..., 3:] * fade[:, None, None]

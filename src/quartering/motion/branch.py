@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from quartering.conventions import InputError
 from quartering.motion.arclength import Path, corrected, follow, tangent_at
 from quartering.motion.balance import balance
 from quartering.motion.basis import basis
+from quartering.motion.batch import joined
 from quartering.motion.equations import Floats, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
@@ -52,9 +53,7 @@ class Curve:
 
     def systems(self, points: Floats) -> System:
         """The systems of points (n, m + 1) as one batch, at the frequency of their motions."""
-        each = [slowed(self.family(float(t)), self.periods) for t in points[:, -1]]
-        arrays = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-        return replace(each[0], **{name: np.concatenate([getattr(s, name) for s in each]) for name in arrays})
+        return joined([slowed(self.family(float(t)), self.periods) for t in points[:, -1]])
 
     def residual(self, point: Floats) -> tuple[Floats, Floats]:
         """Residual (m,) and derivative (m, m + 1); by the parameter with central differences."""
@@ -176,6 +175,7 @@ def follow_branch(
 
     Examples
     --------
+    >>> from dataclasses import replace
     >>> from quartering.motion.equations import Model
     >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.1, 0), (0, 0, 0)).system

@@ -8,10 +8,11 @@ from itertools import pairwise
 import numpy as np
 
 from quartering.motion.arclength import Path, corrected, tangent_at
+from quartering.motion.batch import copies
 from quartering.motion.branch import Curve, follow_branch, within
 from quartering.motion.equations import Floats
 from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.search import copies, from_grid
+from quartering.motion.search import from_grid
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks
 from quartering.motion.subharmonic import rearranged

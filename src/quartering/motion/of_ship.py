@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
-from quartering.hydro.coefficients import Coefficients, coefficients
+from quartering.hydro.coefficient_table import Coefficients
+from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical

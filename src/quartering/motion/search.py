@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.motion.batch import copies
 from quartering.motion.branch import balance_of, follow_branch, start_of_branch
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
@@ -111,29 +112,6 @@ def _has(u: Floats, orders: tuple[int, ...], parity: int) -> bool:
     return bool(np.abs(u[:, own]).max() > _ZERO * np.abs(u).max())
 
 
-def copies(system: System, count: int) -> System:
-    """One condition as a batch of equal ones.
-
-    Parameters
-    ----------
-    system : System    one condition
-    count : int
-
-    Returns
-    -------
-    System
-
-    Notes
-    -----
-    Source: none needed.
-    """
-    arrays = {
-        name: np.repeat(getattr(system, name), count, axis=0)
-        for name in ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    }
-    return replace(system, **arrays)
-
-
 def _from_branch(model: Model) -> list[Floats]:
     """One-harmonic motions where the branch over the excitation passes its full value, and the linear start's."""
     low = orders_for(model.system, 1)
@@ -184,7 +162,25 @@ def from_grid(system: System) -> tuple[tuple[int, ...], list[Floats]]:
 
 
 def largest_roll(system: System) -> float:
-    """Roll amplitude up to which motions are sought: twice that where the cubic restoring equals the linear [rad]."""
+    """Roll amplitude up to which motions are sought: twice that where the cubic restoring equals the linear.
+
+    Parameters
+    ----------
+    system : System    one condition
+
+    Returns
+    -------
+    float              at most 2; 1.5 without a cubic restoring [rad]
+
+    Notes
+    -----
+    Source: closed form, K_phi phi = K_phiphiphi phi^3; the bounds are ours.
+
+    Examples
+    --------
+    >>> largest_roll(Model(np.eye(3), {"K_phi": -1.0, "K_phiphiphi": -4.0}, 0.8, (0, 1, 0), (0, 0, 0)).system)
+    1.0
+    """
     stiffness = np.abs(system.linear[0, 1, 1])
     hard = np.abs(system.coefficients[0, 1, (system.powers == [0, 3, 0, 0]).all(axis=1)]).sum()
     return float(min(2.0, 2.0 * np.sqrt(stiffness / hard))) if hard > 0 else 1.5

@@ -61,6 +61,18 @@ def slowed(system: System, periods: int) -> System:
 def columns(orders: tuple[int, ...]) -> dict[int, slice]:
     """Where each harmonic stands among the coefficients.
 
+    Parameters
+    ----------
+    orders : tuple of int    in the order of the columns
+
+    Returns
+    -------
+    dict of int to slice     one column for the mean (0), cosine and sine for the others
+
+    Notes
+    -----
+    Source: the layout of coefficients of `harmonic_balance`.
+
     Examples
     --------
     >>> columns((0, 2, 1))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering.motion.batch import rows
 from quartering.motion.equations import Floats, System
 from quartering.motion.steering import HEADING, RUDDER, holds_heading, turning
 from quartering.stability.eigenvalues import eigenvalues
@@ -232,8 +233,7 @@ def _transitions(
     phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale)
     rest = np.flatnonzero(found & ~np.isfinite(phi).all(axis=(1, 2)))
     if rest.size:
-        names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-        few = replace(system, **{name: getattr(system, name)[rest] for name in names})
+        few = rows(system, rest)
         many = steps_for(few.frequency, span, rate[rest], max(orders), accuracy)
         phi[rest] = transition_matrices(few, u[rest], orders, span, many)
     return phi

@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from quartering.motion.batch import joined
 from quartering.motion.branch import Curve, balance_of
 from quartering.motion.equations import Floats, System
 from quartering.motion.subharmonic import ascending, columns, orders_of, rearranged, slowed
 from quartering.motion.switching import new_columns
 from quartering.stability.assessment import assess
 from quartering.study.events import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
-from quartering.study.family import joined
 
 _STEP = 1e-5
 _ACCURACY = 1e-8

@@ -18,12 +18,10 @@ from quartering.motion.isola import loops
 from quartering.motion.steady import peaks
 from quartering.motion.subharmonic import columns
 from quartering.motion.switching import doubled, leaning, strength
-from quartering.study.dataset import attributes
 from quartering.study.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
-from quartering.study.family import family
+from quartering.study.family import family, parameter_attributes
 from quartering.threads import small_matrices
 
-_UNITS = {"frequency": "rad/s", "excitation": "1"}
 _MOST_BRANCHES = 12
 
 
@@ -99,8 +97,7 @@ def branch(
             _columns(line, i, over, low, high)
             for i, line in enumerate(lines_of(at, harmonics, points, steepest_of(ship_or_model)))
         ]
-    references = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
-    return xr.concat(parts, "point").assign_attrs(references=", ".join((*references, "Krack19")))
+    return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model))
 
 
 def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = np.inf) -> list[Line]:
@@ -139,6 +136,12 @@ def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = n
 def steepest_of(ship_or_model: Ship | Model) -> float:
     """Roll past which the equations describe no ship: where her righting arm vanishes [rad]; no bound for bare numbers."""
     return np.radians(vanishing_angle(ship_or_model)) if isinstance(ship_or_model, Ship) else np.inf
+
+
+def references_of(ship_or_model: Ship | Model) -> str:
+    """Keys of the papers behind curves of motions, for a dataset."""
+    own = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
+    return ", ".join((*own, "Krack19"))
 
 
 def _leaving(line: Line, known: list[Line], points: int, steepest: float) -> list[Line]:
@@ -182,7 +185,7 @@ def _columns(line: Line, number: int, over: str, low: float, high: float) -> xr.
         over: low + (high - low) * line.points[:, -1], "sway": amplitude[:, 0], "roll": roll, "yaw": yaw,
         "roll_peak": np.degrees(peaks(u, orders)[:, 1]), "exponent": result.floquet.growth, "verdict": result.kind,
     }  # fmt: skip
-    ds = xr.Dataset({name: ("point", v, _described(name, over)) for name, v in values.items()})
+    ds = xr.Dataset({name: ("point", v, parameter_attributes(name)) for name, v in values.items()})
     count = len(line.points)
     words = {
         "event": (line.events, "what happens here"),
@@ -199,9 +202,3 @@ def _columns(line: Line, number: int, over: str, low: float, high: float) -> xr.
         text = {"units": "1", "long_name": f"{part} part of the Floquet multipliers", "symbol": "mu"}
         made[f"multiplier_{part}"] = (("point", "multiplier"), getattr(result.floquet.multipliers, part), text)
     return ds.assign(made)
-
-
-def _described(name: str, over: str) -> dict[str, object]:
-    if name == over and name in _UNITS:
-        return {"units": _UNITS[name], "long_name": "parameter of the branch", "symbol": name}
-    return attributes(name)

@@ -17,27 +17,17 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship, ship
-from quartering.hull.units import Kind, quantity, split_quantity
+from quartering.hull.units import Kind
 from quartering.loads.forces import Form
 from quartering.names import checked_values
+from quartering.study.case_values import range_values, single_value
 from quartering.study.grid import CONDITION_AXES, Grid, grid
 
-MOST_VALUES = 100_000
-"""Largest number of values one range may stand for."""
-SCHEMA = Path(__file__).with_name("case.schema.json")
 _KINDS: Final[dict[str, Kind]] = {
     "speed": "speed", "heading": "angle", "wave_length": "length", "wave_height": "length",
     "gm": "length", "kg": "length", "gyradius_roll": "length", "gyradius_yaw": "length", "draught": "length",
     "roll_damping": "ratio",
 }  # fmt: skip
-_UNITS: Final = {
-    "speed": ("m/s", "kn", "km/h", "Fn"), "angle": ("deg", "rad"), "length": ("m", "mm", "cm", "km", "ft", "L", "B", "T"),
-    "ratio": ("%",),
-}  # fmt: skip
-_RANGE = re.compile(
-    r"\s*(?P<first>[-+.\deE]+?)\s*\.\.\s*(?P<last>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>\S*?)\s*"
-    r"(?:(?P<how>step|count)\s+(?P<size>\S+)\s*(?P<own>\S*))?\s*"
-)
 Values = Annotated[
     float | str | list[float | str],
     Field(description='a value "8 kn", a list [0, 4, 8], or a range "0..18 kn step 1" or "0.4..2.3 L count 20"'),
@@ -108,7 +98,7 @@ def read_case(path: str | Path) -> Case:
 
     Examples
     --------
-    See `starting_case`.
+    See `case_grid`.
     """
     return _read(path)[0]
 
@@ -135,6 +125,7 @@ def case_grid(path: str | Path) -> Grid:
     Examples
     --------
     >>> import tempfile
+    >>> from quartering.study.starting_case import starting_case
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     file = Path(folder) / "case.yaml"
     ...     _ = file.write_text(starting_case("series60-cb60"))
@@ -166,46 +157,6 @@ def case_grid(path: str | Path) -> Grid:
     except InputError as error:
         raise place.says(_blamed(str(error), place), str(error)) from None
     return Grid(made.ship, made.axes, made.loadings, made.harmonics, made.form, text)
-
-
-def starting_case(name: str) -> str:
-    """Text of a case file to begin from, with a comment on every line.
-
-    Parameters
-    ----------
-    name : str    of a built-in ship, or path of a ship file
-
-    Returns
-    -------
-    str
-
-    Notes
-    -----
-    Source: the format of the case file.
-
-    Examples
-    --------
-    >>> starting_case("wigley").splitlines()[2]
-    'ship: wigley                       # built-in name, or path of a ship file beside this one'
-    """
-    rows = (
-        (f"ship: {name}", "built-in name, or path of a ship file beside this one"),
-        (
-            "speed: 0.15..0.25 Fn step 0.05",
-            'm/s, kn, km/h or Fn; a value, a list [0, 5, 10] or a range "0..18 kn step 1"',
-        ),
-        ("heading: 0..180 deg step 5", "0 following, 90 beam, 180 head sea"),
-        ("wave_length: 0.4..2.3 L count 20", "m or L (the ship's length)"),
-        ("wave_height: [1 m, 2 m, 3 m]", "crest to trough; at most a seventh of the wave length"),
-        ("loading:                           # every combination is computed; leave out what stays", ""),
-        ("  gm: [0.6 m, 0.8 m, 1.0 m, 1.2 m]", "or kg; also gyradius_roll, gyradius_yaw, roll_damping, draught"),
-        ("# coefficients:", "multipliers of coefficients"),
-        ("#   K_ppp: [0.5, 1, 2]", "half, as it is, and twice the cubic roll damping"),
-        ("harmonics: 1", "of the steady motion: 1 is the paper's method; 3, 5, .. harmonic balance"),
-        ("form: stf", "diffraction: stf, relative-motion, paper-corrected or paper"),
-    )
-    head = [f"# yaml-language-server: $schema={SCHEMA}", "# A study: quartering sweep <this file> -o <folder>"]
-    return "\n".join([*head, *(f"{left:<35}# {note}" if note else left for left, note in rows)]) + "\n"
 
 
 def case_schema() -> str:
@@ -304,48 +255,13 @@ def _values(
     for item in items:
         try:
             found += (
-                _range(item, kind, own, path[-1])
+                range_values(item, kind, own, path[-1])
                 if isinstance(item, str) and ".." in item
-                else [_value(item, kind, own, path[-1])]
+                else [single_value(item, kind, own, path[-1])]
             )
         except InputError as error:
             raise place.says(path, str(error)) from None
     return np.array(found)
-
-
-def _value(item: float | str, kind: Kind, own: Ship, what: str) -> float:
-    hull = own.hull
-    unit = split_quantity(item, what)[1]
-    if unit and unit not in _UNITS[kind]:
-        near = get_close_matches(unit, _UNITS[kind], n=1, cutoff=0.0)
-        raise InputError(
-            f'{what}: unit "{unit}" in "{item}" is unknown; did you mean "{near[0]}"? Units allowed: {", ".join(_UNITS[kind])}'
-        )
-    return quantity(item, kind, length=hull.length, beam=hull.beam, draught=hull.draught, what=what)
-
-
-def _range(item: str, kind: Kind, own: Ship, what: str) -> list[float]:
-    """Values of "0..18 kn step 1" or "0.4..2.3 L count 20"."""
-    match = _RANGE.fullmatch(item)
-    if match is None or match["how"] is None:
-        raise InputError(f'{what}: "{item}" is not a range; write it like "0..18 kn step 1" or "0.4..2.3 L count 20"')
-    unit = match["unit"]
-    first, last = (_value(f"{number} {unit}".strip(), kind, own, what) for number in (match["first"], match["last"]))
-    if not last >= first:
-        raise InputError(f'{what}: the range "{item}" is empty, it ends below its begin; write the smaller value first')
-    size = _value(f"{match['size']} {match['own'] or unit}".strip(), kind, own, what) if match["how"] == "step" else 0.0
-    if match["how"] == "step":
-        if not size > 0:
-            raise InputError(f'{what}: the step of "{item}" must be above 0')
-        count = int((last - first) / size + 1 + 1e-9) if (last - first) / size < MOST_VALUES else MOST_VALUES + 1
-        last = first + (count - 1) * size
-    else:
-        if not match["size"].isdigit() or int(match["size"]) < 1:
-            raise InputError(f'{what}: the count of "{item}" must be a whole number from 1')
-        count = int(match["size"])
-    if count > MOST_VALUES:
-        raise InputError(f'{what}: "{item}" stands for more than {MOST_VALUES:,} values; take a larger step')
-    return [float(v) for v in np.linspace(first, last, count)]
 
 
 def _ship(name: str, path: Path, place: _Place) -> Ship:

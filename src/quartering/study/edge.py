@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -11,23 +10,23 @@ import xarray as xr
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.motion.arclength import Path, corrected, follow
+from quartering.motion.arclength import Equations, Path, corrected, follow
+from quartering.motion.batch import apart, joined
 from quartering.motion.branch import balance_of, within
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.steady import peaks
 from quartering.motion.subharmonic import ascending, columns, slowed
 from quartering.stability.assessment import assess
 from quartering.study.border import Border
-from quartering.study.branch import lines_of, steepest_of
+from quartering.study.branch import lines_of, references_of, steepest_of
 from quartering.study.dataset import attributes
-from quartering.study.family import Parameters, along, joined, parameters
+from quartering.study.family import Parameters, along, parameter_attributes, parameters
 from quartering.threads import alone, small_matrices
 
 _SCAN = 5
 _STEP = 1e-6
 _SAME = 0.02
 _LONGEST = 0.05
-_UNITS = {"frequency": "rad/s", "excitation": "1"}
 
 
 class Edge(NamedTuple):
@@ -100,9 +99,8 @@ def edge(
             found = alone(lambda begin: _followed(of, *begin, edges, points, steepest), (border, start))
             if found is not None:
                 edges.append(found)
-    references = ship_or_model.references if isinstance(ship_or_model, Model) else ("H71", "STF70")
     parts = [_columns(of, one, i) for i, one in enumerate(edges)] or [_nothing(of)]
-    return xr.concat(parts, "point").assign_attrs(references=", ".join((*references, "Krack19")))
+    return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model))
 
 
 def _starts(of: Parameters, harmonics: int, steepest: float, *, splined: bool) -> list[tuple[Border, Floats]]:
@@ -127,25 +125,20 @@ def _starts(of: Parameters, harmonics: int, steepest: float, *, splined: bool) -
     return found
 
 
-class _Equations:
+def _equations(of: Parameters, border: Border) -> Equations:
     """Balance equations and the test function of one edge, as `follow` takes them."""
+    curve, offsets = border.curve, _STEP * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
 
-    def __init__(self, of: Parameters, border: Border) -> None:
-        self.of, self.border = of, border
-
-    def __call__(self, point: Floats) -> tuple[Floats, Floats]:
+    def equations(point: Floats) -> tuple[Floats, Floats]:
         x, m = point[:-2], point.size - 2
-        curve = self.border.curve
-        offsets = _STEP * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
-        here, *near = _systems(self.of, point[-2:] + offsets)
+        here, *near = _systems(of, point[-2:] + offsets)
         u = curve.coefficients(point[:-1])
-        slow = slowed(here, curve.periods)
-        value, matrix = balance_of(slow, curve.orders, u)
+        value, matrix = balance_of(slowed(here, curve.periods), curve.orders, u)
         if not np.isfinite(matrix).all():
             return np.full(m + 1, np.nan), np.full((m + 1, m + 2), np.nan)
         derivative = np.empty((m + 1, m + 2))
         derivative[:m, :m] = matrix * curve.scale
-        tests, derivative[m, :m] = self.border.evaluated(here, near, x)
+        tests, derivative[m, :m] = border.evaluated(here, near, x)
         for j in (0, 1):
             ahead, behind = near[2 * j], near[2 * j + 1]
             values = [
@@ -155,12 +148,12 @@ class _Equations:
             derivative[m, m + j] = (tests[1 + 2 * j] - tests[2 + 2 * j]) / (2 * _STEP)
         return np.append(value, tests[0]), derivative
 
+    return equations
+
 
 def _systems(of: Parameters, shares: Floats) -> list[System]:
     """The systems at shares (k, 2), one by one; NaN frequencies where the ship or the wave does not exist."""
-    many = of.systems(of.low + (of.high - of.low) * shares)
-    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    return [replace(many, **{name: getattr(many, name)[i : i + 1] for name in names}) for i in range(many.count)]
+    return apart(of.systems(of.low + (of.high - of.low) * shares))
 
 
 def _followed(
@@ -169,7 +162,7 @@ def _followed(
     """The edge through a point both ways, or None where the point is on a known one or on none."""
     if any(_on(one, border, guess) for one in known):
         return None
-    equations, low = _Equations(of, border), within(border.curve, steepest)
+    equations, low = _equations(of, border), within(border.curve, steepest)
     across = np.zeros(guess.size)
     across[-1] = 1.0
     start = corrected(equations, guess, across)
@@ -187,7 +180,7 @@ def _followed(
     return Edge(border, np.concatenate([both[0][:0:-1], both[1]]), False)
 
 
-def _cut(equations: _Equations, path: Path) -> Floats:
+def _cut(equations: Equations, path: Path) -> Floats:
     """Points of a path with the last one, if beyond the limits, brought back onto them."""
     last = path.points[-1]
     beyond = np.maximum(last[-2:] - 1.0, -last[-2:])
@@ -238,7 +231,9 @@ def _columns(of: Parameters, one: Edge, number: int) -> xr.Dataset:
         "periods": (np.full(len(points), curve.periods), "wave periods after which the motion repeats"),
         "closed": (np.full(len(points), one.closed), "the curve returns to its beginning"),
     }
-    data: dict[str, object] = {name: ("point", ends[:, j], _described(name)) for j, name in enumerate(of.names)}
+    data: dict[str, object] = {
+        name: ("point", ends[:, j], parameter_attributes(name)) for j, name in enumerate(of.names)
+    }
     data |= {name: ("point", v, attributes(name)) for name, v in values.items()}
     data |= {name: ("point", v, {"units": "1", "long_name": text, "symbol": ""}) for name, (v, text) in words.items()}
     return xr.Dataset(data)
@@ -247,12 +242,6 @@ def _columns(of: Parameters, one: Edge, number: int) -> xr.Dataset:
 def _nothing(of: Parameters) -> xr.Dataset:
     """An edge without points."""
     names = (*of.names, "roll", "roll_peak", "exponent")
-    data: dict[str, object] = {name: ("point", np.zeros(0), _described(name)) for name in names}
+    data: dict[str, object] = {name: ("point", np.zeros(0), parameter_attributes(name)) for name in names}
     data |= {"kind": ("point", np.zeros(0, dtype=str)), "closed": ("point", np.zeros(0, dtype=bool))}
     return xr.Dataset(data | {name: ("point", np.zeros(0, dtype=int)) for name in ("curve", "periods")})
-
-
-def _described(name: str) -> dict[str, object]:
-    if name in _UNITS:
-        return {"units": _UNITS[name], "long_name": "parameter of the edge", "symbol": name}
-    return attributes(name)

@@ -12,14 +12,16 @@ from scipy.interpolate import CubicSpline
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
+from quartering.motion.batch import PER_CONDITION, joined
 from quartering.motion.branch import Family
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.of_ship import equations, ship_system
 from quartering.motion.terms import parse
+from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES, LOADING_AXES, loaded
 
 _NODES, _NODES_OF_LOADING = 65, 17
-_ARRAYS = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+_UNITS = {"frequency": "rad/s", "excitation": "1"}
 
 
 class Parameters(NamedTuple):
@@ -165,7 +167,7 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
             f"between {of.names[which]} = {of.low[which]:g} and {of.high[which]:g} the ship keeps pace with the wave;"
             " take narrower limits"
         )
-    splines = {name: CubicSpline(share, getattr(systems, name), axis=0) for name in _ARRAYS}
+    splines = {name: CubicSpline(share, getattr(systems, name), axis=0) for name in PER_CONDITION}
 
     def at_share(t: float) -> System:
         return replace(systems, **{name: np.ascontiguousarray(spline(t)[None]) for name, spline in splines.items()})
@@ -173,41 +175,25 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
     return at_share
 
 
-def joined(systems: Sequence[System]) -> System:
-    """Systems as one batch, their products brought into one order of columns.
+def parameter_attributes(name: str) -> dict[str, object]:
+    """Unit and meaning of a parameter or of a result along a branch or an edge, for a dataset.
 
     Parameters
     ----------
-    systems : sequence of System    of any numbers of conditions; a product one of them lacks is zero there
+    name : str
 
     Returns
     -------
-    System
+    dict    units, long_name, symbol
 
     Examples
     --------
-    >>> one, other = ({"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0, name: 0.1} for name in ("K_ppp", "K_phiphiphi"))
-    >>> joined([Model(np.eye(3), terms, 0.8, (0, 1, 0), (0, 0, 0)).system for terms in (one, other)]).coefficients[:, 1]
-    array([[0.1, 0. ],
-           [0. , 0.1]])
+    >>> parameter_attributes("excitation")["units"]
+    '1'
     """
-    first = systems[0]
-    stacked = {name: np.concatenate([getattr(s, name) for s in systems]) for name in _ARRAYS if name != "coefficients"}
-    products = [list(zip(map(tuple, s.powers.tolist()), s.modulus.tolist(), strict=True)) for s in systems]
-    if all(one == products[0] for one in products):
-        return replace(first, coefficients=np.concatenate([s.coefficients for s in systems]), **stacked)
-    where = {key: i for i, key in enumerate(dict.fromkeys(key for one in products for key in one))}
-    blocks = []
-    for s, keys in zip(systems, products, strict=True):
-        block = np.zeros((s.count, 3, len(where)))
-        block[:, :, [where[key] for key in keys]] = s.coefficients
-        blocks.append(block)
-    return System(
-        coefficients=np.concatenate(blocks),
-        powers=np.array([powers for powers, _ in where], dtype=np.int64).reshape(-1, 4),
-        modulus=np.array([modulus for _, modulus in where], dtype=np.int64),
-        **stacked,
-    )
+    if name in _UNITS:
+        return {"units": _UNITS[name], "long_name": "parameter followed over", "symbol": name}
+    return attributes(name)
 
 
 def _scaled(s: System, values: Mapping[str, Floats]) -> System:

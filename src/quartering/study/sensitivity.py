@@ -12,6 +12,7 @@ import xarray as xr
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
+from quartering.motion.batch import joined
 from quartering.motion.change import OFFSETS, change_of_motion, difference
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
@@ -21,7 +22,6 @@ from quartering.stability.assessment import assess
 from quartering.stability.change import change_of_stability
 from quartering.stability.floquet import fastest_rate
 from quartering.stability.variation import variational_harmonics
-from quartering.study.family import joined
 from quartering.study.grid import loaded
 from quartering.study.shared import systems
 

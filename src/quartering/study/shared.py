@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.motion.batch import rows
 from quartering.motion.of_ship import ShipSystem, excitation, ship_system
 
 Floats = NDArray[np.float64]
@@ -83,12 +84,9 @@ def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
     >>> part_of(two, slice(1, 2)).system.count
     1
     """
-    s = equations.system
-    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    system = replace(s, **{name: getattr(s, name)[part] for name in names})
     return replace(
         equations,
-        system=system,
+        system=rows(equations.system, part),
         encounter_frequency=equations.encounter_frequency[part],
         slow=equations.slow[part],
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -17,8 +16,8 @@ from scipy.io import netcdf_file
 from quartering.conventions import InputError
 from quartering.digest import fingerprint, source_digest
 from quartering.publish import publish
-from quartering.study.conditions import FLAGS, RESULTS
-from quartering.study.dataset import EXTRA_DIMS, attributes, heading_of, plain_attributes
+from quartering.study.block_file import Arrays, block_file, counted, is_whole
+from quartering.study.dataset import heading_of, plain_attributes
 from quartering.study.grid import Grid
 
 LAYOUT = 1
@@ -26,7 +25,6 @@ LAYOUT = 1
 MANIFEST = "case.json"
 _BLOCKS = "blocks"
 _NONE_YET = "has no block yet"
-Arrays = Mapping[str, NDArray[np.generic]]
 
 
 @dataclass(frozen=True)
@@ -48,7 +46,7 @@ class Store:
 
     def missing(self) -> list[int]:
         """Blocks that are not there, or not whole."""
-        return [i for i in range(len(self.content["blocks"])) if not _whole(self.block(i))]
+        return [i for i in range(len(self.content["blocks"])) if not is_whole(self.block(i))]
 
 
 def open_store(folder: str | Path, grid: Grid) -> Store:
@@ -169,7 +167,7 @@ def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str
     InputError            the disk is full, or refuses otherwise; the blocks written before stay
     """
     counts = counted(found)
-    data = _block_file(index, found, grid, counts)
+    data = block_file(index, found, grid, counts)
     try:
         publish(store.block(index), data)
     except OSError as error:
@@ -178,30 +176,6 @@ def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str
             " some space and run the same command again, only what is missing is computed"
         ) from None
     return counts
-
-
-def counted(found: Arrays) -> dict[str, int]:
-    """Numbers of conditions by verdict and status, and of those beyond the fit of the righting arm.
-
-    Parameters
-    ----------
-    found : mapping of str to array    verdict, status, beyond
-
-    Returns
-    -------
-    dict of str to int    "verdict 0": .., "status 0": .., "beyond": ..; zeros left out
-
-    Examples
-    --------
-    >>> counted({"verdict": np.array([0, 0, 1]), "status": np.array([0, 0, 0]), "beyond": np.array(0)})
-    {'verdict 0': 2, 'verdict 1': 1, 'status 0': 3}
-    """
-    counts: dict[str, int] = {}
-    for name in FLAGS:
-        values, numbers = np.unique(found[name], return_counts=True)
-        counts |= {f"{name} {value}": int(number) for value, number in zip(values, numbers, strict=True)}
-    beyond = int(found["beyond"])
-    return counts | ({"beyond": beyond} if beyond else {})
 
 
 def block_counts(store: Store, index: int) -> dict[str, int]:
@@ -319,50 +293,3 @@ def _changes(old: Mapping[str, Any], new: Mapping[str, Any], keys: list[str]) ->
         return "none" if value is None else str(value)
 
     return "; ".join(f"{key} there {words(old.get(key))}, here {words(new[key])}" for key in keys) or "other blocks"
-
-
-def _block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int]) -> bytes:
-    """Content of a block's file: netCDF, 64-bit offsets, with the coordinates of its conditions."""
-    block = grid.blocks[index]
-    u, mu, length = grid.points(block.points)
-    own = {"speed": u, "heading": mu, "wave_length": length}
-    buffer = io.BytesIO()
-    file: Any = netcdf_file(buffer, "w", version=2)
-    file.counts = json.dumps(counts)
-    file.Conventions = "CF-1.8"
-    sizes = {"loading": block.loadings.stop - block.loadings.start, "point": u.size}
-    sizes["wave_height"] = grid.axes["wave_height"].size
-    for name, extra in EXTRA_DIMS.items():
-        sizes[extra[0]] = RESULTS[name][0]
-    for name, size in sizes.items():
-        file.createDimension(name, size)
-    for name, values in own.items():
-        _variable(file, name, ("point",), values)
-    _variable(file, "wave_height", ("wave_height",), grid.axes["wave_height"])
-    for name, column in grid.loadings.items():
-        _variable(file, name, ("loading",), column[block.loadings])
-    for name in RESULTS:
-        _variable(file, name, ("loading", "point", "wave_height", *EXTRA_DIMS.get(name, ())), found[name])
-    _variable(file, "encounter_frequency", ("point",), found["encounter_frequency"])
-    file.flush()
-    data = buffer.getvalue()
-    file.close()
-    return data
-
-
-def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.generic]) -> None:
-    """One variable with its unit and meaning."""
-    made = file.createVariable(name, "i1" if values.dtype == np.int8 else "f8", dims)
-    made[:] = values
-    for key, value in attributes(name).items():
-        if value != "" if isinstance(value, str) else True:
-            setattr(made, key, value)
-
-
-def _whole(path: Path) -> bool:
-    """Is a block's file there, with all it says it holds?"""
-    try:
-        with netcdf_file(path, "r", mmap=True) as file:
-            return "encounter_frequency" in file.variables
-    except (OSError, ValueError, TypeError, KeyError, IndexError):
-        return False

@@ -13,13 +13,14 @@ from numpy.typing import ArrayLike
 from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.study.block_file import counted
 from quartering.study.conditions import warn_outside_range
 from quartering.study.dataset import heading_of
 from quartering.study.estimate import timed_block_size
 from quartering.study.executor import computed
 from quartering.study.grid import LOADING_AXES, Grid, axis, grid
 from quartering.study.result import in_memory, open_result
-from quartering.study.store import begun_block_size, block_counts, counted, open_store, write_block
+from quartering.study.store import begun_block_size, block_counts, open_store, write_block
 
 __all__ = ["LOADING_AXES", "axis", "evaluated", "fill", "sweep"]
 

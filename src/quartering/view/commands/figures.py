@@ -9,7 +9,7 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from quartering.conventions import InputError
-from quartering.study.paper_points import Point, read_points
+from quartering.study.paper.points import Point, read_points
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.plots import style
 from quartering.view.plots.paper_figures import FIGURES, draw_figure

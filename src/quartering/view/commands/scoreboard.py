@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from quartering.study.claims import CLAIMS, scoreboard, scoreboard_page, tally
+from quartering.study.paper.scoreboard import CLAIMS, scoreboard, scoreboard_page, tally
 from quartering.view.output import claim as claim_path
 from quartering.view.output import write
 from quartering.view.progress import announce_compilation, bar

@@ -12,10 +12,11 @@ import typer
 
 from quartering.conventions import InputError
 from quartering.hull.ship import ship
-from quartering.study.case import case_grid, starting_case
+from quartering.study.case import case_grid
 from quartering.study.estimate import check_size, estimate
 from quartering.study.grid import Grid
 from quartering.study.progress import failures, progress_line, summary
+from quartering.study.starting_case import starting_case
 from quartering.study.sweep import fill, sized
 from quartering.study.uncertainty import uncertain
 from quartering.view.output import claim, write

@@ -12,7 +12,8 @@ from rich.table import Table
 from quartering.hull.righting import vanishing_angle, warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
-from quartering.hydro.coefficients import Entry, coefficients
+from quartering.hydro.coefficient_table import Entry
+from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.equations import Model

@@ -31,7 +31,7 @@ def caption(ds: xr.Dataset, *more: str, loading: str = "") -> str:
 
     Parameters
     ----------
-    ds : Dataset       of `study.paper_curves`
+    ds : Dataset       of `study.paper.curves`
     *more : str        further sentences
     loading : str      in place of the dataset's own loading
 

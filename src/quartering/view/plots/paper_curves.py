@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 
 from quartering.conventions import SYMBOLS
 from quartering.stability.kind import Kind
-from quartering.study.paper_curves import PARTS
+from quartering.study.paper.curves import PARTS, resonances
 from quartering.view.plots import style
 from quartering.view.plots.paper_caption import caption, force_caption
 from quartering.view.wording import metric_prefix
@@ -188,14 +188,6 @@ def coefficient_picture(sets: Mapping[str, xr.Dataset], title: str) -> Figure:
     one = next(iter(sets.values()))
     style.footnote(made, caption(one, *_told(list(sets.values()))))
     return made
-
-
-def resonances(ds: xr.Dataset) -> list[float]:
-    """Headings at which the encounter frequency passes the natural roll frequency [deg], one wave length."""
-    heading = np.asarray(ds["heading"], dtype=float)
-    gap = np.abs(np.asarray(ds["encounter_frequency"])) - float(ds.attrs["natural_roll_frequency"])
-    here = np.flatnonzero(gap[:-1] * gap[1:] < 0)
-    return [float(heading[i] - gap[i] * (heading[i + 1] - heading[i]) / (gap[i + 1] - gap[i])) for i in here]
 
 
 def _width(sets: Mapping[str, xr.Dataset]) -> float:

@@ -12,9 +12,9 @@ from matplotlib.figure import Figure
 from quartering.hull.ship import Ship, ship
 from quartering.loads.waves import Wave
 from quartering.study.duffing import duffing_curves
-from quartering.study.paper_conditions import FROUDE, INSTABILITY_HEADING, MARINER_FROUDE, speed_of
-from quartering.study.paper_model import FEEDING
-from quartering.study.paper_sets import (
+from quartering.study.paper.conditions import FROUDE, INSTABILITY_HEADING, MARINER_FROUDE, speed_of
+from quartering.study.paper.model import FEEDING
+from quartering.study.paper.sets import (
     CB60,
     CB70,
     CHECK_HEADING,

@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from quartering.study.paper_sets import Growth, roll_rate
+from quartering.study.paper.sets import Growth, roll_rate
 from quartering.view.plots import style
 
 _SOLUTIONS = {

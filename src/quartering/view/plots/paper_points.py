@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from matplotlib.figure import Figure
 
 from quartering.conventions import InputError
-from quartering.study.paper_points import Point
+from quartering.study.paper.points import Point
 from quartering.view.plots import style
 
 

@@ -10,14 +10,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from quartering.conventions import GRAVITY
 from quartering.hull.ship import Ship, ship
-from quartering.loads.waves import Wave
-from quartering.study.paper_model import PAPER_SHIP
+from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.model import PAPER_SHIP
 from quartering.study.sweep import sweep
 
 Answer = Literal["holds", "holds in part", "does not hold"]
-FROUDE: Final = 0.25
 HEADINGS: Final = np.arange(5.0, 176.0, 5.0)
 MODERATE, STEEP, VERY_STEEP = 50, 30, 20
 """Wave length over wave height."""
@@ -92,47 +90,6 @@ def paper_ship(name: str = PAPER_SHIP) -> Ship:
     return ship(name)
 
 
-def speed_of(one: Ship) -> float:
-    """Speed at Froude number 0.25 [m/s].
-
-    Parameters
-    ----------
-    one : Ship
-
-    Returns
-    -------
-    float
-
-    Examples
-    --------
-    >>> round(speed_of(paper_ship()), 2)
-    8.65
-    """
-    return FROUDE * float(np.sqrt(GRAVITY * one.hull.length))
-
-
-def wave_of(one: Ship, steepness: int, ratio: float = 1.0) -> Wave:
-    """Wave of some ship lengths.
-
-    Parameters
-    ----------
-    one : Ship
-    steepness : int    wave length over wave height
-    ratio : float      wave length over ship length
-
-    Returns
-    -------
-    Wave
-
-    Examples
-    --------
-    >>> wave_of(paper_ship(), 50).length
-    121.92
-    """
-    length = ratio * one.hull.length
-    return Wave(length, length / steepness)
-
-
 def over_headings(
     one: Ship, steepness: int, ratio: float = 1.0, harmonics: int = 3, headings: ArrayLike = HEADINGS
 ) -> xr.Dataset:
@@ -155,6 +112,6 @@ def over_headings(
     >>> over_headings(paper_ship("wigley"), 50)["roll"].dims
     ('heading',)
     """
-    wave = wave_of(one, steepness, ratio)
+    wave = wave_of(one, ratio, 1 / steepness)
     ds = sweep(one, speed_of(one), headings, wave.length, wave.height, harmonics=harmonics)
     return ds.isel(speed=0, wave_length=0, wave_height=0)

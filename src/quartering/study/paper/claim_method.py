@@ -10,7 +10,8 @@ from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
-from quartering.study.claim import MODERATE, STEEP, Finding, graded, paper_ship, speed_of, wave_of
+from quartering.study.paper.claim import MODERATE, STEEP, Finding, graded, paper_ship
+from quartering.study.paper.conditions import speed_of, wave_of
 
 _PERIODS = 40
 
@@ -21,7 +22,7 @@ def approximation_agrees_with_integration() -> Finding:
     for steepness in (MODERATE, STEEP):
         apart = []
         for heading in (30.0, 50.0, 60.0, 70.0, 90.0, 120.0, 150.0):
-            model = equations(one, wave_of(one, steepness), speed_of(one), heading)
+            model = equations(one, wave_of(one, 1.0, 1 / steepness), speed_of(one), heading)
             motion = steady_motion(model, 1, start="rest")
             apart.append(motion.peak[1] / _settled_peak(model, motion.state(0.0)) - 1)
         i = int(np.argmax(np.abs(apart)))
@@ -45,7 +46,7 @@ def third_harmonic_is_small() -> Finding:
         shares = []
         for heading in np.arange(10.0, 171.0, 10.0):
             motion = steady_motion(
-                equations(one, wave_of(one, steepness), speed_of(one), float(heading)), 9, start="rest"
+                equations(one, wave_of(one, 1.0, 1 / steepness), speed_of(one), float(heading)), 9, start="rest"
             )
             size = np.hypot(motion.cos[:, 1], motion.sin[:, 1])
             shares.append(size[1] / size[0])

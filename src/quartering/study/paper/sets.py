@@ -16,16 +16,16 @@ from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
 from quartering.stability.verdict import Verdict, stability
-from quartering.study.paper_conditions import (
+from quartering.study.paper.conditions import (
     INSTABILITY_HEADING,
     INSTABILITY_RATIO,
     INSTABILITY_STEEPNESS,
     speed_of,
     wave_of,
 )
-from quartering.study.paper_curves import coefficient_curves, force_curves, loading_curves, response_curves
-from quartering.study.paper_model import FEEDING, PAPER_SHIP, feeding_model, modified_model
-from quartering.study.paper_motions import disturbance, integration_check, time_check
+from quartering.study.paper.curves import coefficient_curves, force_curves, loading_curves, response_curves
+from quartering.study.paper.model import FEEDING, PAPER_SHIP, feeding_model, modified_model
+from quartering.study.paper.motions import disturbance, integration_check, time_check
 
 CB60: Final = PAPER_SHIP
 CB70: Final = "series60-cb70"

@@ -6,7 +6,8 @@ import numpy as np
 import xarray as xr
 
 from quartering.loads.comparison import compare_forces
-from quartering.study.claim import HEADINGS, MODERATE, Finding, graded, over_headings, paper_ship, speed_of
+from quartering.study.paper.claim import HEADINGS, MODERATE, Finding, graded, over_headings, paper_ship
+from quartering.study.paper.conditions import speed_of
 
 _LARGE, _RIGHT, _CLOSE = 0.2, 0.1, 0.05
 _FINE = np.arange(10.0, 171.0, 1.0)

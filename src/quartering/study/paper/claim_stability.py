@@ -12,7 +12,8 @@ from quartering.motion.steady import Motion, steady_motion
 from quartering.names import CUBIC_NAMES
 from quartering.stability.kind import Kind
 from quartering.stability.verdict import stability
-from quartering.study.claim import (
+from quartering.study.coexisting import all_motions
+from quartering.study.paper.claim import (
     HEADINGS,
     MODERATE,
     STEEP,
@@ -21,12 +22,10 @@ from quartering.study.claim import (
     graded,
     over_headings,
     paper_ship,
-    speed_of,
-    wave_of,
 )
-from quartering.study.coexisting import all_motions
-from quartering.study.mechanism import onset, roll_alone
-from quartering.study.paper_model import modified_model, table_ratios
+from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.mechanism import onset, roll_alone
+from quartering.study.paper.model import modified_model, table_ratios
 from quartering.study.sensitivity import sensitivity
 from quartering.study.sweep import sweep
 
@@ -38,7 +37,7 @@ def uncoupled_roll_is_never_unstable() -> Finding:
     """Roll alone; and the middle motion of three where it folds."""
     one = paper_ship()
     rates = [
-        float(roll_alone(one, wave_of(one, s), speed_of(one), HEADINGS)["exponent"].max())
+        float(roll_alone(one, wave_of(one, 1.0, 1 / s), speed_of(one), HEADINGS)["exponent"].max())
         for s in (MODERATE, STEEP, VERY_STEEP)
     ]
     model = duffing_model(-0.25, 0.02, 0.9, 0.02)
@@ -57,7 +56,7 @@ def modified_model_is_unstable_in_quartering_seas() -> Finding:
     one, strengths = paper_ship(), []
     original = [float(over_headings(one, s)["exponent"].max()) for s in (MODERATE, STEEP, VERY_STEEP)]
     for s in (MODERATE, STEEP, VERY_STEEP):
-        found = onset(one, table_ratios(), wave_of(one, s), speed_of(one), np.arange(10.0, 80.0, 2.5))
+        found = onset(one, table_ratios(), wave_of(one, 1.0, 1 / s), speed_of(one), np.arange(10.0, 80.0, 2.5))
         strengths.append(found.strength)
     times = ", ".join(
         f"{strength:.2f} times at 1/{s}" for strength, s in zip(strengths, (MODERATE, STEEP, VERY_STEEP), strict=True)
@@ -70,8 +69,8 @@ def modified_model_is_unstable_in_quartering_seas() -> Finding:
 def instability_near_fifteen_degrees() -> Finding:
     """Figs. 12-13: the modified model at 15 deg."""
     one = paper_ship()
-    table = onset(one, table_ratios(), wave_of(one, STEEP), speed_of(one), [15.0], most=40.0)
-    fed = onset(one, {"K_prr": 0.0}, wave_of(one, STEEP), speed_of(one), [15.0], most=200.0)
+    table = onset(one, table_ratios(), wave_of(one, 1.0, 1 / STEEP), speed_of(one), [15.0], most=40.0)
+    fed = onset(one, {"K_prr": 0.0}, wave_of(one, 1.0, 1 / STEEP), speed_of(one), [15.0], most=200.0)
     words = (
         f"Table I must be taken {table.strength:.0f} times and then the ship loses its course, not roll; K_prr alone must be "
         f"turned round and {fed.strength - 1:.0f} times as large (kind: {fed.kind})"
@@ -98,7 +97,7 @@ def three_ways_agree() -> Finding:
     words, worst, signs = [], 0.0, True
     for factor in (1.0, FED):
         one = paper_ship().with_(coefficients={"K_prr": factor})
-        model = equations(one, wave_of(one, STEEP), speed_of(one), 30.0)
+        model = equations(one, wave_of(one, 1.0, 1 / STEEP), speed_of(one), 30.0)
         motion = steady_motion(model, 9, start="rest")
         verdict = stability(model, motion)
         pair = float(verdict.exponents[np.abs(verdict.exponents.imag) > 1e-6][0].real)
@@ -153,9 +152,7 @@ def roll_alone_decides() -> Finding:
     """Stability is read from the roll mode; the measured S-175 shows the other two."""
     one = paper_ship("s175").with_(measured="son-nomoto-1982", draught=8.5, gm=0.3)
     length = one.hull.length
-    ds = sweep(
-        one, [0.2 * np.sqrt(9.81 * length), speed_of(one)], HEADINGS, [0.75 * length, length], length / 50, harmonics=3
-    )
+    ds = sweep(one, [speed_of(one, 0.2), speed_of(one)], HEADINGS, [0.75 * length, length], length / 50, harmonics=3)
     course = ds["verdict"].values == Kind.COURSE
     quiet = course & (ds["k2"].values < 0)
     words = (
@@ -190,7 +187,7 @@ def k_ppp_matters_most() -> Finding:
     """Fig. 22: K2 against the percentage change of each coefficient."""
     one, words, ranks = paper_ship(), [], []
     for heading in (30.0, 60.0):
-        ds = sensitivity(one, wave_of(one, STEEP), speed_of(one), heading)
+        ds = sensitivity(one, wave_of(one, 1.0, 1 / STEEP), speed_of(one), heading)
         effect = {str(name): abs(float(ds["k2"].sel(parameter=name))) for name in ds["parameter"].values}
         cubics = sorted((name for row in CUBIC_NAMES for name in row if name in effect), key=lambda name: -effect[name])
         ranks.append(cubics.index("K_ppp") + 1)

@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 from typing import Final, get_args
 
 from quartering.conventions import RangeWarning
-from quartering.study import claim_method as method
-from quartering.study import claim_response as response
-from quartering.study import claim_stability as stability
-from quartering.study.claim import Answer, Claim, Finding
+from quartering.study.paper import claim_method as method
+from quartering.study.paper import claim_response as response
+from quartering.study.paper import claim_stability as stability
+from quartering.study.paper.claim import Answer, Claim, Finding
 
 CLAIMS: Final = (
     Claim(

@@ -1,0 +1,111 @@
+"""The file of one block of results: netCDF, with the coordinates of its conditions and what it counts."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.io import netcdf_file
+
+from quartering.study.conditions import FLAGS, RESULTS
+from quartering.study.dataset import EXTRA_DIMS, attributes
+from quartering.study.grid import Grid
+
+Arrays = Mapping[str, NDArray[np.generic]]
+
+
+def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int]) -> bytes:
+    """Content of a block's file: netCDF, 64-bit offsets, with the coordinates of its conditions.
+
+    Parameters
+    ----------
+    index : int                        of the block in the grid
+    found : mapping of str to array    from `evaluate_block`
+    grid : Grid
+    counts : mapping of str to int     from `counted`, kept with the block
+
+    Returns
+    -------
+    bytes
+    """
+    block = grid.blocks[index]
+    u, mu, length = grid.points(block.points)
+    own = {"speed": u, "heading": mu, "wave_length": length}
+    buffer = io.BytesIO()
+    file: Any = netcdf_file(buffer, "w", version=2)
+    file.counts = json.dumps(counts)
+    file.Conventions = "CF-1.8"
+    sizes = {"loading": block.loadings.stop - block.loadings.start, "point": u.size}
+    sizes["wave_height"] = grid.axes["wave_height"].size
+    for name, extra in EXTRA_DIMS.items():
+        sizes[extra[0]] = RESULTS[name][0]
+    for name, size in sizes.items():
+        file.createDimension(name, size)
+    for name, values in own.items():
+        _variable(file, name, ("point",), values)
+    _variable(file, "wave_height", ("wave_height",), grid.axes["wave_height"])
+    for name, column in grid.loadings.items():
+        _variable(file, name, ("loading",), column[block.loadings])
+    for name in RESULTS:
+        _variable(file, name, ("loading", "point", "wave_height", *EXTRA_DIMS.get(name, ())), found[name])
+    _variable(file, "encounter_frequency", ("point",), found["encounter_frequency"])
+    file.flush()
+    data = buffer.getvalue()
+    file.close()
+    return data
+
+
+def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.generic]) -> None:
+    """One variable with its unit and meaning."""
+    made = file.createVariable(name, "i1" if values.dtype == np.int8 else "f8", dims)
+    made[:] = values
+    for key, value in attributes(name).items():
+        if value != "" if isinstance(value, str) else True:
+            setattr(made, key, value)
+
+
+def counted(found: Arrays) -> dict[str, int]:
+    """Numbers of conditions by verdict and status, and of those beyond the fit of the righting arm.
+
+    Parameters
+    ----------
+    found : mapping of str to array    verdict, status, beyond
+
+    Returns
+    -------
+    dict of str to int    "verdict 0": .., "status 0": .., "beyond": ..; zeros left out
+
+    Examples
+    --------
+    >>> counted({"verdict": np.array([0, 0, 1]), "status": np.array([0, 0, 0]), "beyond": np.array(0)})
+    {'verdict 0': 2, 'verdict 1': 1, 'status 0': 3}
+    """
+    counts: dict[str, int] = {}
+    for name in FLAGS:
+        values, numbers = np.unique(found[name], return_counts=True)
+        counts |= {f"{name} {value}": int(number) for value, number in zip(values, numbers, strict=True)}
+    beyond = int(found["beyond"])
+    return counts | ({"beyond": beyond} if beyond else {})
+
+
+def is_whole(path: Path) -> bool:
+    """Is a block's file there, with all it says it holds?
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    bool
+    """
+    try:
+        with netcdf_file(path, "r", mmap=True) as file:
+            return "encounter_frequency" in file.variables
+    except (OSError, ValueError, TypeError, KeyError, IndexError):
+        return False

@@ -1,0 +1,118 @@
+"""Values and ranges as a case file writes them, with their units."""
+
+from __future__ import annotations
+
+import re
+from difflib import get_close_matches
+from typing import Final
+
+import numpy as np
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship
+from quartering.hull.units import Kind, quantity, split_quantity
+
+MOST_VALUES: Final = 100_000
+"""Largest number of values one range may stand for."""
+_UNITS: Final = {
+    "speed": ("m/s", "kn", "km/h", "Fn"), "angle": ("deg", "rad"), "length": ("m", "mm", "cm", "km", "ft", "L", "B", "T"),
+    "ratio": ("%",),
+}  # fmt: skip
+_RANGE = re.compile(
+    r"\s*(?P<first>[-+.\deE]+?)\s*\.\.\s*(?P<last>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>\S*?)\s*"
+    r"(?:(?P<how>step|count)\s+(?P<size>\S+)\s*(?P<own>\S*))?\s*"
+)
+
+
+def single_value(item: float | str, kind: Kind, own: Ship, what: str) -> float:
+    """One value in SI, degrees or 1.
+
+    Parameters
+    ----------
+    item : float or str    such as 4.5, "8 kn", "0.5 L"
+    kind : str             of the quantity
+    own : Ship             whose L, B and T are meant
+    what : str             named in the message
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InputError             a unit that is not one of the quantity, not a number
+
+    Notes
+    -----
+    Source: the format of the case file.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> single_value("0.5 L", "length", ship("wigley"), "wave_length")
+    50.0
+    """
+    hull = own.hull
+    unit = split_quantity(item, what)[1]
+    if unit and unit not in _UNITS[kind]:
+        near = get_close_matches(unit, _UNITS[kind], n=1, cutoff=0.0)
+        raise InputError(
+            f'{what}: unit "{unit}" in "{item}" is unknown; did you mean "{near[0]}"? Units allowed: {", ".join(_UNITS[kind])}'
+        )
+    return quantity(item, kind, length=hull.length, beam=hull.beam, draught=hull.draught, what=what)
+
+
+def range_values(item: str, kind: Kind, own: Ship, what: str) -> list[float]:
+    """Values of "0..18 kn step 1" or "0.4..2.3 L count 20" in SI, degrees or 1.
+
+    Parameters
+    ----------
+    item : str     the range
+    kind : str     of the quantity
+    own : Ship     whose L, B and T are meant
+    what : str     named in the message
+
+    Returns
+    -------
+    list of float
+
+    Raises
+    ------
+    InputError     not a range, an empty one, one of too many values
+
+    Notes
+    -----
+    Source: the format of the case file.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> range_values("0..90 deg step 45", "angle", ship("wigley"), "heading")
+    [0.0, 45.0, 90.0]
+    """
+    match = _RANGE.fullmatch(item)
+    if match is None or match["how"] is None:
+        raise InputError(f'{what}: "{item}" is not a range; write it like "0..18 kn step 1" or "0.4..2.3 L count 20"')
+    unit = match["unit"]
+    first, last = (
+        single_value(f"{number} {unit}".strip(), kind, own, what) for number in (match["first"], match["last"])
+    )
+    if not last >= first:
+        raise InputError(f'{what}: the range "{item}" is empty, it ends below its begin; write the smaller value first')
+    size = (
+        single_value(f"{match['size']} {match['own'] or unit}".strip(), kind, own, what)
+        if match["how"] == "step"
+        else 0.0
+    )
+    if match["how"] == "step":
+        if not size > 0:
+            raise InputError(f'{what}: the step of "{item}" must be above 0')
+        count = int((last - first) / size + 1 + 1e-9) if (last - first) / size < MOST_VALUES else MOST_VALUES + 1
+        last = first + (count - 1) * size
+    else:
+        if not match["size"].isdigit() or int(match["size"]) < 1:
+            raise InputError(f'{what}: the count of "{item}" must be a whole number from 1')
+        count = int(match["size"])
+    if count > MOST_VALUES:
+        raise InputError(f'{what}: "{item}" stands for more than {MOST_VALUES:,} values; take a larger step')
+    return [float(v) for v in np.linspace(first, last, count)]
