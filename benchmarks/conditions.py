@@ -25,6 +25,7 @@ import others
 
 import quartering as qt
 from quartering.motion.basis import basis
+from quartering.motion.batch import joined, rows
 from quartering.motion.harmonic import harmonic_balance, solve_with_care
 from quartering.motion.of_ship import ship_system
 from quartering.stability.assessment import assess
@@ -55,13 +56,8 @@ def systems():
             modulus=one.modulus[cubic],
             coefficients=np.ascontiguousarray(one.coefficients[:, :, cubic]),
         )
-        blocks += [part(one, slice(i, i + BLOCK)) for i in range(0, one.count, BLOCK)]
+        blocks += [rows(one, slice(i, i + BLOCK)) for i in range(0, one.count, BLOCK)]
     return blocks
-
-
-def part(system, rows):
-    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    return replace(system, **{name: np.ascontiguousarray(getattr(system, name)[rows]) for name in names})
 
 
 def motion_and_stability(system):
@@ -95,9 +91,8 @@ def sample_of(blocks, count):
     """Conditions drawn with a fixed seed from those of gentle slope, where every tool finds the same motion."""
     random = np.random.default_rng(1971)
     gentle = blocks[: len(blocks) // 4]
-    chosen = [part(b, np.sort(random.choice(b.count, -(-count // len(gentle)), replace=True))) for b in gentle]
-    names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-    return replace(gentle[0], **{n: np.concatenate([getattr(c, n) for c in chosen])[:count] for n in names})
+    chosen = [rows(b, np.sort(random.choice(b.count, -(-count // len(gentle)), replace=True))) for b in gentle]
+    return rows(joined(chosen), slice(count))
 
 
 def accuracy(block):

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations import System
-
-PER_CONDITION: Final = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-"""What of a `System` has a row a condition; the products are alike in all."""
+from quartering.motion.equations import PER_CONDITION, System
 
 
 def joined(systems: Sequence[System]) -> System:
@@ -74,7 +70,7 @@ def rows(system: System, which: slice | NDArray[np.intp]) -> System:
     >>> rows(one, np.array([0, 0])).frequency.tolist()
     [0.8, 0.8]
     """
-    return replace(system, **{name: getattr(system, name)[which] for name in PER_CONDITION})
+    return system.each(lambda array: array[which])
 
 
 def apart(systems: System) -> list[System]:

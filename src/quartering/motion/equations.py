@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,10 @@ from quartering.motion.terms import TermTable, checked_number, term_table, with_
 from quartering.names import RUDDER_NAMES
 
 Floats = NDArray[np.float64]
+
+
+PER_CONDITION: Final = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+"""What of a `System` has a row a condition; the products are alike in all."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,8 +90,7 @@ class System:
 
     def each(self, change: Callable[[Floats], Floats]) -> System:
         """The same products, with a function applied to every array that has the conditions in front."""
-        names = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
-        arrays: dict[str, Any] = {name: change(getattr(self, name)) for name in names}
+        arrays: dict[str, Any] = {name: change(getattr(self, name)) for name in PER_CONDITION}
         return replace(self, **arrays)
 
     def kernel_arrays(self) -> tuple[NDArray[Any], ...]:

@@ -12,9 +12,9 @@ from scipy.interpolate import CubicSpline
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.motion.batch import PER_CONDITION, joined
+from quartering.motion.batch import joined
 from quartering.motion.branch import Family
-from quartering.motion.equations import Floats, Model, System
+from quartering.motion.equations import PER_CONDITION, Floats, Model, System
 from quartering.motion.of_ship import equations, ship_system
 from quartering.motion.terms import parse
 from quartering.study.dataset import attributes
