@@ -83,7 +83,10 @@ def vary(
 def sweep(
     case: Annotated[str, typer.Argument(help="Case file, see `quartering new --case`.")],
     output: Annotated[
-        str | None, typer.Option("-o", "--output", help="Folder of the results; by default the case's name.")
+        str | None,
+        typer.Option(
+            "-o", "--output", help="Folder of the results, by default the case's name; a .nc file with --uncertainty."
+        ),
     ] = None,
     cluster: Annotated[str | None, typer.Option(help="local:4, or tcp://host:8786 of a dask scheduler.")] = None,
     yes: Annotated[bool, typer.Option("--yes", help="Run it however large it is.")] = False,
