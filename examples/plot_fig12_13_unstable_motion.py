@@ -6,18 +6,20 @@ The paper's central case: a model with modified coefficients (Table I) whose mot
 unstable, by the variational equations (Fig. 12) and by the full equations started with 5 deg of roll (Fig. 13).
 
 The numbers of Table I cannot be used as they are: no unit, inertia or linear coefficient is printed with them. Its
-*ratios* can be put on the coefficients estimated for our hull. **With them the motion stays stable.** The reason is
-in the sign of the yaw term I3 = 0.1 K_vrr + K_prr: in the paper's own numbers the modification turns it from -0.575
-to +3.92, so that yaw feeds roll. Estimated from cross-flow drag it is negative and cannot be turned by those ratios,
-because drag only takes energy away.
+*ratios* can be put on the coefficients estimated for our hull. **With them the motion at 15 deg stays stable.** The
+reason is in the size of the yaw term I3 = 0.1 K_vrr + K_prr: in the paper's own numbers the modification turns it from
+-0.575 to +3.92, so that yaw feeds roll. Estimated from cross-flow drag it turns too, from -7.7e9 to +1.0e9 kg m2 s, but
+what is left is hundreds of times too small to matter there. Near 65 deg, in very steep waves, the ratios do make roll
+unstable: see "What makes coupled roll unstable".
 
 The mechanism itself is real: with K_prr turned round and made large enough (an invented value) roll grows, and the
 three ways of judging it agree.
 """
 
 # %%
-# How much is needed. Between -28 and -30 times the estimated K_prr the verdict flips. At -28 the motion is stable to
-# *small* disturbances, and 5 deg of roll still capsizes the ship: linear stability is not safety.
+# How much is needed, the other ratios kept, in waves of 1.5 L of steepness 1/20. Between -28 and -30 times the
+# estimated K_prr the verdict flips. At -28 the motion is stable to *small* disturbances, and 5 deg of roll still
+# capsizes the ship: linear stability is not safety.
 import numpy as np
 
 import quartering as qt

@@ -142,3 +142,14 @@ def test_a_change_that_cannot_be_made_is_not_made_up():
 def test_a_change_out_of_range_is_refused(change):
     with pytest.raises(qt.InputError, match="change"):
         qt.tornado(SHIP, WAVE, SPEED, HEADING, change=change)
+
+
+def test_a_varied_fraction_of_critical_replaces_ikedas_components_and_says_so():
+    """The same numbers as for a ship whose damping is a fraction; nothing of the component method in the sources."""
+    wave, values = qt.Wave(120.0, 2.0), [0.02, 0.08]
+    fraction = qt.ship("series60-cb60")
+    by_components = fraction.with_(roll_damping="ikeda")
+    one, other = (qt.vary(ship, wave, 7.0, 45.0, {"roll_damping": values}) for ship in (by_components, fraction))
+    assert one["roll"].values == pytest.approx(other["roll"].values, rel=1e-12)
+    assert "K_p|p|" not in one.attrs["estimated_coefficients"]
+    assert "of critical" in one.attrs["loading"]

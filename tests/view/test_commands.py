@@ -12,6 +12,8 @@ import xarray as xr
 from typer.testing import CliRunner
 
 import quartering as qt
+from quartering.conventions import RangeWarning
+from quartering.hull.righting import vanishing_angle
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.stability.kind import Kind
 from quartering.view.cli import app
@@ -178,6 +180,29 @@ def test_simulate_settles_on_the_steady_motion(run, tmp_path):
     assert (tmp_path / "roll.png").exists()
 
 
+def test_a_start_beyond_the_vanishing_angle_is_a_capsize_though_the_polynomial_rights_the_ship(run):
+    """The righting arm of the lines vanishes at 72 deg; the fitted polynomial is positive there."""
+    ship = qt.ship("series60-cb60")
+    with pytest.warns(RangeWarning, match="deck"):
+        assert qt.righting_arm(ship, [75.0])[0] < 0
+    model = qt.equations(ship, qt.Wave(ship.hull.length, 4.0), speed=8.0, heading=60.0)
+    assert "capsize_time" not in qt.simulate(model, 60.0, (0.0, np.radians(80.0), 0.0, 0.0)).attrs
+    wave = ("--heading", "60", "--speed", "8", "--wave-length", "1L", "--wave-height", "4")
+    facts = json.loads(run("simulate", "series60-cb60", *wave, "--roll", "80", "--json").stdout)
+    assert facts["capsize_time"] == 0.0
+    assert facts["capsize_angle_deg"] == pytest.approx(vanishing_angle(ship))
+    said = run("simulate", "series60-cb60", *wave, "--roll", "80").stdout
+    assert "Capsizes after 0 s" in said
+    assert "the steady motion" not in said
+
+
+def test_what_to_type_next_is_one_line_each_however_long(run):
+    length = "1" + "0" * 120 + "e-118"
+    words = ("--heading", "60", "--speed", "5", "--wave-length", length, "--wave-height", "1")
+    lines = run("simulate", "wigley", *words, "--duration", "20").stdout.splitlines()
+    assert f"  quartering verdict wigley {' '.join(words)}" in lines
+
+
 BAD = [
     (["hull", "series60-cb6"], "series60-cb60"),
     (["verdict", "wigley", "--heading", "30", "--speed", "5", "--wave-length", "-5", "--wave-height", "1"], "length"),
@@ -227,6 +252,13 @@ BAD = [
     (["hull", "wigley", "-o", "hull.jpg"], ".png"),
     (["simulate", "wigley", *CONDITION, "--duration", "-3"], "duration"),
     (["simulate", "wigley", *CONDITION, "--roll", "nan"], "--roll"),
+    (["simulate", "wigley", *CONDITION, "--duration", "1e9"], "samples"),
+    (["verdict", "wigley", "--heading", "400", "--speed", "5", "--wave-length", "50", "--wave-height", "1"], "try 40"),
+    (["vary", "wigley", "--heading", "0:400:4"], "--heading 400"),
+    (["vary", "wigley", "--gm", "1:2", "--heading", "-190"], "--heading -190"),
+    (["polar", "wigley", "--headings", "0:400:5"], "--headings 400"),
+    (["polar", "wigley", "--steepness", "1/30", "--wave-height", "4"], "leave one out"),
+    (["figures", "6", "--scoreboard"], "--scoreboard"),
     (["coefficients", "wigley", "--frequency", "inf"], "--frequency"),
     (["polar", "wigley", "--headings", "0:nan:5"], "finite"),
     (["polar", "wigley", "--steepness", "1/5"], "1/7"),

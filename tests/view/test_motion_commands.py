@@ -34,11 +34,25 @@ def test_branch_says_what_is_found_and_draws_it(run, tmp_path):
     assert (tmp_path / "branch.png").stat().st_size > 10_000
 
 
+def test_branch_leads_on_with_the_options_it_was_given(run):
+    stdout = run("branch", "series60-cb60", *CONDITION, "--limits", "3:5", "--harmonics", "3").stdout
+    assert (
+        f"quartering branch series60-cb60 {' '.join(CONDITION)} --over wave_height --harmonics 3 --limits 3:5" in stdout
+    )
+
+
+def test_branch_of_a_steep_wave_ends_where_waves_break(run):
+    words = ["--heading", "60", "--speed", "8", "--wave-length", "100", "--wave-height", "12", "--json"]
+    (curve, *_) = json.loads(run("branch", "series60-cb60", *words).stdout)["curves"]
+    assert curve["from"] == pytest.approx(6.0)
+    assert curve["to"] == pytest.approx(100 / 7, rel=0.02)  # the last step of a curve may pass the limit
+
+
 def test_branch_in_json_agrees_with_python(run):
     facts = json.loads(run("branch", "series60-cb60", *CONDITION, "--limits", "3:5", "--json").stdout)
     ship = qt.ship("series60-cb60")
     wave = qt.Wave(ship.hull.length, 4.0)
-    ds = qt.branch(ship, "wave_height", limits=(3.0, 5.0), wave=wave, speed=8.0, heading=60.0)
+    ds = qt.branch(ship, "wave_height", limits=(3.0, 5.0), wave=wave, speed=8.0, heading=60.0, harmonics=9)
     assert facts["curves"][0]["largest_roll_deg"] == pytest.approx(float(ds["roll_peak"].max()))
     assert facts["events"] == []
 
@@ -51,6 +65,9 @@ def test_branch_takes_units_and_refuses_what_it_cannot_follow(run):
         (["--over", "colour"], "colour"),
         (["--limits", "3"], "from:to"),
         (["--limits", "5:3"], "rising"),
+        (["--limits", "1:60"], "1/7"),
+        (["--over", "wave_length", "--limits", "10:100"], "1/7"),
+        (["--over", "heading", "--limits", "0:400"], "--limits 400"),
         (["-o", "branch.txt"], ".png"),
     ):
         result = run("branch", "series60-cb60", *CONDITION, *words)

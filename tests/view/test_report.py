@@ -219,7 +219,7 @@ def test_report_of_a_ship_file_and_of_a_sweep(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("arguments", "says"),
     [
-        (["nothing.nc"], "neither the folder"),
+        (["nothing.nc"], "there is no"),
         (["wigley", "--form", "novel"], "give report or guidance"),
         (["wigley", "--openings", "30"], "--form guidance"),
         (["wigley", "--form", "guidance", "--openings", "-5"], "above 0"),

@@ -130,7 +130,8 @@ def test_uncertainty_writes_probabilities(case, tmp_path):
     ("words", "message"),
     [
         (("sweep", "none.yaml"), "cannot be read"),
-        (("worst", "none"), "neither the folder"),
+        (("worst", "none"), "there is no"),
+        (("worst", "{case}.yaml"), "neither the folder"),
         (("show", "{case}", "--at", "foo=1"), "can be cut at"),
         (("show", "{case}", "--at", "speed"), "write it like"),
         (("show", "{case}", "-o", "x.gif"), ".png"),

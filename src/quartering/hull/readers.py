@@ -96,8 +96,8 @@ def _nearest(text: str, names: list[str]) -> str:
     near = [name for name in names if name.startswith(text.lower())] or get_close_matches(
         text.lower(), names, cutoff=0.6
     )
-    hint = f'did you mean "{near[0]}"? ' if near else ""
-    return f"{hint}Built-in ships: {', '.join(names)}"
+    hint = f'; did you mean "{near[0]}"?' if near else ""
+    return f"built-in ships are {', '.join(names)}{hint}"
 
 
 @lru_cache(maxsize=32)

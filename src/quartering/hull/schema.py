@@ -203,8 +203,9 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     kind, context = problem["type"], problem.get("ctx", {})
     if kind == "extra_forbidden":
         allowed = _keys_at(location)
-        near = get_close_matches(str(location[-1]), allowed, n=1, cutoff=0.0)
-        return f"key `{key}` is unknown; did you mean `{near[0]}`? Keys allowed here: {', '.join(allowed)}"
+        near = get_close_matches(str(location[-1]), allowed, n=1, cutoff=0.5)
+        hint = f"did you mean `{near[0]}`? Keys" if near else "keys"
+        return f"key `{key}` is unknown; {hint} allowed here: {', '.join(allowed)}"
     if kind == "missing":
         return f"key `{key}` is missing; keys allowed here: {', '.join(_keys_at(location))}"
     if kind == "literal_error":

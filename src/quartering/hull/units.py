@@ -59,7 +59,9 @@ def split_quantity(value: float | str, what: str = "value") -> tuple[float, str]
         raise InputError(f'{what}: {value!r} is not a value; give a number or a number with a unit, such as "4.5 m"')
     match = _PATTERN.fullmatch(value) if isinstance(value, str) else None
     if isinstance(value, str) and match is None:
-        raise InputError(f'{what}: "{value}" is not a number with a unit; write it like "4.5 m" or "0.38 B"')
+        raise InputError(
+            f'{what}: "{value}" is not a number, or a number with its unit, such as 4.5, "4.5 m" or "15kn"'
+        )
     number, unit = (
         (float(match[1].replace(".nan", "nan").replace(".inf", "inf")), match[2]) if match else (float(value), "")
     )

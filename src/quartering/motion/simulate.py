@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 CAPSIZE_ANGLE = np.pi / 2
 """Roll angle at which a simulation stops: the polynomial righting moment means nothing beyond [rad]."""
 
+MOST_SAMPLES = 5_000_000
+"""Longest result: about 300 MB."""
+
 # Dormand and Prince's nodes, stage weights, error weights and dense-output weights.
 _NODES = np.array([0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 _STAGES = np.array(
@@ -162,7 +165,13 @@ def simulate(
     start = np.array(state0, dtype=float)
     if not (np.isfinite(duration) and duration > 0 and np.isfinite(interval) and interval > 0 and tolerance > 0):
         raise InputError(
-            f"duration {duration} s, step {interval} s and tolerance {tolerance} must all be greater than zero"
+            f"duration {duration:g} s, step {interval:.3g} s and tolerance {tolerance:g}: all must be above zero and finite;"
+            " try a duration of 300"
+        )
+    if duration / interval > MOST_SAMPLES:
+        raise InputError(
+            f"duration {duration:g} s with a sample every {interval:.3g} s makes {duration / interval:.3g} samples; at most"
+            f" {MOST_SAMPLES:,} are kept: give a duration of at most {MOST_SAMPLES * interval:.3g} s, or a longer step"
         )
     states = model.system.states
     if start.ndim != 1 or start.size not in {4, states} or not np.isfinite(start).all():

@@ -177,8 +177,10 @@ def case_schema() -> str:
 def _read(path: str | Path) -> tuple[Case, _Place, str]:
     try:
         text = Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f'case "{path}" cannot be read ({getattr(error, "strerror", None) or error})') from None
+    except UnicodeDecodeError:
+        raise InputError(f'case "{path}" is not a text file; a case file is YAML text in UTF-8') from None
+    except OSError as error:
+        raise InputError(f'case "{path}" cannot be read ({error.strerror})') from None
     try:
         node, content = yaml.compose(text, yaml.SafeLoader), yaml.safe_load(text)
     except yaml.YAMLError as error:
@@ -192,6 +194,10 @@ def _read(path: str | Path) -> tuple[Case, _Place, str]:
     if not isinstance(content, dict):
         raise place.says((), f"a case is a list of keys with values: {', '.join(Case.model_fields)}")
     _number_lines(node, (), lines, place)
+    if "ship" not in content and ("base" in content or "lines" in content):
+        raise place.says(
+            (), f"this is a ship file; a case names it: `ship: {Path(path).name}`; `quartering new --case` writes one"
+        )
     try:
         return Case.model_validate(content), place, text
     except ValidationError as error:

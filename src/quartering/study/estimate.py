@@ -49,8 +49,9 @@ class Estimate:
     @property
     def sentence(self) -> str:
         """The estimate in one line."""
+        about = "" if self.seconds < 1 else "about "
         return (
-            f"{self.conditions:,} conditions in {self.blocks} blocks: about {duration(self.seconds)} on {workers()} cores,"
+            f"{self.conditions:,} conditions in {self.blocks} blocks: {about}{duration(self.seconds)} on {workers()} cores,"
             f" {self.disk / 1e6:,.0f} MB"
         )
 

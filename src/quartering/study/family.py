@@ -85,7 +85,7 @@ def parameters(
         low, high = pair or ((0.0, 2.0) if name == "excitation" else (0.5 * centre, 1.5 * centre))
         if not (np.isfinite(low) and np.isfinite(high) and 0 <= low < high) or (name == "frequency" and low == 0):
             raise InputError(
-                f"limits ({low:g}, {high:g}) of {name} must be two rising numbers, above zero for a frequency"
+                f"limits ({low:g}, {high:g}) of {name} must be two rising numbers of zero or more, above zero for a frequency"
             )
         ends.append((low, high))
     low_ends, high_ends = np.array(ends, dtype=float).T

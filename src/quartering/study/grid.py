@@ -183,6 +183,8 @@ def grid(
     extra = {name: axis(name, values) for name, values in axes.items()}
     if "gm" in extra and "kg" in extra:
         raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
+    if "roll_damping" in extra and ship.roll_method != "fraction":  # every loading replaces the method, so say so
+        ship = ship.with_(roll_damping=float(extra["roll_damping"][0]))
     combined = np.array(list(product(*extra.values())), dtype=float).reshape(
         int(np.prod([v.size for v in extra.values()])), len(extra)
     )

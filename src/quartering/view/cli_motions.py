@@ -71,7 +71,7 @@ def branch(
         ),
     ] = "wave_height",
     limits: Annotated[str | None, typer.Option(help="From and to: 1:6 [m], 20:160 [deg], 5kn:15kn.")] = None,
-    harmonics: Harmonics = 3,
+    harmonics: Harmonics = 9,
     output: Picture = None,
     json: Json = False,
 ) -> None:

@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from quartering.conventions import InputError
 from quartering.view.arguments import Json, Picture
 from quartering.view.outcome import answering
 
@@ -28,6 +29,8 @@ def figures(
     """Recompute the figures of Haddara (1971) from real hulls, or measure its claims."""
     with answering():
         if scoreboard:
+            if numbers or kind or points:
+                raise InputError("--scoreboard measures all claims; leave figure numbers, --kind and --points out")
             from quartering.view.commands.scoreboard import print_scoreboard
 
             print_scoreboard(output, json)

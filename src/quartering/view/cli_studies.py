@@ -15,7 +15,9 @@ def polar(
     speed: Annotated[list[str] | None, typer.Option(help="Speeds: 5,7.5 [m/s], 15kn, 0.25Fn; repeatable.")] = None,
     headings: Annotated[str, typer.Option(help="Headings [deg]: from:to:count or a list.")] = "0:180:37",
     wave_lengths: Annotated[str, typer.Option(help="Wave lengths: from:to:count or a list, m or L.")] = "0.4L:2.3L:20",
-    steepness: Annotated[str, typer.Option(help="Wave height over wave length.")] = "1/50",
+    steepness: Annotated[
+        str | None, typer.Option(help="Wave height over wave length; 1/50 where nothing is given.")
+    ] = None,
     wave_height: Annotated[
         str | None, typer.Option(help="One wave height for all lengths [m], instead of a steepness.")
     ] = None,
@@ -81,7 +83,10 @@ def vary(
 def sweep(
     case: Annotated[str, typer.Argument(help="Case file, see `quartering new --case`.")],
     output: Annotated[
-        str | None, typer.Option("-o", "--output", help="Folder of the results; by default the case's name.")
+        str | None,
+        typer.Option(
+            "-o", "--output", help="Folder of the results, by default the case's name; a .nc file with --uncertainty."
+        ),
     ] = None,
     cluster: Annotated[str | None, typer.Option(help="local:4, or tcp://host:8786 of a dask scheduler.")] = None,
     yes: Annotated[bool, typer.Option("--yes", help="Run it however large it is.")] = False,

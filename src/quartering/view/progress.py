@@ -10,7 +10,7 @@ from types import ModuleType
 
 import typer
 
-NOTICE = "compiling numerical kernels, once (about 20 s)"
+NOTICE = "compiling numerical kernels, once (20 to 30 s)"
 
 
 def announce_compilation() -> None:

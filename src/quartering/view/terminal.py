@@ -13,6 +13,7 @@ from rich.table import Table
 from rich.text import Text
 
 WIDTH_WITHOUT_TERMINAL = 120
+_NEXT = "Next:\n"
 
 
 def console() -> Console:
@@ -46,12 +47,15 @@ def show(*parts: Table | str) -> None:
     """Print tables and plain lines on standard output."""
     screen = console()
     for part in parts:
-        screen.print(Text(part) if isinstance(part, str) else part)
+        if isinstance(part, str) and part.startswith(_NEXT):  # whole lines, to be copied
+            screen.print(Text(part), soft_wrap=True)
+        else:
+            screen.print(Text(part) if isinstance(part, str) else part)
 
 
 def next_steps(*commands: str) -> str:
     """Lines that say what to type next."""
-    return "Next:\n" + "\n".join(f"  {command}" for command in commands)
+    return _NEXT + "\n".join(f"  {command}" for command in commands)
 
 
 def show_json(content: Mapping[str, Any]) -> None:

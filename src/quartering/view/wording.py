@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from quartering.conventions import CUBIC_MONOMIALS
+from quartering.hull.ship import Ship
 from quartering.hull.units import quantity
+from quartering.hydro.coefficients import coefficients
 from quartering.loads.waves import Wave
 from quartering.stability.kind import Kind
 
@@ -158,6 +161,19 @@ def notes(ds: xr.Dataset) -> list[str]:
     """Small print of a map: what is estimated, and how it was computed."""
     words = estimated_words(estimated_names(ds), provenance_of(str(ds.attrs["provenance"])))
     return [f"{words} Steady motion: {ds.attrs['steady_motion']}; {ds.attrs['source']}."]
+
+
+def ship_notes(one: Ship) -> str:
+    """Small print of one condition: what is estimated, and by which version it was computed.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> ship_notes(ship("wigley")).startswith("Estimated: velocity derivatives")
+    True
+    """
+    estimated = [entry.name for entry in coefficients(one, 0.5, 0.0).table() if entry.kind in ESTIMATES]
+    return f"{estimated_words(estimated, one.provenance)} quartering {version('quartering')}."
 
 
 def wave_words(ds: xr.Dataset) -> str:

@@ -99,7 +99,8 @@ def feeding_model(of: Ship | None = None, multiplier: float = FEEDING) -> Ship:
     Notes
     -----
     In the paper's numbers I3 = 0.1 K_vrr + K_prr goes from -0.575 to +3.92, and yaw feeds roll where it took from it. With
-    cross-flow drag the same ratios leave I3 negative.  Source: [H71] Table I, I3; the multiplier is invented.
+    cross-flow drag the same ratios only take I3 from strongly negative to about nothing.  Source: [H71] Table I, I3; the
+    multiplier is invented.
 
     Examples
     --------

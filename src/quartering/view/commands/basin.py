@@ -8,7 +8,7 @@ import numpy as np
 
 from quartering.hull.righting import vanishing_angle
 from quartering.hydro.coefficients import coefficients
-from quartering.loads.waves import Wave
+from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.ensemble import basin
 from quartering.motion.of_ship import equations
 from quartering.view.commands.conditions import condition, sizes
@@ -16,9 +16,9 @@ from quartering.view.options import values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, bar
 from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import ship_notes
 
 _ANGLES, _RATES, _HEIGHTS = 61, 49, 9
-_STEEPEST = 1.0 / 7.0
 
 
 def erode(
@@ -35,7 +35,7 @@ def erode(
     limit = min(vanishing_angle(one), 90.0)
     rate = coefficients(one, 0.0, 0.0).roll_frequency * limit
     roll, rates = np.linspace(-limit, limit, _ANGLES), np.linspace(-rate, rate, _RATES)
-    top = min(2.0 * wave.height, 0.999 * _STEEPEST * wave.length)
+    top = min(2.0 * wave.height, 0.999 * STEEPEST * wave.length)
     chosen = [0.0, *values([heights or f"0:{top}"], "length", sizes(one), "--wave-heights", _HEIGHTS)]
     announce_compilation()
     waves = [Wave(wave.length, height) for height in sorted({*chosen, wave.height})]
@@ -54,8 +54,14 @@ def erode(
         from quartering.view.plots.basin import basin_picture
 
         title = f"{one.name}: heading {heading:g} deg, {speed:.3g} m/s, wave length {wave.length:.4g} m"
+        note = ship_notes(one)
         write(
-            (path, lambda part: style.save(basin_picture(here, (height, integrity), wave.height, limit, title), part))
+            (
+                path,
+                lambda part: style.save(
+                    basin_picture(here, (height, integrity), wave.height, limit, title, note), part
+                ),
+            )
         )
     at = float(integrity[height == wave.height][0])
     if as_json:
@@ -73,13 +79,14 @@ def erode(
         )  # fmt: skip
         return
     show(
-        f"In waves of {wave.height:g} m, {at:.0%} of the starts that are safe in calm water stay below {limit:.3g} deg"
+        f"In waves of {wave.height:g} m, {at:.1%} of the starts that are safe in calm water stay below {limit:.3g} deg"
         f" (the vanishing angle) for {periods} wave periods."
     )
     rows = [(f"{h:.3g}", f"{s:.1%}", f"{q:.1%}") for h, s, q in zip(height, share, integrity, strict=True)]
     show(
         table("Integrity of the safe basin", ("wave height [m]", "of all starts", "of the safe ones"), rows, (0, 1, 2))
     )
+    show(ship_notes(one))
     if path is not None:
         show(f"Wrote {path}")
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"

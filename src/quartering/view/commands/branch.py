@@ -8,14 +8,16 @@ import xarray as xr
 from quartering.conventions import SYMBOLS, InputError
 from quartering.hull.ship import Ship
 from quartering.hull.units import Kind as Quantity
+from quartering.loads.waves import STEEPEST, Wave
 from quartering.stability.kind import Kind
 from quartering.study.branch import branch
 from quartering.study.grid import LOADING_AXES
-from quartering.view.commands.conditions import condition, sizes
+from quartering.view.commands.conditions import checked_headings, condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, working
 from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import ship_notes
 
 _QUANTITIES: dict[str, Quantity] = {
     "speed": "speed",
@@ -24,6 +26,7 @@ _QUANTITIES: dict[str, Quantity] = {
     "wave_height": "length",
 }
 _OPTIONS = {"speed": "--speed", "heading": "--heading", "wave_length": "--wave-length", "wave_height": "--wave-height"}
+_STEEPEST = 0.999 * STEEPEST
 ORIGINS = {
     "start": "from the lower limit",
     "symmetry-breaking": "leaning motions",
@@ -45,7 +48,7 @@ def follow_motions(
     """Follow the branches, print what happens along them, draw them where asked."""
     one, wave, speed, heading = condition(name, typed)
     path = claim(output, PICTURES) if output else None
-    ends = _limits(one, over, limits)
+    ends = _limits(one, wave, over, limits)
     announce_compilation()
     with working("following the motions"):
         ds = branch(one, over, limits=ends, harmonics=harmonics, wave=wave, speed=speed, heading=heading)
@@ -56,19 +59,32 @@ def follow_motions(
         held = {"speed": f"{speed:.3g} m/s", "heading": f"heading {heading:g} deg"}
         held |= {"wave_length": f"wave length {wave.length:.4g} m", "wave_height": f"wave height {wave.height:.3g} m"}
         title = f"{one.name}: " + ", ".join(words for key, words in held.items() if key != over)
-        write((path, lambda part: style.save(branch_picture(ds, over, title), part)))
+        note = ship_notes(one)
+        write((path, lambda part: style.save(branch_picture(ds, over, title, note), part)))
     if as_json:
         facts = {"ship": one.name, "over": over, "curves": _curves(ds, over), "events": _events(ds, over)}
         show_json(facts | {"picture": None if path is None else str(path)})
         return
     _print(ds, over)
+    show(ship_notes(one))
     if path is not None:
         show(f"Wrote {path}")
-    show(next_steps(*_next(ds, name, typed, over, path is None)))
+    again = f" --harmonics {harmonics}" if harmonics != 9 else ""
+    again += f" --limits {limits}" if limits is not None else ""
+    show(next_steps(*_next(ds, name, typed, over, again if path is None else None)))
 
 
-def _limits(one: Ship, over: str, text: str | None) -> tuple[float, float] | None:
-    """The two ends as typed."""
+def _limits(one: Ship, wave: Wave, over: str, text: str | None) -> tuple[float, float] | None:
+    """The two ends as typed, None for those of `quartering.branch`; no wave between them breaks.
+
+    Raises
+    ------
+    InputError    not two values, a wave too steep at one of them
+    """
+    if text is None and over == "wave_height":
+        return 0.5 * wave.height, min(1.5 * wave.height, _STEEPEST * wave.length)
+    if text is None and over == "wave_length":
+        return max(0.5 * wave.length, wave.height / _STEEPEST), 1.5 * wave.length
     if text is None:
         return None
     ends = text.split(":")
@@ -76,6 +92,12 @@ def _limits(one: Ship, over: str, text: str | None) -> tuple[float, float] | Non
         raise InputError(f'--limits "{text}": give two values, from:to, such as 1:6')
     kind = _QUANTITIES.get(over, "length" if over in LOADING_AXES and over != "roll_damping" else "ratio")
     low, high = (value(end, kind, sizes(one), "--limits") for end in ends)
+    if over == "wave_height" and high > low:
+        Wave(wave.length, high)  # refuses one that breaks
+    if over == "wave_length" and high > low > 0.0:
+        Wave(low, wave.height)
+    if over == "heading":
+        checked_headings([low, high], "--limits")
     return low, high
 
 
@@ -134,15 +156,19 @@ def _print(ds: xr.Dataset, over: str) -> None:
     if rows:
         show(table("Where stability changes", ("event", over + unit, "largest roll [deg]", "curve"), rows, (1, 2)))
     else:
-        kinds = {Kind(int(k)).label for k in np.unique(ds["verdict"])}
-        show(f"Stability does not change between these limits: {', '.join(sorted(kinds))} throughout.")
+        kinds = [Kind(int(k)).label for k in np.unique(ds["verdict"])]
+        show(
+            f"Stability does not change between these limits: {kinds[0]} throughout."
+            if len(kinds) == 1
+            else "Stability does not change along any of these curves."
+        )
 
 
-def _next(ds: xr.Dataset, name: str, typed: tuple[str, str, str, str], over: str, undrawn: bool) -> list[str]:
-    """What to type next: a verdict just beyond the first event, the basin, the picture."""
+def _next(ds: xr.Dataset, name: str, typed: tuple[str, str, str, str], over: str, again: str | None) -> list[str]:
+    """What to type next: a verdict at the first event, the basin, and the picture where ``again`` tells its options."""
     given = dict(zip(("heading", "speed", "wave_length", "wave_height"), typed, strict=True))
     words = " ".join(f"{_OPTIONS[key]} {text}" for key, text in given.items())
-    steps = [f"quartering branch {name} {words} --over {over} -o branch.png"] if undrawn else []
+    steps = [] if again is None else [f"quartering branch {name} {words} --over {over}{again} -o branch.png"]
     events = _events(ds, over)
     if events and over in SYMBOLS and over in given:
         there = " ".join(

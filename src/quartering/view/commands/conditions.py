@@ -34,6 +34,22 @@ def autopilot_of(text: str) -> Autopilot | Literal["none"]:
     return Autopilot(*(value(part, kind, nothing, "--autopilot") for part, kind in zip(parts, kinds, strict=False)))
 
 
+def checked_headings(headings: list[float], option: str) -> list[float]:
+    """Headings [deg] as they are: from 0 to 360, or from -180 to 0 with the wave on the other side.
+
+    Raises
+    ------
+    InputError    one outside, which is more likely a slip than a turn more
+    """
+    for heading in headings:
+        if not -180.0 <= heading <= 360.0:
+            raise InputError(
+                f"{option} {heading:g} deg: a heading is 0 (following) to 180 (head sea), or up to 360 or down to -180 with"
+                f" the wave on the other side; try {heading % 360.0:g}"
+            )
+    return headings
+
+
 def condition(
     name: str, typed: tuple[str, str, str, str], autopilot: str | None = None
 ) -> tuple[Ship, Wave, float, float]:
@@ -47,7 +63,7 @@ def condition(
     """
     one = ship(name) if autopilot is None else ship(name).with_(autopilot=autopilot_of(autopilot))
     units = sizes(one)
-    heading = value(typed[0], "angle", units, "--heading")
+    (heading,) = checked_headings([value(typed[0], "angle", units, "--heading")], "--heading")
     speed = value(typed[1], "speed", units, "--speed")
     wave = Wave(value(typed[2], "length", units, "--wave-length"), value(typed[3], "length", units, "--wave-height"))
     return one, wave, speed, heading

@@ -74,12 +74,14 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
     show(
         f"Righting arm GZ = {terms} m (phi in rad), within {fit.residual:.1%} of the largest up to {fit.max_angle:g} deg."
     )
+    if one.righting == "spline":
+        show("The equations of this ship carry the curve itself, as a spline; the polynomial is given for comparison.")
     if np.isfinite(fit.deck_angle):
         show(
             f"The top of the offsets goes under at {fit.deck_angle:.3g} deg; beyond, the hull is closed by a deck there."
         )
     rows = [(speed_words(u, one.hull.length), exponents_words(z), _course(z)) for u, z in calm.items()]
-    show(table("Small motions in calm water, no rudder: exponents", ("speed", "1/s", "verdict"), rows))
+    show(table("Small motions in calm water, rudder amidships: exponents", ("speed", "1/s", "verdict"), rows))
 
 
 def _course(exponents: np.ndarray) -> str:

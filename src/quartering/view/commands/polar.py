@@ -17,7 +17,7 @@ from quartering.loads.waves import Wave
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
 from quartering.study.polar import polar
-from quartering.view.commands.conditions import sizes
+from quartering.view.commands.conditions import checked_headings, sizes
 from quartering.view.options import steepness, value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import announce_compilation, bar
@@ -28,6 +28,7 @@ MOST_CONDITIONS = 1_000_000
 """Largest map: about 1 GB of results."""
 
 _NEUTRAL = 1e-9
+_STEEPNESS = "1/50"
 _RINGS = 3
 """With fewer wave lengths than this the picture is lines over heading."""
 
@@ -36,7 +37,7 @@ def draw_map(
     name: str,
     speeds: Sequence[str],
     headings: str,
-    waves: tuple[str, str, str | None],
+    waves: tuple[str, str | None, str | None],
     harmonics: int,
     form: str,
     output: str | None,
@@ -48,7 +49,7 @@ def draw_map(
     data = claim(output or f"{stem(name)}-polar.nc", (".nc",))
     picture = claim(data.with_suffix(".png"), (".png",))
     speed = values(speeds, "speed", units, "--speed", 3)
-    mu = values([headings], "angle", units, "--headings", 37)
+    mu = checked_headings(values([headings], "angle", units, "--headings", 37), "--headings")
     sea = _waves(one, waves)
     chosen: Form = form  # type: ignore[assignment]  # polar refuses an unknown one
     count = len(speed) * len(mu) * len(sea)
@@ -75,12 +76,14 @@ def draw_map(
     show(next_steps(f"quartering verdict {name} {condition} --wave-height {height:.3g}", f"quartering report {data}"))
 
 
-def _waves(one: Ship, typed: tuple[str, str, str | None]) -> list[Wave]:
+def _waves(one: Ship, typed: tuple[str, str | None, str | None]) -> list[Wave]:
     lengths = values([typed[0]], "length", sizes(one), "--wave-lengths", 20)
+    if typed[1] is not None and typed[2] is not None:
+        raise InputError("--steepness and --wave-height are two ways to say one thing; leave one out")
     if typed[2] is not None:
         height = value(typed[2], "length", sizes(one), "--wave-height")
         return [Wave(length, height) for length in lengths]
-    slope = steepness(typed[1])
+    slope = steepness(typed[1] or _STEEPNESS)
     return [Wave(length, slope * length) for length in lengths]
 
 

@@ -23,7 +23,7 @@ def make_report(
         raise InputError(f'--form "{kind}": give {" or ".join(KINDS)}')
     if openings is not None and kind != "guidance":
         raise InputError("--openings is for the failure event of --form guidance; add it, or leave --openings out")
-    heel = quantity(openings, "angle") if openings is not None else None
+    heel = quantity(openings, "angle", what="--openings") if openings is not None else None
     path = claim(output or f"{stem(what.rstrip('/'))}-{kind}.html", (".html", ".pdf"))
     announce_compilation()
     source = report_source(what, ship, kind)

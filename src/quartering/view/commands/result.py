@@ -74,14 +74,14 @@ def show_result(
 def opened(result: str) -> xr.Dataset:
     """The dataset of a sweep's folder or of a netCDF file."""
     path = Path(result)
+    if not path.exists():
+        raise InputError(f'there is no "{result}": give the folder of a sweep, or the netCDF file of a map')
     if path.is_dir():
         return open_result(path)
     try:
         return xr.load_dataset(path)
-    except (OSError, ValueError) as error:
-        raise InputError(
-            f'"{result}" is neither the folder of a sweep nor a netCDF file ({error.__class__.__name__})'
-        ) from None
+    except (OSError, ValueError):
+        raise InputError(f'"{result}" is neither the folder of a sweep nor a netCDF file') from None
 
 
 def split_cut(typed: str) -> tuple[str, float]:
@@ -166,7 +166,9 @@ def _loading_names(ds: xr.Dataset) -> list[str]:
 
 
 def _sizes(ds: xr.Dataset) -> str:
-    return ", ".join(f"{size} {name}" for name, size in ds["verdict"].sizes.items())
+    return ", ".join(
+        f"{size} {str(name).replace('_', ' ')}{'s' * (size != 1)}" for name, size in ds["verdict"].sizes.items()
+    )
 
 
 def _head(name: str, ds: xr.Dataset) -> str:

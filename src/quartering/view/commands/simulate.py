@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import xarray as xr
 
+from quartering.hull.righting import vanishing_angle, warn_of_polynomial
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
@@ -14,6 +16,7 @@ from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation
 from quartering.view.terminal import next_steps, show, show_json
+from quartering.view.wording import ship_notes
 
 
 def run_simulation(
@@ -35,24 +38,28 @@ def run_simulation(
     trace = simulate(model, seconds, (0.0, math.radians(heel), 0.0, 0.0))
     motion = steady_motion(model, 3, start="rest")
     steady = math.degrees(motion.peak[1]) if motion.status.ok else None
+    limit = min(vanishing_angle(one), 90.0)
+    trace, capsize = _until_capsize(trace, limit)
+    warn_of_polynomial(one, min(float(np.abs(trace["roll"]).max()), limit))
     late = trace["roll"].where(trace["time"] > 0.75 * seconds)
     facts = {
         "ship": one.name, "condition": dict(model.source), "roll_at_start_deg": heel,
         "largest_roll_deg": float(np.abs(trace["roll"]).max()), "largest_late_roll_deg": float(np.abs(late).max()),
-        "steady_roll_peak_deg": steady, "capsize_time": trace.attrs.get("capsize_time"),
+        "steady_roll_peak_deg": steady, "capsize_time": capsize, "capsize_angle_deg": limit,
     }  # fmt: skip
     if path is not None:
         from quartering.view.plots import style
         from quartering.view.plots.trace import trace_picture
 
         title = f"{one.name}: heading {heading:g} deg, {speed:.3g} m/s, wave {wave.length:.4g} x {wave.height:.3g} m"
-        note = "Full nonlinear equations, from rest but for the roll angle."
+        note = f"Full nonlinear equations, from rest but for the roll angle. {ship_notes(one)}"
         write((path, lambda part: style.save(trace_picture(trace, steady, title, note), part)))
     if as_json:
         show_json(facts)
         return
-    if facts["capsize_time"] is not None:
-        show(f"Capsizes after {facts['capsize_time']:.3g} s (roll past 90 deg).")
+    if capsize is not None:
+        there = ", where the righting arm vanishes" if limit < 90.0 else ""
+        show(f"Capsizes after {capsize:.3g} s (roll past {limit:.3g} deg{there}).")
     else:
         words = (
             f"; the steady motion peaks at {steady:.3g} deg" if steady is not None else "; no steady motion was found"
@@ -61,5 +68,19 @@ def run_simulation(
         show(f"Largest roll {largest:.3g} deg, in the last quarter {late_largest:.3g} deg{words}.")
     if path is not None:
         show(f"Wrote {path}")
+    show(ship_notes(one))
     condition_words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
+    condition_words += f" --autopilot {autopilot}" if autopilot else ""
     show(next_steps(f"quartering verdict {name} {condition_words}"))
+
+
+def _until_capsize(trace: xr.Dataset, limit: float) -> tuple[xr.Dataset, float | None]:
+    """The motion up to the angle where the righting arm vanishes [deg], and the time it is passed, None if it is not.
+
+    Beyond that angle a fitted polynomial may right the ship again, which the ship itself does not.
+    """
+    beyond = np.abs(trace["roll"].values) > limit
+    if not beyond.any():
+        return trace, trace.attrs.get("capsize_time")
+    time = float(trace["time"].values[beyond.argmax()])
+    return trace.where(trace["time"] <= time), time

@@ -18,7 +18,7 @@ from quartering.loads.waves import Wave
 from quartering.stability.kind import Kind
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.vary import varied, vary
-from quartering.view.commands.conditions import sizes
+from quartering.view.commands.conditions import checked_headings, sizes
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, bar
@@ -99,10 +99,12 @@ def _parameters(
     parameters = {
         key: values([text], KINDS.get(key, "ratio"), units, option(key), count) for key, text in texts.items()
     }
+    checked_headings(parameters.get("heading", []), "--heading")
     fixed = {
         key: parameters[key][0] if key in parameters else value(text, KINDS[key], units, option(key))
         for key, text in typed.items()
     }
+    checked_headings([fixed["heading"]], "--heading")
     return fixed, parameters
 
 

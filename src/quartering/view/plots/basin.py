@@ -16,7 +16,12 @@ SAFE = "#d7ebf7"
 
 
 def basin_picture(
-    ds: xr.Dataset, curve: tuple[NDArray[np.float64], NDArray[np.float64]], height: float, limit: float, title: str
+    ds: xr.Dataset,
+    curve: tuple[NDArray[np.float64], NDArray[np.float64]],
+    height: float,
+    limit: float,
+    title: str,
+    note: str = "",
 ) -> Figure:
     """Draw a safe basin and the integrity curve.
 
@@ -27,12 +32,13 @@ def basin_picture(
     height : float            of the basin drawn [m]
     limit : float             roll that counts as capsize [deg]
     title : str
+    note : str                more small print
 
     Returns
     -------
     Figure
     """
-    made = style.figure(11.0, 4.8, bottom=0.4)
+    made = style.figure(11.0, 4.8, bottom=0.6)
     left, right = made.subplots(1, 2, width_ratios=(1.5, 1.0))
     mesh = basin_on(left, ds)
     if mesh is not None:
@@ -44,7 +50,7 @@ def basin_picture(
     style.footnote(
         made,
         f"Capsize: roll past {limit:.3g} deg. Sway velocity and yaw rate start at zero, at one phase of the wave. Integrity:"
-        " safe starts as a share of those safe in calm water.",
+        f" safe starts as a share of those safe in calm water.\n{note}",
     )
     return made
 

@@ -23,7 +23,7 @@ CURVES = {
 _REACH = 1.6
 
 
-def branch_picture(ds: xr.Dataset, over: str, title: str) -> Figure:
+def branch_picture(ds: xr.Dataset, over: str, title: str, note: str = "") -> Figure:
     """Draw the dataset of `quartering.branch`.
 
     Parameters
@@ -31,21 +31,22 @@ def branch_picture(ds: xr.Dataset, over: str, title: str) -> Figure:
     ds : Dataset
     over : str      the parameter
     title : str
+    note : str      more small print
 
     Returns
     -------
     Figure          largest roll over the parameter, and the Floquet multipliers in the complex plane
     """
-    made = style.figure(11.0, 5.6, bottom=0.85)
+    made = style.figure(11.0, 5.6, bottom=1.05)
     curve, circle = made.subplots(1, 2, width_ratios=(2.0, 1.0))
     curves_on(curve, ds, over)
     multipliers_on(circle, ds)
-    made.legend(handles=_legend(ds), loc="lower center", bbox_to_anchor=(0.5, 0.3 / 5.6), ncols=5, frameon=False)
+    made.legend(handles=_legend(ds), loc="lower center", bbox_to_anchor=(0.5, 0.5 / 5.6), ncols=5, frameon=False)
     style.title(made, title)
     style.footnote(
         made,
         "Solid: stable, dashed: unstable, by Floquet multipliers over one period of the motion; stable inside the circle."
-        f" Multipliers beyond {_REACH:g} are not drawn.",
+        f" Multipliers beyond {_REACH:g} are not drawn.\n{note}",
     )
     return made
 
