@@ -227,7 +227,7 @@ def polynomial_miss(ship: Ship, max_angle: float) -> float:
 
     Notes
     -----
-    Source: `righting_arm` and `righting_polynomial`, every degree.
+    Source: `righting_arm` and `righting_polynomial`, every 2.5 degrees, up to 2.5 degrees at least.
 
     Examples
     --------
@@ -235,9 +235,9 @@ def polynomial_miss(ship: Ship, max_angle: float) -> float:
     >>> polynomial_miss(ship("box"), 40.0) > 0.05 > polynomial_miss(ship("wigley"), 40.0)
     True
     """
-    angles = np.radians(np.append(np.arange(1.0, min(max_angle, 85.0), 1.0), min(max_angle, 85.0)))
-    arms = _arm(ship, angles)[0]
-    missed = np.abs(_polynomial(ship).arm(np.degrees(angles)) - arms).max()
+    within = max(int(np.searchsorted(_ALL_ANGLES, max_angle, side="right")), 1)
+    arms = _arm(ship, np.radians(_ALL_ANGLES))[0][:within]  # always the same angles, so that they are computed once
+    missed = np.abs(_polynomial(ship).arm(_ALL_ANGLES[:within]) - arms).max()
     return float(missed / np.abs(arms).max())
 
 
@@ -265,6 +265,7 @@ def warn_of_polynomial(ship: Ship, largest_roll: float) -> None:
         )
 
 
+_ALL_ANGLES = np.arange(2.5, 90.0, 2.5)
 _polynomial = lru_cache(maxsize=16)(righting_polynomial)
 
 
@@ -290,7 +291,7 @@ def vanishing_angle(ship: Ship) -> float:
     >>> 60.0 < vanishing_angle(ship("series60-cb60")) < 90.0
     True
     """
-    angles = np.arange(2.5, 90.0, 2.5)
+    angles = _ALL_ANGLES
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)  # the closed deck is what is asked for
         arms = righting_arm(ship, angles)

@@ -70,7 +70,7 @@ class Motion:
 
     @property
     def coefficients(self) -> Floats:
-        """Coefficients (3, b) as the kernels take them: mean if present, then cos and sin of each harmonic."""
+        """Coefficients (3, b) as the kernels take them, the mean if present, then cos and sin of each harmonic."""
         pairs = np.stack([self.cos, self.sin], axis=1).reshape(-1, 3).T
         mean = self.mean if self.heading is None else np.append(self.mean[:2], self.heading)
         return np.ascontiguousarray(np.column_stack([mean, pairs]) if 0 in self.orders_with_mean else pairs)
