@@ -18,7 +18,7 @@ from quartering.threads import in_threads
 if TYPE_CHECKING:
     import xarray as xr
 
-_CHUNK = 128
+_CHUNK = 512
 """Steps whose excitation is computed together."""
 
 

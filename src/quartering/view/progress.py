@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -10,13 +12,21 @@ from types import ModuleType
 
 import typer
 
+from quartering.threads import workers
+
 NOTICE = "compiling numerical kernels, once (20 to 30 s)"
 
 
 def announce_compilation() -> None:
-    """Say on stderr that kernels will be compiled, when they are not in the cache."""
-    if not compiled():
-        typer.echo(NOTICE, err=True)
+    """Say on stderr that kernels will be compiled, when they are not in the cache, and have a second process compile some."""
+    if compiled():
+        return
+    typer.echo(NOTICE, err=True)
+    if workers() > 1:
+        beside = subprocess.Popen(
+            [sys.executable, "-m", "quartering.stability.ahead"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        atexit.register(beside.terminate)
 
 
 def compiled() -> bool:
