@@ -34,6 +34,8 @@ bench: $(VENV)/.dev
 	$(BIN)/python benchmarks/start_up.py
 	$(BIN)/python benchmarks/verdict_agreement.py
 	$(BIN)/python benchmarks/hull_database.py
+	$(BIN)/python benchmarks/conditions.py
+	$(BIN)/python benchmarks/irregular.py
 
 $(VENV)/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \

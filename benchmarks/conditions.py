@@ -29,7 +29,7 @@ from quartering.motion.batch import joined, rows
 from quartering.motion.harmonic import harmonic_balance, solve_with_care
 from quartering.motion.of_ship import ship_system
 from quartering.stability.assessment import assess
-from quartering.stability.first_order import first_order
+from quartering.stability.first_order import roll_mode
 from quartering.stability.floquet import fastest_rate, floquet
 from quartering.stability.magnus import magnus_steps
 from quartering.stability.variation import variation_along
@@ -61,14 +61,14 @@ def systems():
 
 
 def motion_and_stability(system):
-    """Periodic motion, multipliers, K2; S = -K2/(2 n2)."""
+    """Periodic motion, multipliers, K2, S = -K2/(2 n2)."""
     u, status, _ = harmonic_balance(system, ORDERS)
     phasors, along = variation_along(system, u, ORDERS)
-    indices = first_order(system, phasors, np.hypot(u[:, :, 0], u[:, :, 1]), "map")
+    n2, _, roll_rate = roll_mode(phasors[:, 0].real, system.linear)
     trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
-    rate = fastest_rate(phasors, indices.mean_jacobian)
+    rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
     result = floquet(system, u, ORDERS, rate, trace, ACCURACY, variation=(phasors, along), detail="map")
-    return u, status, result.multipliers, indices.k2, -indices.k2 / (2 * indices.n2)
+    return u, status, result.multipliers, 2 * n2 * roll_rate, -roll_rate
 
 
 def whole_ladder(system):

@@ -14,7 +14,7 @@ import typer
 
 from quartering.threads import workers
 
-NOTICE = "compiling numerical kernels, once (20 to 30 s)"
+NOTICE = "compiling numerical kernels, once (15 to 30 s)"
 
 
 def announce_compilation() -> None:
