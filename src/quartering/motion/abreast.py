@@ -18,7 +18,12 @@ WIDTH = 32
 
 @abreast
 def rows_abreast(powers, nb):
-    """Empty rows abreast: a system's numbers, and what one evaluation of its products needs."""
+    """Empty rows abreast: a system's numbers, and what one evaluation of its products needs.
+
+    Notes
+    -----
+    Source: none needed; memory only.
+    """
     own = (np.zeros((3, 4, WIDTH)), np.zeros((3, powers.shape[0], WIDTH)),
            np.zeros((3, WIDTH)), np.zeros((3, WIDTH)), np.zeros((3, WIDTH)), np.zeros(WIDTH))  # fmt: skip
     room = (np.zeros((4, WIDTH)), np.zeros((4, 8, WIDTH)), np.zeros((3, WIDTH)), np.zeros((3, 4, WIDTH)),
@@ -32,7 +37,12 @@ def rows_abreast(powers, nb):
 
 @abreast
 def gather(begin, last, source, system):
-    """Copy the conditions from ``begin`` on into rows abreast; the last block is filled up with its last condition."""
+    """Copy the conditions from ``begin`` on into rows abreast; the last block is filled up with its last condition.
+
+    Notes
+    -----
+    Source: none needed; a change of order in memory.
+    """
     linear, coefficients, _, _, mean, cos, sin, frequency = source
     lin, coef, _, _, f0, fc, fs, w = system
     for l in range(WIDTH):
@@ -48,7 +58,12 @@ def gather(begin, last, source, system):
 
 @abreast
 def gather_motions(begin, last, u, row):
-    """Copy the motions (n, 3, b) from ``begin`` on into a row (3, b, W) abreast."""
+    """Copy the motions (n, 3, b) from ``begin`` on into a row (3, b, W) abreast.
+
+    Notes
+    -----
+    Source: none needed; a change of order in memory.
+    """
     for l in range(WIDTH):
         i = min(begin + l, last - 1)
         for k in range(3):
@@ -86,7 +101,12 @@ def states(tables, n, u, w, state):
 
 @abreast
 def raise_powers(state, degrees, table):
-    """table (4, 8, W): powers of each state up to its highest."""
+    """table (4, 8, W): powers of each state up to its highest.
+
+    Notes
+    -----
+    Source: closed form.
+    """
     for s in range(4):
         for l in range(WIDTH):
             table[s, 0, l] = 1.0
@@ -97,7 +117,12 @@ def raise_powers(state, degrees, table):
 
 @abreast
 def forces(linear, coefficients, powers, modulus, state, table, force):
-    """Right-hand sides (3, W) without excitation, from the powers of the states; [H71] eq. (3)."""
+    """Right-hand sides (3, W) without excitation, from the powers of the states.
+
+    Notes
+    -----
+    Source: [H71] eq. (3).
+    """
     for k in range(3):
         for l in range(WIDTH):
             first = linear[k, 0, l] * state[0, l] + linear[k, 1, l] * state[1, l]
@@ -171,7 +196,12 @@ def slopes(linear, coefficients, powers, modulus, state, table, jacobian):
 
 @abreast
 def linear_response(linear, l, w, x, y, z):
-    """Phasors of sway, roll, yaw under accelerations (x, y, z) at frequency ``w`` without the products; Cramer's rule."""
+    """Phasors of sway, roll, yaw under accelerations (x, y, z) at frequency ``w`` without the products; Cramer's rule.
+
+    Notes
+    -----
+    Source: [H71] eq. (3), linear part.
+    """
     e, s = 1j * w, -w * w
     a, b, c = s - e * linear[0, 0, l], -linear[0, 1, l] - e * linear[0, 2, l], -e * linear[0, 3, l]
     d, f, g = -e * linear[1, 0, l], s - linear[1, 1, l] - e * linear[1, 2, l], -e * linear[1, 3, l]
@@ -188,7 +218,12 @@ def linear_response(linear, l, w, x, y, z):
 
 @abreast
 def steady_response(linear, l, x, y, z):
-    """Mean sway velocity, heel and yaw rate under steady accelerations (x, y, z), and the sign of their determinant."""
+    """Mean sway velocity, heel and yaw rate under steady accelerations (x, y, z), and the sign of their determinant.
+
+    Notes
+    -----
+    Source: [H71] eq. (3), linear part; Cramer's rule.
+    """
     a, b, c = -linear[0, 0, l], -linear[0, 1, l], -linear[0, 3, l]
     d, f, g = -linear[1, 0, l], -linear[1, 1, l], -linear[1, 3, l]
     h, i, j = -linear[2, 0, l], -linear[2, 1, l], -linear[2, 3, l]
