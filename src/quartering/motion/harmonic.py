@@ -3,8 +3,6 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -152,14 +150,7 @@ def harmonic_balance(
     >>> bool(np.allclose(u[0, 1], [0.0, 0.1])), int(status[0])
     (True, 0)
     """
-    if not system.plain or system.count < _WORTH_A_ROW:
-        return solve_with_care(system, orders, start, from_rest=from_rest)
-    waiting = system.finite.astype(np.int8)
-    u = _begun(system, orders, start)
-    residual, table = np.zeros(system.count), basis(orders, system.degree, system.has_modulus)
-    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest)
-    in_threads(in_step, system.count, *given, u, waiting, residual)
-    return _finished(system, given, u, waiting, residual)
+    return _solved(system, orders, start, from_rest, abreast=system.plain and system.count >= _WORTH_A_ROW)
 
 
 def solve_with_care(
@@ -179,25 +170,22 @@ def solve_with_care(
     -----
     Source: [Krack19].
     """
-    table = basis(orders, system.degree, system.has_modulus)
-    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest)
-    return _finished(
-        system, given, _begun(system, orders, start), system.finite.astype(np.int8), np.zeros(system.count)
-    )
+    return _solved(system, orders, start, from_rest, abreast=False)
 
 
-def _begun(system: System, orders: tuple[int, ...], start: Floats | None) -> Floats:
-    width = 2 * len(orders) - (orders[0] == 0)
-    return np.zeros((system.count, 3, width)) if start is None else np.array(start, dtype=float)
-
-
-def _finished(
-    system: System, given: tuple[Any, ...], u: Floats, waiting: NDArray[np.int8], residual: Floats
+def _solved(
+    system: System, orders: tuple[int, ...], start: Floats | None, from_rest: bool, *, abreast: bool
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
-    """Solve with care what still waits, and mark what has no motion."""
-    status = np.where(system.finite, _CONVERGED, _NOT_FINITE).astype(np.int8)
+    """Solve what full steps abreast find, if wanted, then with care what still waits; mark what has no motion."""
+    table = basis(orders, system.degree, system.has_modulus)
+    u = np.zeros((system.count, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
+    finite, residual = system.finite, np.zeros(system.count)
+    status, waiting = np.where(finite, _CONVERGED, _NOT_FINITE).astype(np.int8), finite.astype(np.int8)
+    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest, u, waiting)
+    if abreast:
+        in_threads(in_step, system.count, *given, residual)
     if waiting.any():
-        in_threads(_solve, system.count, *given, u, waiting, status, residual)
+        in_threads(_solve, system.count, *given, status, residual)
     with np.errstate(invalid="ignore"):
         status[np.abs(u).max(axis=(1, 2)) > _RUNAWAY] = _SINGULAR  # an undamped resonance, but for rounding
     failed = (status != _CONVERGED) & (status != _BY_FOLLOWING)
