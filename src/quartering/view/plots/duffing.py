@@ -31,7 +31,7 @@ def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
     -------
     Figure
     """
-    made = style.figure(12.5, 8.0, bottom=0.62)
+    made = style.figure(12.5, 8.0)
     panels, errors = made.subplots(2, 2, sharex=True, sharey="row", height_ratios=(2.0, 1.0))
     top = 1.05 * float(np.abs(ds["peak"]).max())
     for ax, quantity, words in zip(
