@@ -44,6 +44,7 @@ sphinx_gallery_conf = {
     "examples_dirs": [titled_copies(HERE.parent)],
     "gallery_dirs": ["gallery"],
     "filename_pattern": RUN,
+    "within_subsection_order": "FileNameSortKey",
     "abort_on_example_error": True,
     "remove_config_comments": True,
     "show_memory": False,

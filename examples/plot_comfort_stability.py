@@ -15,6 +15,7 @@ Usage: python plot_comfort_stability.py [picture.png]
 import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
 import quartering as qt
@@ -24,7 +25,7 @@ from quartering.view.plots.comfort import comfort_picture
 HEADINGS = [30.0, 45.0, 60.0, 75.0, 90.0]
 
 
-def main(picture: str = "comfort.png") -> None:
+def main(picture: str = "") -> None:
     ship = qt.ship("series60-cb60")
     length, beam = ship.hull.length, ship.hull.beam
     wave, speed = qt.Wave(length, length / 50), 0.25 * np.sqrt(9.81 * length)
@@ -37,7 +38,12 @@ def main(picture: str = "comfort.png") -> None:
             print(
                 f"  {heading:3.0f} deg: roll {roll[0]:5.2f} -> {roll[-1]:5.2f} deg, S {index[0]:.4f} -> {index[-1]:.4f} 1/s"
             )
-    style.save(comfort_picture(studies), Path(picture))
+    drawn = comfort_picture(studies)
+    if picture:
+        style.save(drawn, Path(picture))
+        return
+    style.shown(drawn)
+    plt.show()
 
 
 if __name__ == "__main__":

@@ -115,11 +115,15 @@ def tally(found: Sequence[tuple[Claim, Finding]]) -> str:
     Examples
     --------
     >>> tally([(CLAIMS[0], Finding("holds", "")), (CLAIMS[1], Finding("does not hold", ""))])
-    '2 claims: 1 holds, 0 holds in part, 1 does not hold.'
+    '2 claims: 1 holds, 0 hold in part, 1 does not hold.'
     """
     answers = [finding.answer for _, finding in found]
-    counts = ", ".join(f"{answers.count(answer)} {answer}" for answer in get_args(Answer))
+    counts = ", ".join(_counted(answers.count(answer), answer) for answer in get_args(Answer))
     return f"{len(answers)} claims: {counts}."
+
+
+def _counted(count: int, answer: str) -> str:
+    return f"{count} {answer if count == 1 else answer.replace('does', 'do').replace('holds', 'hold')}"
 
 
 def scoreboard_page(found: Sequence[tuple[Claim, Finding]]) -> str:

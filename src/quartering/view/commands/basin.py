@@ -16,7 +16,7 @@ from quartering.view.options import values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, bar
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import ship_notes
+from quartering.view.wording import ship_notes, speed_words
 
 _ANGLES, _RATES, _HEIGHTS = 61, 49, 9
 
@@ -53,7 +53,7 @@ def erode(
         from quartering.view.plots import style
         from quartering.view.plots.basin import basin_picture
 
-        title = f"{one.name}: heading {heading:g} deg, {speed:.3g} m/s, wave length {wave.length:.4g} m"
+        title = f"{one.name}: heading {heading:g} deg, {speed_words(speed, one.hull.length)}, wave length {wave.length:.4g} m"
         note = ship_notes(one)
         write(
             (

@@ -17,7 +17,7 @@ from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, working
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import ship_notes
+from quartering.view.wording import ship_notes, speed_words
 
 _QUANTITIES: dict[str, Quantity] = {
     "speed": "speed",
@@ -56,7 +56,7 @@ def follow_motions(
         from quartering.view.plots import style
         from quartering.view.plots.branch import branch_picture
 
-        held = {"speed": f"{speed:.3g} m/s", "heading": f"heading {heading:g} deg"}
+        held = {"speed": speed_words(speed, one.hull.length), "heading": f"heading {heading:g} deg"}
         held |= {"wave_length": f"wave length {wave.length:.4g} m", "wave_height": f"wave height {wave.height:.3g} m"}
         title = f"{one.name}: " + ", ".join(words for key, words in held.items() if key != over)
         note = ship_notes(one)

@@ -16,7 +16,7 @@ from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation
 from quartering.view.terminal import next_steps, show, show_json
-from quartering.view.wording import ship_notes
+from quartering.view.wording import ship_notes, speed_words
 
 
 def run_simulation(
@@ -51,7 +51,8 @@ def run_simulation(
         from quartering.view.plots import style
         from quartering.view.plots.trace import trace_picture
 
-        title = f"{one.name}: heading {heading:g} deg, {speed:.3g} m/s, wave {wave.length:.4g} x {wave.height:.3g} m"
+        at = f"heading {heading:g} deg, {speed_words(speed, one.hull.length)}"
+        title = f"{one.name}: {at}, wave {wave.length:.4g} x {wave.height:.3g} m"
         note = f"Full nonlinear equations, from rest but for the roll angle. {ship_notes(one)}"
         write((path, lambda part: style.save(trace_picture(trace, steady, title, note), part)))
     if as_json:

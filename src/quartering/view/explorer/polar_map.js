@@ -69,6 +69,7 @@ export default {
         this.cells.push(this.make(fills, "path", { d: path, "data-i": i, "data-j": j }));
         this.marks.push(this.make(overs, "path", { d: path, fill: "none" }));
       }
+      this.curves = this.make(svg, "g", { "pointer-events": "none" });  // under the rings' labels
       const frame = this.make(svg, "g", { class: "q-frame", "pointer-events": "none" });
       for (let angle = 0; angle < 360; angle += 30) {
         const side = angle > 180 ? -1 : 1, m = angle > 180 ? 360 - angle : angle;
@@ -84,7 +85,6 @@ export default {
         this.make(frame, "text", { x: 1.5, y: -r + 4.6, class: "q-ring" }, ratio === 1 ? "λ = L" : `${ratio} L`);
       }
       this.make(frame, "path", { class: "q-hull", d: "M0,-11L2.2,-6L2.6,-2L2.6,8L1.8,10.5L-1.8,10.5L-2.6,8L-2.6,-2L-2.2,-6Z" });
-      this.curves = this.make(svg, "g", { "pointer-events": "none" });
       this.pointer = this.make(svg, "g", { class: "q-chosen", "pointer-events": "none" });
     },
     paint() {

@@ -131,4 +131,7 @@ def sentence(error: ValidationError) -> str:
     if problem["type"] == "extra_forbidden":
         return f"{key} is unknown; known are {', '.join(State.model_fields)}"
     said = problem["msg"].removeprefix("Value error, ").removeprefix("Input ")
+    for limit in problem.get("ctx", {}).values():
+        if isinstance(limit, float):
+            said = said.replace(str(limit), f"{limit:.4g}")  # 1/7 in four digits, not in sixteen
     return f"{key} = {given}: {said}" if key else said

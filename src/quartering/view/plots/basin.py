@@ -38,7 +38,7 @@ def basin_picture(
     -------
     Figure
     """
-    made = style.figure(11.0, 4.8, bottom=0.6)
+    made = style.figure(11.0, 4.8)
     left, right = made.subplots(1, 2, width_ratios=(1.5, 1.0))
     mesh = basin_on(left, ds)
     if mesh is not None:

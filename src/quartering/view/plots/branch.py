@@ -37,17 +37,17 @@ def branch_picture(ds: xr.Dataset, over: str, title: str, note: str = "") -> Fig
     -------
     Figure          largest roll over the parameter, and the Floquet multipliers in the complex plane
     """
-    made = style.figure(11.0, 5.6, bottom=1.05)
+    made = style.figure(11.0, 5.6)
     curve, circle = made.subplots(1, 2, width_ratios=(2.0, 1.0))
     curves_on(curve, ds, over)
     multipliers_on(circle, ds)
-    made.legend(handles=_legend(ds), loc="lower center", bbox_to_anchor=(0.5, 0.5 / 5.6), ncols=5, frameon=False)
     style.title(made, title)
-    style.footnote(
-        made,
+    words = (
         "Solid: stable, dashed: unstable, by Floquet multipliers over one period of the motion; stable inside the circle."
-        f" Multipliers beyond {_REACH:g} are not drawn.\n{note}",
+        f" Multipliers beyond {_REACH:g} are not drawn."
     )
+    top_of_print = style.footnote(made, f"{words}\n{note}", above=0.4)
+    made.legend(handles=_legend(ds), loc="lower center", bbox_to_anchor=(0.5, top_of_print), ncols=5, frameon=False)
     return made
 
 

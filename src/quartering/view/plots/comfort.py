@@ -28,7 +28,7 @@ def comfort_picture(studies: Sequence[xr.Dataset]) -> Figure:
     Figure                           upper row the stability index S, lower row the decay rate by Floquet, both [1/s] and larger
                                      the more stable; filled mark: largest value of the loading, open mark: smallest
     """
-    made = style.figure(5.0 * len(studies) + 1.6, 8.0, bottom=0.75)
+    made = style.figure(5.0 * len(studies) + 1.6, 8.0)
     panels = made.subplots(2, len(studies), squeeze=False, sharex="col")
     for column, ds in zip(panels.T, studies, strict=True):
         name = next(str(dim) for dim in ds["roll"].dims if dim != "heading")

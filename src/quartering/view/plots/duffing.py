@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from quartering.motion.duffing import duffing_amplitudes
 from quartering.study.duffing import nearest_root
@@ -31,7 +32,7 @@ def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
     -------
     Figure
     """
-    made = style.figure(12.5, 8.0, bottom=0.62)
+    made = style.figure(12.5, 8.0)
     panels, errors = made.subplots(2, 2, sharex=True, sharey="row", height_ratios=(2.0, 1.0))
     top = 1.05 * float(np.abs(ds["peak"]).max())
     for ax, quantity, words in zip(
@@ -99,12 +100,29 @@ def _exact(ax: Axes, ds: xr.Dataset, quantity: str) -> None:
         ax.plot(frequency[fold], size[fold], **look, label="fold", zorder=5)
 
 
+def _turns(name: str, ds: xr.Dataset, grid: NDArray[np.float64]) -> list[float]:
+    """Frequencies closer and closer to those where roots of a formula meet, so that its curves are drawn to their turn."""
+
+    def count(w: float) -> int:
+        return int(duffing_amplitudes(name, ds.attrs["beta"], ds.attrs["force"], w).size)
+
+    found, counts = [], [count(float(w)) for w in grid]
+    for i in np.flatnonzero(np.diff(counts)):
+        ends = [float(grid[i]), float(grid[i + 1])]
+        for _ in range(30):
+            middle = 0.5 * sum(ends)
+            found.append(middle)
+            ends[0 if count(middle) == counts[i] else 1] = middle
+    return found
+
+
 def _formula(ax: Axes, ds: xr.Dataset, name: str, colour: str) -> None:
     """All roots of a formula, a branch each: by side of the force and by size."""
     low, high = float(ds["frequency"].min()), float(ds["frequency"].max())
     words, dash = _FORMULAS[name]
     grid = np.linspace(low, high, _FREQUENCIES)
     grid = grid[np.abs(grid - 1 / 3) > _POLE] if name == "C-5" else grid
+    grid = np.sort(np.concatenate([grid, _turns(name, ds, grid)]))
     roots = np.full((grid.size, 4), np.nan)
     for i, w in enumerate(grid):
         found = duffing_amplitudes(name, ds.attrs["beta"], ds.attrs["force"], float(w))

@@ -46,7 +46,7 @@ def forces_picture(
     """
     count = compared.sizes["wave_length"]
     rows, columns = (1, count) if len(modes) == 1 else (count, len(modes))
-    made = style.figure(max(4.2 * columns, 8.5), 2.3 * rows + 1.9, bottom=0.55)
+    made = style.figure(max(4.2 * columns, 8.5), 2.3 * rows + 1.9)
     cells = np.asarray(made.subplots(rows, columns, squeeze=False, sharex=True))
     cells = cells.T if len(modes) == 1 else cells
     for mode, column in zip(modes, cells.T, strict=True):

@@ -56,7 +56,8 @@ def guidance_picture(diagrams: list[Diagram], limit: float) -> Figure:
     """
     columns = min(len(diagrams), 3)
     rows = -(-len(diagrams) // columns)
-    made = style.figure(2.75 * columns + 1.0, 3.1 * rows + 0.55, bottom=0.45)
+    made = style.figure(2.75 * columns + 1.0, 3.1 * rows + 0.55)
+    style.foot(made, 0.45)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
     colours = Normalize(0.0, limit)
     for panel in panels[len(diagrams) :]:

@@ -27,7 +27,7 @@ def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit) -> 
     -------
     Figure
     """
-    made = style.figure(12.0, 5.4, bottom=0.45)
+    made = style.figure(12.0, 5.4)
     left, right = made.subplots(1, 2, width_ratios=(1.15, 1.0))
     draw_body_plan(left, ship)
     draw_righting_arm(right, angles, arms, fit)

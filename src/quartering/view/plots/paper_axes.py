@@ -29,7 +29,7 @@ def axes_picture(ship: Ship, heading: float, title: str) -> Figure:
     -------
     Figure
     """
-    made = style.figure(11.0, 6.2, bottom=0.62)
+    made = style.figure(11.0, 6.2)
     plan, section = made.subplots(1, 2, width_ratios=(1.25, 1.0))
     _plan(plan, ship, heading)
     _section(section, ship)

@@ -43,7 +43,7 @@ def force_picture(ds: xr.Dataset, mode: str, title: str) -> Figure:
     -------
     Figure
     """
-    made = style.figure(12.0, 5.6, bottom=0.62)
+    made = style.figure(12.0, 5.6)
     panels = made.subplots(1, 2, sharey=True)
     name, words, unit = FORCES[mode]
     field = ds["force"].sel(mode=mode)
@@ -82,7 +82,7 @@ def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
     -------
     Figure
     """
-    made = style.figure(9.5, 5.6, bottom=0.72)
+    made = style.figure(9.5, 5.6)
     ax = made.subplots()
     looks = style.looks(ds.sizes["wave_length"])
     for i, look in enumerate(looks):
@@ -115,7 +115,7 @@ def loading_picture(sets: Mapping[str, xr.Dataset], name: str, title: str, note:
     -------
     Figure
     """
-    made = style.figure(_width(sets), 5.6, bottom=0.88)
+    made = style.figure(_width(sets), 5.6)
     panels = np.atleast_1d(made.subplots(1, len(sets), sharey=True))
     for ax, (quantity, ds) in zip(panels, sets.items(), strict=True):
         looks = style.looks(ds.sizes["loading"])
@@ -146,7 +146,7 @@ def stability_picture(sets: Mapping[str, xr.Dataset], title: str, note: str = ""
     -------
     Figure
     """
-    made = style.figure(_width(sets), 8.4, bottom=1.04)
+    made = style.figure(_width(sets), 8.4)
     panels = made.subplots(2, len(sets), sharex=True, sharey="row", squeeze=False)
     for (upper, lower), (quantity, ds) in zip(panels.T, sets.items(), strict=True):
         looks = style.looks(ds.sizes["loading"])
@@ -173,7 +173,7 @@ def coefficient_picture(sets: Mapping[str, xr.Dataset], title: str) -> Figure:
     -------
     Figure
     """
-    made = style.figure(13.6, 8.0, bottom=0.88)
+    made = style.figure(13.6, 8.0)
     panels = made.subplots(2, len(sets), sharex=True, squeeze=False)
     for (upper, lower), (words, ds) in zip(panels.T, sets.items(), strict=True):
         looks = style.looks(ds.sizes["coefficient"])

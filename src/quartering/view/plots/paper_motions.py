@@ -33,7 +33,7 @@ def integration_picture(ds: xr.Dataset, time: xr.Dataset, at: float, title: str,
     -------
     Figure
     """
-    made = style.figure(12.0, 7.0, bottom=0.66)
+    made = style.figure(12.0, 7.0)
     panels = made.subplot_mosaic([["roll", "time"], ["error", "time"]], height_ratios=(1.6, 1.0))
     upper, lower, right = panels["roll"], panels["error"], panels["time"]
     exact = ds["roll_peak"].sel(solution="integration")
@@ -80,7 +80,7 @@ def growth_picture(cases: Sequence[Growth], linear: bool, title: str, note: str)
     -------
     Figure
     """
-    made = style.figure(11.0, 3.1 * len(cases) + 1.0, bottom=0.66)
+    made = style.figure(11.0, 3.1 * len(cases) + 1.0)
     panels = np.atleast_1d(made.subplots(len(cases), 1, sharex=True))
     for ax, case in zip(panels, cases, strict=True):
         time, roll = case.trace["time"].values, case.trace["roll"].values

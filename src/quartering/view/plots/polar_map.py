@@ -26,8 +26,6 @@ Floats = NDArray[np.float64]
 FINEST_STEP = 2.5
 """Cells wider than this are drawn in slices, so that their edges are arcs [deg]."""
 
-FOOT = 1.1
-"""Strip for the legend and the small print [inches]."""
 
 HOW_TO_READ = "Bow up: waves come from the side of the cell, port on the left; radius is wave length over ship length."
 MIRRORED = " The right half mirrors the left."
@@ -55,7 +53,7 @@ def polar_map(ds: xr.Dataset, columns: int | None = None) -> Figure:
     columns = min(count, columns or (2 if count == 4 else 3))
     rows = -(-count // columns)
     width, height = max(4.7 * columns + 1.2, 7.4), 4.9 * rows + 1.8
-    made = style.figure(width, height, bottom=FOOT)
+    made = style.figure(width, height)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
     amplitude = ds["roll"].values
     top = float(np.nanmax(amplitude)) if np.isfinite(amplitude).any() else 0.0
@@ -67,11 +65,13 @@ def polar_map(ds: xr.Dataset, columns: int | None = None) -> Figure:
     scale = made.colorbar(mesh, ax=list(panels[:count]), shrink=0.75, pad=0.03, aspect=28)
     scale.set_label("roll amplitude, fundamental [deg]")
     style.title(made, _title(ds))
+    top_of_print = style.footnote(
+        made, "\n".join([HOW_TO_READ + (MIRRORED if _mirrored(ds) else ""), *notes(ds)]), above=0.4
+    )
     made.legend(
-        handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, 0.66 / height), ncols=2 * columns,
+        handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, top_of_print), ncols=2 * columns,
         facecolor="#4a4063", edgecolor="none", labelcolor="white", framealpha=1.0, handlelength=2.8,
     )  # fmt: skip
-    style.footnote(made, "\n".join([HOW_TO_READ + (MIRRORED if _mirrored(ds) else ""), *notes(ds)]))
     return made
 
 

@@ -26,7 +26,7 @@ def response_picture(ds: xr.Dataset) -> Figure:
     -------
     Figure
     """
-    made = style.figure(13.0, 5.4, bottom=0.5)
+    made = style.figure(13.0, 5.4)
     panels = made.subplots(1, 3)
     ratio = np.asarray(ds["wave_length"]) / float(ds.attrs["ship_length"])
     colours = style.sequence(ds.sizes["speed"])

@@ -36,13 +36,12 @@ _RULES: Final = {
 }
 
 
-def figure(width: float, height: float, bottom: float = 0.0) -> Figure:
+def figure(width: float, height: float) -> Figure:
     """Empty figure in this library's style.
 
     Parameters
     ----------
     width, height : float    [inches]
-    bottom : float           strip at the foot kept free for small print [inches]
 
     Returns
     -------
@@ -50,9 +49,14 @@ def figure(width: float, height: float, bottom: float = 0.0) -> Figure:
     """
     mpl.rcParams.update(_RULES)
     made = Figure(figsize=(width, height), layout="constrained")
-    share = bottom / height
-    made.get_layout_engine().set(rect=(0.0, share, 1.0, 1.0 - share))  # type: ignore[union-attr, call-arg]
+    made.get_layout_engine().set(w_pad=0.1)  # type: ignore[union-attr, call-arg]  # "head" and the next "following" apart
     return made
+
+
+def foot(made: Figure, inches: float) -> None:
+    """Keep a strip at the foot of a figure free of axes."""
+    share = inches / made.get_figheight()
+    made.get_layout_engine().set(rect=(0.0, share, 1.0, 1.0 - share))  # type: ignore[union-attr, call-arg]
 
 
 def sequence(count: int) -> list[tuple[float, ...]]:
@@ -89,11 +93,25 @@ def title(made: Figure, text: str) -> None:
     made.suptitle(lines, x=0.01, ha="left", fontsize=11)
 
 
-def footnote(made: Figure, text: str) -> None:
-    """Small print at the foot of a figure, wrapped to its width."""
+def footnote(made: Figure, text: str, above: float = 0.0) -> float:
+    """Small print at the foot of a figure, wrapped to its width; the axes make room for it.
+
+    Parameters
+    ----------
+    made : Figure
+    text : str
+    above : float    strip kept free above the print, for a legend [inches]
+
+    Returns
+    -------
+    float            where the print ends, as a share of the height
+    """
     characters = int(17.8 * made.get_figwidth())
-    lines = "\n".join(textwrap.fill(line, characters) for line in text.splitlines())
-    made.text(0.01, 0.06 / made.get_figheight(), lines, ha="left", va="bottom", fontsize=7.5, color=QUIET)
+    lines = [part for line in text.splitlines() for part in textwrap.wrap(line, characters)]
+    top = 0.14 + 0.13 * len(lines)
+    made.text(0.01, 0.06 / made.get_figheight(), "\n".join(lines), ha="left", va="bottom", fontsize=7.5, color=QUIET)
+    foot(made, top + above)
+    return top / made.get_figheight()
 
 
 def shown(made: Figure) -> None:

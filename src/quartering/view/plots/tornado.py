@@ -43,7 +43,7 @@ def tornado_picture(ds: xr.Dataset, title: str, note: str) -> Figure:
     Figure
     """
     shown = ds.isel(parameter=slice(0, MOST_ROWS))
-    made = style.figure(12.5, 1.9 + 0.32 * shown.sizes["parameter"], bottom=0.45)
+    made = style.figure(12.5, 1.9 + 0.32 * shown.sizes["parameter"])
     panels = made.subplots(1, 3, sharey=True)
     for ax, name in zip(panels, MEASURES, strict=True):
         _bars(ax, shown, name)

@@ -21,7 +21,7 @@ def trace_picture(trace: xr.Dataset, steady_roll: float | None, title: str, note
     -------
     Figure
     """
-    made = style.figure(11.0, 6.4, bottom=0.5)
+    made = style.figure(11.0, 6.4)
     panels = made.subplots(3, 1, sharex=True, height_ratios=(1.6, 1.0, 1.0))
     names = ("roll", "sway_velocity", "yaw_rate")
     for ax, name, colour in zip(panels, names, style.CONTRAST, strict=False):

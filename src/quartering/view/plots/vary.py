@@ -29,7 +29,7 @@ def vary_picture(ds: xr.Dataset) -> Figure:
     Figure          curves for one parameter, maps for two
     """
     names = varied(ds)
-    made = style.figure(10.5, 6.6 if len(names) == 1 else 5.2, bottom=0.55)
+    made = style.figure(10.5, 6.6 if len(names) == 1 else 5.2)
     if len(names) == 1:
         _curves(made, ds, names[0])
     else:
