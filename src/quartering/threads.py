@@ -14,14 +14,13 @@ from contextlib import AbstractContextManager
 from typing import Any, TypeVar, cast
 
 _WORKERS = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else (os.cpu_count() or 1)
-_SMALLEST_BLOCK = 16
 _inside = threading.local()
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 
-def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any) -> None:
+def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any, smallest: int = 16) -> None:
     """Run ``kernel(first, last, *arrays)`` over ``range(count)`` in blocks, on all cores.
 
     Parameters
@@ -29,20 +28,21 @@ def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any) -> None:
     kernel : compiled function    writes its results into some of the arrays
     count : int                   number of conditions
     *arrays                       passed on unchanged
+    smallest : int                conditions that are worth a block of their own
 
     Notes
     -----
     Blocks are a fraction of each core's share, so that a core that meets harder conditions does not hold the others up.
     Inside work that `spread` has already put on a thread, the kernel runs there and then.
     """
-    block = max(_SMALLEST_BLOCK, -(-count // (8 * _WORKERS)))
+    block = max(smallest, -(-count // (8 * _WORKERS)))
     if getattr(_inside, "busy", False) or _WORKERS == 1 or count <= block:
         kernel(0, count, *arrays)
         return
-    kernel(0, 1, *arrays)  # compiles once, before threads would race to do it
+    kernel(0, 0, *arrays)  # compiles once, before threads would race to do it
     with ThreadPoolExecutor(_WORKERS) as pool:
         for done in [
-            pool.submit(kernel, first, min(first + block, count), *arrays) for first in range(1, count, block)
+            pool.submit(kernel, first, min(first + block, count), *arrays) for first in range(0, count, block)
         ]:
             done.result()
 

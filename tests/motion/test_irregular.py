@@ -5,8 +5,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from quartering.conventions import InputError
+from quartering.hull.autopilot import Autopilot
+from quartering.motion.ensemble import capsize_times
 from quartering.motion.equations import Model
 from quartering.motion.irregular import irregular
+from quartering.motion.simulate import simulate
 
 TERMS = {
     "Y_v": -0.4, "Y_p": 0.1, "Y_vvv": -0.2, "K_v": 0.05, "K_phi": -1.0, "K_p": -0.06, "K_phiphiphi": 0.3, "K_ppp": -0.1,
@@ -62,6 +65,34 @@ def test_a_capsize_stops_its_realisation_alone():
     assert sea["roll_peak"][0] < np.degrees(1.5)
     assert np.isnan(sea["capsize_time"][1])  # its two waves are opposite: nothing moves
     assert sea["roll_peak"][1] < 1e-9
+
+
+EVERY_KIND = TERMS | {
+    "K_phi": 0.0, "K_phi7": 0.02, "Y_vpr": 0.1, "N_v|r|": -0.1, "K_phiphi": 0.05,
+    "Y_delta": 0.02, "K_delta": 0.01, "N_delta": 0.3,
+}  # fmt: skip
+RIGHTING = ([10.0, 20.0, 30.0, 40.0], [0.17, 0.34, 0.45, 0.4])
+
+
+@pytest.mark.parametrize("autopilot", [None, Autopilot(0.8, 1.0), Autopilot(0.8, 1.0, lag=2.0)])
+def test_one_wave_gives_what_the_adaptive_integrator_gives(autopilot):
+    """Agreement: every kind of product, a righting spline and a steered ship, by another integrator and another evaluation."""
+    force = np.array([0.05, 0.1, 0.02])
+    model = Model(INERTIA, EVERY_KIND, 0.8, force, (0, 0, 0), autopilot=autopilot, restoring=RIGHTING)
+    history = simulate(model, 40.0, step=0.5, tolerance=1e-11)
+    alone = history.isel(time=-1)
+    exact = [float(alone["sway_velocity"]), *np.radians([float(alone[n]) for n in ("roll", "roll_rate", "yaw_rate")])]
+    sea = irregular(model, [0.8], [force], np.zeros((70, 1)), 40.0, step=0.01)
+    assert float(np.abs(history["roll"]).max()) > 12  # beyond the first knot
+    np.testing.assert_allclose(
+        sea["state"].sel(component=["v", "phi", "p", "r"]).values[[0, 69]], [exact] * 2, atol=2e-7
+    )
+    if autopilot is not None:
+        np.testing.assert_allclose(np.degrees(sea["state"].sel(component="psi")[0]), alone["heading"], atol=2e-5)
+    periods, steps = 5, 2000
+    _, states = capsize_times(model, np.zeros((70, 4)), periods, steps=steps)
+    alone = simulate(model, 2 * np.pi / 0.8 * periods, step=2 * np.pi / 0.8 * periods, tolerance=1e-11).isel(time=-1)
+    np.testing.assert_allclose(np.degrees(states[[0, 69], 1]), float(alone["roll"]), atol=1e-5)
 
 
 @pytest.mark.parametrize(

@@ -11,9 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.compiled import kernel
 from quartering.conventions import InputError
 from quartering.motion.equations import Floats, Model
-from quartering.motion.polynomial import accelerations
+from quartering.motion.march import ABREAST, chain, room_for, step_sum
 from quartering.motion.simulate import CAPSIZE_ANGLE
-from quartering.motion.steering import steer
 from quartering.threads import in_threads
 
 if TYPE_CHECKING:
@@ -21,44 +20,32 @@ if TYPE_CHECKING:
 
 
 @kernel
-def _march(first, last, linear, coefficients, powers, modulus, mean, cos, sin, h, forcing, steps, limit, states, times):
-    """Fourth-order Runge-Kutta with a fixed step; `forcing` (2 per period, 2) holds cosine and sine at half steps.
+def _march(first, last, chain, mean, cos, sin, h, forcing, steps, limit, states, times):
+    """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, 2): cosine and sine at half steps.
 
-    Row i of `states` goes on until |roll| passes `limit`; `times` is when it did, NaN when it did not.
+    ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes `limit`; ``times`` (rows, W) is when it did, NaN before.
     """
-    table, force, jacobian = np.empty((4, 8)), np.empty(3), np.empty((0, 4))
-    n_states = states.shape[1]
-    y, stage, k, total = np.empty(n_states), np.empty(n_states), np.empty(n_states), np.empty(n_states)
-    per_period = forcing.shape[0] // 2
-    for i in range(first, last):
-        for s in range(n_states):
-            y[s] = states[i, s]
-        times[i] = np.nan
+    room, excitation = room_for(chain), np.empty((3, 3, ABREAST))
+    total = room[2]
+    for row in range(first, last):
+        y, going = states[row], ABREAST
         for n in range(steps):
-            for s in range(n_states):
-                stage[s], total[s] = y[s], 0.0
-            for j in range(4):
-                accelerations(linear, coefficients, powers, modulus, 1.0, stage, table, force, jacobian)
-                phase = (2 * (n % per_period) + (0 if j == 0 else 1 if j < 3 else 2)) % forcing.shape[0]
-                c, s1 = forcing[phase, 0], forcing[phase, 1]
-                k[0] = force[0] + mean[0] + cos[0] * c + sin[0] * s1
-                k[1] = stage[2]
-                k[2] = force[1] + mean[1] + cos[1] * c + sin[1] * s1
-                k[3] = force[2] + mean[2] + cos[2] * c + sin[2] * s1
-                if n_states > 4:
-                    steer(linear, stage, k)
-                weight = 1.0 if j == 0 or j == 3 else 2.0
-                ahead = 0.5 * h if j < 2 else h
-                for s in range(n_states):
-                    total[s] += weight * k[s]
-                    stage[s] = y[s] + ahead * k[s]
-            for s in range(n_states):
-                y[s] += h / 6.0 * total[s]
-            if not abs(y[1]) <= limit:
-                times[i] = (n + 1) * h
+            if going == 0:
                 break
-        for s in range(n_states):
-            states[i, s] = y[s]
+            for j in range(3):
+                phase = (2 * n + j) % forcing.shape[0]
+                for k in range(3):
+                    for l in range(ABREAST):
+                        excitation[j, k, l] = mean[k] + cos[k] * forcing[phase, 0] + sin[k] * forcing[phase, 1]
+            step_sum(chain, h, excitation, y, room)
+            for s in range(y.shape[0]):
+                for l in range(ABREAST):
+                    if np.isnan(times[row, l]):
+                        y[s, l] += h / 6.0 * total[s, l]
+            for l in range(ABREAST):
+                if np.isnan(times[row, l]) and not abs(y[1, l]) <= limit:
+                    times[row, l] = (n + 1) * h
+                    going -= 1
 
 
 def capsize_times(
@@ -100,16 +87,21 @@ def capsize_times(
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
     if periods < 1 or steps < 4:
         raise InputError(f"periods = {periods} and steps = {steps}: give at least 1 period and 4 steps each")
-    states = np.pad(states, ((0, 0), (0, model.system.states - 4)))
-    linear, coefficients, powers, modulus, mean, cos, sin, _ = model.system.kernel_arrays()
+    rows = -(-len(states) // ABREAST)
+    # the last row is filled up with its last start, and all stand abreast: (rows, states, W)
+    filled = np.pad(states, ((0, rows * ABREAST - len(states)), (0, 0)), mode="edge")
+    filled = np.pad(filled, ((0, 0), (0, model.system.states - 4)))
+    going = np.ascontiguousarray(filled.reshape(rows, ABREAST, -1).transpose(0, 2, 1))
+    *_, mean, cos, sin, _ = model.system.kernel_arrays()
     phase = np.pi * np.arange(2 * steps) / steps
     forcing = np.column_stack([np.cos(phase), np.sin(phase)])
-    times = np.empty(len(states))
+    times = np.full((rows, ABREAST), np.nan)
     in_threads(
-        _march, len(states), linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0],
-        2 * np.pi / model.frequency / steps, forcing, periods * steps, limit, states, times,
+        _march, rows, chain(model.system), mean[0], cos[0], sin[0], 2 * np.pi / model.frequency / steps,
+        forcing, periods * steps, limit, going, times, smallest=1,
     )  # fmt: skip
-    return times, states[:, :4]
+    ends = going.transpose(0, 2, 1).reshape(rows * ABREAST, -1)
+    return times.ravel()[: len(states)], ends[: len(states), :4]
 
 
 def basin(
