@@ -12,8 +12,8 @@ import numpy as np
 from quartering.compiled import abreast
 from quartering.motion.terms import KNOT, KNOT_CODE
 
-WIDTH = 32
-"""Conditions abreast: enough to fill vector units, few enough for their matrices to stay near the processor."""
+WIDTH = 64
+"""Conditions abreast: enough that beginning a loop over them costs little, few enough to stay near the processor."""
 
 
 @abreast

@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import kernel
 from quartering.conventions import InputError
+from quartering.motion.abreast import WIDTH
 from quartering.motion.equations import Floats, Model
-from quartering.motion.march import ABREAST, chain, room_for, step_sum
+from quartering.motion.march import chain, room_for, step_sum
 from quartering.motion.simulate import CAPSIZE_ANGLE
 from quartering.threads import in_threads
 
@@ -25,24 +26,24 @@ def _march(first, last, chain, mean, cos, sin, h, forcing, steps, limit, states,
 
     ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes `limit`; ``times`` (rows, W) is when it did, NaN before.
     """
-    room, excitation = room_for(chain), np.empty((3, 3, ABREAST))
+    room, excitation = room_for(chain), np.empty((3, 3, WIDTH))
     total = room[2]
     for row in range(first, last):
-        y, going = states[row], ABREAST
+        y, going = states[row], WIDTH
         for n in range(steps):
             if going == 0:
                 break
             for j in range(3):
                 phase = (2 * n + j) % forcing.shape[0]
                 for k in range(3):
-                    for l in range(ABREAST):
+                    for l in range(WIDTH):
                         excitation[j, k, l] = mean[k] + cos[k] * forcing[phase, 0] + sin[k] * forcing[phase, 1]
             step_sum(chain, h, excitation, y, room)
             for s in range(y.shape[0]):
-                for l in range(ABREAST):
+                for l in range(WIDTH):
                     if np.isnan(times[row, l]):
                         y[s, l] += h / 6.0 * total[s, l]
-            for l in range(ABREAST):
+            for l in range(WIDTH):
                 if np.isnan(times[row, l]) and not abs(y[1, l]) <= limit:
                     times[row, l] = (n + 1) * h
                     going -= 1
@@ -87,20 +88,20 @@ def capsize_times(
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
     if periods < 1 or steps < 4:
         raise InputError(f"periods = {periods} and steps = {steps}: give at least 1 period and 4 steps each")
-    rows = -(-len(states) // ABREAST)
+    rows = -(-len(states) // WIDTH)
     # the last row is filled up with its last start, and all stand abreast: (rows, states, W)
-    filled = np.pad(states, ((0, rows * ABREAST - len(states)), (0, 0)), mode="edge")
+    filled = np.pad(states, ((0, rows * WIDTH - len(states)), (0, 0)), mode="edge")
     filled = np.pad(filled, ((0, 0), (0, model.system.states - 4)))
-    going = np.ascontiguousarray(filled.reshape(rows, ABREAST, -1).transpose(0, 2, 1))
+    going = np.ascontiguousarray(filled.reshape(rows, WIDTH, -1).transpose(0, 2, 1))
     *_, mean, cos, sin, _ = model.system.kernel_arrays()
     phase = np.pi * np.arange(2 * steps) / steps
     forcing = np.column_stack([np.cos(phase), np.sin(phase)])
-    times = np.full((rows, ABREAST), np.nan)
+    times = np.full((rows, WIDTH), np.nan)
     in_threads(
         _march, rows, chain(model.system), mean[0], cos[0], sin[0], 2 * np.pi / model.frequency / steps,
         forcing, periods * steps, limit, going, times, smallest=1,
     )  # fmt: skip
-    ends = going.transpose(0, 2, 1).reshape(rows * ABREAST, -1)
+    ends = going.transpose(0, 2, 1).reshape(rows * WIDTH, -1)
     return times.ravel()[: len(states)], ends[: len(states), :4]
 
 

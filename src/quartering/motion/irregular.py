@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike
 
 from quartering.compiled import kernel
 from quartering.conventions import STATE, InputError
+from quartering.motion.abreast import WIDTH
 from quartering.motion.equations import Floats, Model
-from quartering.motion.march import ABREAST, chain, room_for, step_sum
+from quartering.motion.march import chain, room_for, step_sum
 from quartering.motion.simulate import CAPSIZE_ANGLE
 from quartering.threads import in_threads
 
@@ -34,24 +35,24 @@ def _march(first, last, chain, forcing, between, h, begin, limit, states, peak, 
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.
     """
-    room, excitation = room_for(chain), np.zeros((3, 3, ABREAST))
+    room, excitation = room_for(chain), np.zeros((3, 3, WIDTH))
     total = room[2]
     for row in range(first, last):
-        y, own = states[row], forcing[:, :, row * ABREAST : (row + 1) * ABREAST]
+        y, own = states[row], forcing[:, :, row * WIDTH : (row + 1) * WIDTH]
         for n in range(forcing.shape[0] - between.size + 1):
             for k in range(3):
-                for l in range(ABREAST):
+                for l in range(WIDTH):
                     excitation[0, k, l], excitation[2, k, l] = own[n + _BEFORE, k, l], own[n + _BEFORE + 1, k, l]
                     excitation[1, k, l] = 0.0
                 for i in range(between.size):
-                    for l in range(ABREAST):
+                    for l in range(WIDTH):
                         excitation[1, k, l] += between[i] * own[n + i, k, l]
             step_sum(chain, h, excitation, y, room)
             for s in range(y.shape[0]):
-                for l in range(ABREAST):
+                for l in range(WIDTH):
                     going = 1.0 if np.isnan(capsize[row, l]) else 0.0
                     y[s, l] += going * h / 6.0 * total[s, l]
-            for l in range(ABREAST):
+            for l in range(WIDTH):
                 going = 1.0 if np.isnan(capsize[row, l]) else 0.0
                 roll = abs(y[1, l])
                 peak[row, l] = max(peak[row, l], roll)
@@ -118,20 +119,20 @@ def irregular(
     if not (np.isfinite(duration) and np.isfinite(step) and 0 < step <= duration):
         raise InputError(f"step {step} s and duration {duration} s: both greater than zero, the step the smaller")
     count, steps = phases.shape[0], round(duration / step)
-    rows = -(-count // ABREAST)
+    rows = -(-count // WIDTH)
     acceleration = np.linalg.solve(model.inertia, f.T)  # (3, c)
     turned = acceleration[:, None, :] * np.exp(1j * phases)  # (3, n, c)
-    amplitude = np.zeros((2 * w.size + 1, 3, rows * ABREAST))
+    amplitude = np.zeros((2 * w.size + 1, 3, rows * WIDTH))
     amplitude[: w.size, :, :count] = turned.real.transpose(2, 0, 1)
     amplitude[w.size : -1, :, :count] = -turned.imag.transpose(2, 0, 1)
     amplitude[-1] = model.system.mean[0][:, None]
     amplitude = amplitude.reshape(2 * w.size + 1, -1)
     states, peak, square = (
-        np.zeros((rows, model.system.states, ABREAST)),
-        np.zeros((rows, ABREAST)),
-        np.zeros((rows, ABREAST)),
+        np.zeros((rows, model.system.states, WIDTH)),
+        np.zeros((rows, WIDTH)),
+        np.zeros((rows, WIDTH)),
     )
-    capsize, links = np.full((rows, ABREAST), np.nan), chain(model.system)
+    capsize, links = np.full((rows, WIDTH), np.nan), chain(model.system)
     for begin in range(0, steps, _CHUNK):
         samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
         angle = np.multiply.outer((begin - _BEFORE + np.arange(samples)) * step, w)

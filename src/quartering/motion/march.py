@@ -13,11 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import abreast
+from quartering.motion.abreast import WIDTH
 from quartering.motion.equations import Floats, System
 from quartering.motion.terms import KNOT, KNOT_CODE
-
-ABREAST = 64
-"""Histories in a row: enough that starting a loop over them costs little, few enough that a row stays near the processor."""
 
 TIMES, TIMES_MODULUS, BEYOND_KNOT = 0, 1, 2
 _GROUP = 4
@@ -122,19 +120,19 @@ def _rates(chain, columns, rate):
     for i in range(links.shape[0]):
         kind, made, a, b = links[i, 0], links[i, 1], links[i, 2], links[i, 3]
         if kind == TIMES:
-            for l in range(ABREAST):
+            for l in range(WIDTH):
                 columns[made, l] = columns[a, l] * columns[b, l]
         elif kind == TIMES_MODULUS:
-            for l in range(ABREAST):
+            for l in range(WIDTH):
                 columns[made, l] = columns[a, l] * abs(columns[b, l])
         else:
-            for l in range(ABREAST):
+            for l in range(WIDTH):
                 beyond = max(abs(columns[a, l]) - knots[i], 0.0)
                 columns[made, l] = beyond * beyond * (beyond if columns[a, l] > 0.0 else -beyond)
     for k in range(matrix.shape[0]):
         for c in range(0, matrix.shape[1], _GROUP):
             m0, m1, m2, m3 = matrix[k, c], matrix[k, c + 1], matrix[k, c + 2], matrix[k, c + 3]
-            for l in range(ABREAST):
+            for l in range(WIDTH):
                 first = m0 * columns[c, l] + m1 * columns[c + 1, l]
                 rate[k, l] += first + (m2 * columns[c + 2, l] + m3 * columns[c + 3, l])
 
@@ -147,19 +145,19 @@ def room_for(chain):
     -----
     Source: none needed; memory only.
     """
-    return np.zeros((chain.width, ABREAST)), np.zeros((4, ABREAST)), np.zeros((chain.states, ABREAST))
+    return np.zeros((chain.width, WIDTH)), np.zeros((4, WIDTH)), np.zeros((chain.states, WIDTH))
 
 
 @abreast
 def _advance(rate, source, weight, ahead, y, s, columns, total):
-    for l in range(ABREAST):
+    for l in range(WIDTH):
         total[s, l] += weight * rate[source, l]
         columns[s, l] = y[s, l] + ahead * rate[source, l]
 
 
 @abreast
 def _advance_by_rate_of(state, weight, ahead, y, s, columns, total):
-    for l in range(ABREAST):
+    for l in range(WIDTH):
         total[s, l] += weight * columns[state, l]
         columns[s, l] = y[s, l] + ahead * columns[state, l]
 
@@ -178,11 +176,11 @@ def step_sum(chain, h, excitation, y, room):
     columns, rate, total = room
     states = chain.states
     for s in range(states):
-        for l in range(ABREAST):
+        for l in range(WIDTH):
             columns[s, l], total[s, l] = y[s, l], 0.0
     for j in range(4):
         for k in range(4):
-            for l in range(ABREAST):
+            for l in range(WIDTH):
                 rate[k, l] = excitation[(j + 1) // 2, k, l] if k < 3 else 0.0
         _rates(chain, columns, rate)
         weight, ahead = (1.0 if j == 0 or j == 3 else 2.0), (0.5 * h if j < 2 else h)
