@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from quartering.conventions import SYMBOLS
+from quartering.conventions import SYMBOLS, written
 from quartering.stability.kind import Kind
 from quartering.study.paper.curves import PARTS, resonances
 from quartering.view.plots import style
@@ -25,7 +25,7 @@ FORCES: Final = {
 }
 """Mode -> panel name, words and unit of its force."""
 
-_LOADINGS: Final = {"gm": ("GM", "B"), "gyradius_roll": ("k_xx", "B"), "gyradius_yaw": ("k_zz", "L")}
+_SIZES: Final = {"gm": "B", "gyradius_roll": "B", "gyradius_yaw": "L"}
 _EVERY: Final = 18.0
 """Degrees of heading between markers on a line."""
 
@@ -270,7 +270,7 @@ def _told(sets: Sequence[xr.Dataset]) -> list[str]:
 
 
 def _loading_labels(ds: xr.Dataset, quantity: str) -> list[str]:
-    symbol, unit = _LOADINGS[quantity]
+    symbol, unit = written(quantity), _SIZES[quantity]
     size = float(ds.attrs["ship_beam" if unit == "B" else "ship_length"])
     return [f"{symbol} = {v:.3g} m ({v / size:.3g} {unit})" for v in np.asarray(ds[quantity], dtype=float)]
 
