@@ -35,6 +35,9 @@ COURSE_INK = "#ffb38a"
 HATCHES = {"unstable": "/////", "course": "....."}
 """Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
 
+_NARROW = 4.0
+"""Inches of width in which the title of a panel would meet the next one's."""
+
 SCALE = "roll amplitude, fundamental [deg]"
 _DARK: dict[str, Any] = {
     "facecolor": "#4a4063", "edgecolor": "none", "labelcolor": "white", "framealpha": 1.0, "handlelength": 2.8,
@@ -61,7 +64,7 @@ def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = 
     corner = count < rows * columns
     beside = 0.0 if corner else 1.2
     width = width or max(4.7 * columns + beside, 7.4)
-    made = style.figure(width, (width - beside) / columns * rows * 1.04 + 1.8)
+    made = style.figure(width, (width - beside) / columns * rows + 1.8)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
     amplitude = ds["roll"].values
     top = float(np.nanmax(amplitude)) if np.isfinite(amplitude).any() else 0.0
@@ -70,6 +73,8 @@ def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = 
         panel.set_visible(False)
     for i, panel in enumerate(panels[:count]):
         mesh = _panel(panel, ds.isel(speed=i), colours)
+        if width / columns < _NARROW:
+            panel.title.set_fontsize(8.0)
     style.title(made, _title(ds))
     words = "\n".join([HOW_TO_READ + (MIRRORED if _mirrored(ds) else ""), *notes(ds)])
     if corner:
@@ -80,7 +85,7 @@ def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = 
         scale.set_label(SCALE)
         made.legend(
             handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, style.footnote(made, words, above=0.4)),
-            ncols=2 * columns, **_DARK,
+            ncols=int(width / 2.6), **_DARK,
         )  # fmt: skip
     return made
 
@@ -92,6 +97,7 @@ def _key(empty: Axes, ds: xr.Dataset, mesh: Any) -> None:
     box.set_axis_off()
     scale = made.colorbar(mesh, cax=box.inset_axes((0.08, 0.8, 0.84, 0.06)), orientation="horizontal")
     scale.set_label(SCALE)
+    scale.ax.grid(visible=False)
     box.legend(handles=_legend(ds), loc="upper center", bbox_to_anchor=(0.5, 0.62), **_DARK)
 
 
