@@ -47,8 +47,8 @@ def test_map_has_a_panel_a_speed_and_says_units_loading_and_estimates(small_map)
 def test_a_corner_without_a_speed_holds_the_key(columns):
     waves = [qt.Wave(f * LENGTH, f * LENGTH / 50) for f in (0.7, 1.0, 1.5)]
     figure = polar_map(qt.polar(SHIP, waves, [4.0, 5.0, 8.0], np.arange(0.0, 181.0, 20.0)), columns)
-    within = [axes for axes in figure.axes if axes.get_legend() is not None]
-    assert [bool(within), bool(figure.legends)] == [columns == 2, columns == 3]
+    within = any(axes.get_legend() is not None for axes in figure.axes)
+    assert (within, bool(figure.legends)) == (columns == 2, columns == 3)
 
 
 def test_stable_map_has_no_hatches_and_unstable_cells_are_hatched(small_map):

@@ -213,7 +213,7 @@ def _legend(
 def _points_in(degrees: float, ds: xr.Dataset) -> int:
     """Headings of a dataset in so many degrees, at least one."""
     heading = np.asarray(ds["heading"], dtype=float)
-    return max(1, round(degrees * (heading.size - 1) / float(np.ptp(heading))))
+    return max(1, round(degrees * (heading.size - 1) / (float(np.ptp(heading)) or 1.0)))
 
 
 def _is_unstable(ds: xr.Dataset) -> np.ndarray:
