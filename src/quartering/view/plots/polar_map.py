@@ -62,9 +62,9 @@ def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = 
     columns = min(count, columns or (2 if count == 4 else 3))
     rows = -(-count // columns)
     corner = count < rows * columns
-    beside = 0.0 if corner else 1.2
+    beside, titles = (0.0, 0.0) if corner else (1.2, 0.25)  # inches for the scale at the side, and between the rows
     width = width or max(4.7 * columns + beside, 7.4)
-    made = style.figure(width, (width - beside) / columns * rows + 1.8)
+    made = style.figure(width, min((width - beside) / columns + titles, 4.9) * rows + 1.8)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
     amplitude = ds["roll"].values
     top = float(np.nanmax(amplitude)) if np.isfinite(amplitude).any() else 0.0
