@@ -38,6 +38,7 @@ napoleon_google_docstring = False
 napoleon_use_rtype = False
 
 warnings.filterwarnings("ignore", message=".*non-interactive.*", category=UserWarning)  # plt.show() of the examples
+warnings.formatwarning = lambda message, *_: f"note: {message}\n"  # no folder of the machine in what examples print
 # One example stands on three-dimensional panels: without Capytaine its script is shown and not run.
 RUN = r"plot_" if find_spec("capytaine") else r"plot_(?!roll_excitation)"
 sphinx_gallery_conf = {

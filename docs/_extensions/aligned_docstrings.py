@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Any, NamedTuple
+
+_FIELD = type(NamedTuple("_Any", [("field", int)]).field)
+"""A field of a named tuple: its class lists it among the parameters, and Python's own words for it say nothing."""
 
 _SECTIONS = ("Parameters", "Returns", "Raises", "Yields", "Attributes")
 _LITERAL = re.compile(r"(``.*?``|`[^`]+`|:\w+:`[^`]+`)")
@@ -72,5 +75,9 @@ def setup(app: Any) -> dict[str, bool]:
     def process(_app: Any, _what: str, _name: str, _obj: Any, _options: Any, lines: list[str]) -> None:
         lines[:] = plain(lines)
 
+    def skip(_app: Any, _what: str, _name: str, obj: Any, _skip: bool, _options: Any) -> bool | None:
+        return True if isinstance(obj, _FIELD) else None
+
     app.connect("autodoc-process-docstring", process, priority=400)
+    app.connect("autodoc-skip-member", skip)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

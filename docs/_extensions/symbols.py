@@ -14,7 +14,10 @@ MARK = "<!-- symbols: written by docs/_extensions/symbols.py from quartering.con
 
 def table() -> str:
     """The table in Markdown."""
-    rows = [(f"`{name}`", s.symbol.replace("|", "&#124;"), s.unit, s.meaning) for name, s in SYMBOLS.items()]
+    rows = [
+        (f"`{name}`", s.symbol.replace("|", "&#124;"), "-" if s.unit == "1" else s.unit, s.meaning)
+        for name, s in SYMBOLS.items()
+    ]
     head = ["| name | symbol | unit | meaning |", "|---|---|---|---|"]
     return "\n".join([*head, *(f"| {' | '.join(row)} |" for row in rows)]) + "\n"
 

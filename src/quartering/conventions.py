@@ -85,6 +85,83 @@ SYMBOLS: Final[dict[str, Symbol]] = {
 }
 """Name -> letter, unit and meaning: labels of every table, dataset and plot come from here."""
 
+_BY_SYMBOL: Final = ("gm", "kg", "gyradius_roll", "gyradius_yaw")
+
+
+def written(name: str) -> str:
+    """A quantity as titles, tables and sentences write it.
+
+    Parameters
+    ----------
+    name : str    of a condition, a loading value, a coefficient
+
+    Returns
+    -------
+    str
+
+    Notes
+    -----
+    Source: none needed; loading values go by their symbols, as in the field, conditions by their words.
+
+    Examples
+    --------
+    >>> [written(name) for name in ("gm", "gyradius_roll", "roll_damping", "wave_height", "K_ppp")]
+    ['GM', 'k_xx', 'added roll damping', 'wave height', 'K_ppp']
+    """
+    if name in _BY_SYMBOL:
+        return SYMBOLS[name].symbol
+    if name == "roll_damping":
+        return "added roll damping"
+    return name.replace("_", " ") if name.islower() else name
+
+
+def in_unit(unit: str) -> str:
+    """A unit after a number, nothing for what has none.
+
+    Parameters
+    ----------
+    unit : str    "1" for what has none
+
+    Returns
+    -------
+    str
+
+    Notes
+    -----
+    Source: none needed.
+
+    Examples
+    --------
+    >>> in_unit("m"), in_unit("1")
+    (' m', '')
+    """
+    return "" if unit == "1" else f" {unit}"
+
+
+def headed(name: str, unit: str) -> str:
+    """Head of a column or label of an axis: a quantity and, in brackets, its unit.
+
+    Parameters
+    ----------
+    name : str    of a condition, a loading value, a coefficient
+    unit : str    "1" for what has none
+
+    Returns
+    -------
+    str
+
+    Notes
+    -----
+    Source: none needed.
+
+    Examples
+    --------
+    >>> headed("gyradius_roll", "m"), headed("K_ppp", "1")
+    ('k_xx [m]', 'K_ppp')
+    """
+    return written(name) if unit == "1" else f"{written(name)} [{unit}]"
+
+
 _SECTORS: Final = ((15.0, "following"), (75.0, "stern quartering"), (105.0, "beam"), (165.0, "bow"), (180.0, "head"))
 
 

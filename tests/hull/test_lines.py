@@ -40,7 +40,7 @@ def _areas(column: str) -> dict[float, float]:
 
 
 @pytest.mark.parametrize("name", SERIES60)
-def test_sectional_areas_with_the_elliptic_bilge_are_those_tabulated_by_todd(name: str) -> None:
+def test_sectional_areas_are_those_tabulated_by_todd(name: str) -> None:
     hull, column = ship(name).hull, name.removeprefix("series60-")
     s = strips(hull)
     found = {round(10 - 20 * float(x) / hull.length, 3): area for x, area in zip(s.x, s.area, strict=True)}
@@ -50,6 +50,30 @@ def test_sectional_areas_with_the_elliptic_bilge_are_those_tabulated_by_todd(nam
         # at the AP the bottom lies somewhere between waterlines 0.75 and 1.0: half a triangle of that height is open
         allowed = 0.003 if station < 20 else 0.25 / 2 * s.half_breadth[0] / (hull.beam / 2)
         assert found[station] / (hull.beam * hull.draught) == pytest.approx(tabulated, abs=allowed), station
+
+
+@pytest.mark.parametrize("name", SERIES60)
+def test_series60_midship_section_is_a_flat_bottom_a_circular_bilge_and_a_vertical_side(name: str) -> None:
+    # closed form: a circle of radius R takes 2 (1 - pi/4) R^2 off the rectangle; [Todd63] gives CM, so R
+    hull = ship(name).hull
+    radius = np.sqrt((1 - MIDSHIP[name.removeprefix("series60-")]) * hull.beam * hull.draught / (2 - np.pi / 2))
+    y, height = hull.contours[int(np.argmin(np.abs(hull.x)))]
+    assert height[:4] / hull.draught == pytest.approx([0, 0, 0.075, 0.25])
+    below = np.maximum(radius - height[1:4], 0.0)
+    circle = hull.beam / 2 - radius + np.sqrt(radius**2 - below**2)
+    assert y[1:4] / (hull.beam / 2) == pytest.approx(circle / (hull.beam / 2), abs=3e-3)  # CM is given to 0.001
+
+
+@pytest.mark.parametrize("name", SERIES60)
+def test_series60_midship_bilge_has_no_hollow_and_no_ledge(name: str) -> None:
+    # geometry: the tangent of a convex bilge only turns upwards, from the flat bottom to the side
+    hull = ship(name).hull
+    curve = hull.curves[int(np.argmin(np.abs(hull.x)))]
+    _, _, dy, dheight = along(curve, np.linspace(0.0, chord_at_height(curve, hull.draught), 2001))
+    angle = np.degrees(np.arctan2(dheight, dy))
+    assert angle[0] == pytest.approx(0.0)
+    assert angle[-1] == pytest.approx(90.0)
+    assert np.diff(angle).min() > -1e-9
 
 
 @pytest.mark.parametrize("name", SHIPS)

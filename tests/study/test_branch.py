@@ -33,6 +33,19 @@ def test_both_folds_of_the_damped_duffing_curve():
     np.testing.assert_allclose(roll, np.sort(exact[:, 1]), atol=1e-6)
 
 
+@pytest.mark.parametrize("upper", [1.2, 1.5])
+def test_a_branch_ends_on_its_limit(upper):
+    """Closed form [H71] App. C with damping: P^2 ((1 - w^2 + 3/4 b P^2)^2 + (2 z w)^2) = X0^2; folds at 1.10 and 1.26."""
+    terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
+    curve = branch(Model(np.eye(3), terms, 1.0, (0, 0.1, 0), (0, 0, 0)), limits=(0.8, upper), harmonics=1)
+    main = curve.isel(point=curve["curve"].values == 0)
+    assert main["frequency"].values[[0, -1]].tolist() == [0.8, upper]
+    assert float(main["frequency"].max()) == upper
+    assert int(main["fold"].sum()) == (2 if upper > 1.26 else 0)
+    w, roll = upper, np.radians(float(main["roll"][-1]))
+    assert roll**2 * ((1 - w**2 + 0.75 * 0.2 * roll**2) ** 2 + (0.04 * w) ** 2) == pytest.approx(0.1**2, rel=1e-9)
+
+
 def test_unknown_parameter_is_refused():
     model = model_of(DYNAMICS["cases"]["A_roll_only"])
     with pytest.raises(InputError, match="frequency"):

@@ -42,7 +42,7 @@ def test_smallest_change_stands_first_and_reads_as_a_sentence(found):
     changes = [abs(cure.change) for cure in found.values()]
     assert len(changes) >= 3
     assert found["K_prr"].sentence.endswith("less K_prr")
-    assert "zeta" in found["roll_damping"].sentence
+    assert "more added roll damping" in found["roll_damping"].sentence
 
 
 def test_margin_asks_for_more():

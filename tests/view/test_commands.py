@@ -54,6 +54,8 @@ def test_hull_prints_hydrostatics_and_draws_the_body_plan(run, tmp_path):
     assert "assumed" in result.stdout
     assert "calm water" in result.stdout
     assert "deck" in result.stdout
+    assert "GZ = +0.8128 phi +" in result.stdout
+    assert "phi^3" in result.stdout
     assert (tmp_path / "hull.png").stat().st_size > 10_000
 
 

@@ -10,7 +10,9 @@ import quartering as qt
 from quartering.hull.righting import righting_polynomial
 from quartering.loads.comparison import compare_forces
 from quartering.stability.kind import Kind
+from quartering.view.plots import style
 from quartering.view.plots.forces import forces_picture
+from quartering.view.plots.guidance import Diagram, guidance_picture
 from quartering.view.plots.hull import hull_picture
 from quartering.view.plots.polar_map import edges, polar_map
 from quartering.view.plots.response import response_picture
@@ -39,6 +41,14 @@ def test_map_has_a_panel_a_speed_and_says_units_loading_and_estimates(small_map)
     words, n2 = texts(figure), small_map.attrs["natural_roll_frequency"]
     for needed in ("[deg]", "following", "beam", "head", "GM 0.8128 m", "Estimated", "1/50", f"{n2:.3f} rad/s"):
         assert needed in words, needed
+
+
+@pytest.mark.parametrize("columns", [2, 3])
+def test_a_corner_without_a_speed_holds_the_key(columns):
+    waves = [qt.Wave(f * LENGTH, f * LENGTH / 50) for f in (0.7, 1.0, 1.5)]
+    figure = polar_map(qt.polar(SHIP, waves, [4.0, 5.0, 8.0], np.arange(0.0, 181.0, 20.0)), columns)
+    within = any(axes.get_legend() is not None for axes in figure.axes)
+    assert (within, bool(figure.legends)) == (columns == 2, columns == 3)
 
 
 def test_stable_map_has_no_hatches_and_unstable_cells_are_hatched(small_map):
@@ -95,6 +105,23 @@ def test_hull_picture_has_both_halves_and_the_tangent_gm():
     assert "[deg]" in arm.get_xlabel()
     tangent = next(line for line in arm.lines if "GM" in str(line.get_label()))
     assert tangent.get_ydata()[-1] / np.radians(tangent.get_xdata()[-1]) == pytest.approx(SHIP.loading.gm)
+
+
+def test_small_print_of_a_page_is_legible(small_map):
+    """Typography: at least 6 pt when the figure spans the 180 mm of text of an A4 page with 15 mm margins."""
+    angles = np.linspace(0.0, 60.0, 13)
+    fit = righting_polynomial(SHIP)
+    roll = np.full((2, 10), 10.0)
+    verdict, failure = np.zeros((2, 10), dtype=np.int8), np.zeros((2, 10), dtype=bool)
+    diagram = Diagram("wave", np.array([5.0, 8.0]), np.linspace(0, 180, 10), roll, verdict, failure)
+    for figure in (
+        polar_map(small_map, 2, style.PAGE),
+        response_picture(small_map, columns=2),
+        hull_picture(SHIP, angles, np.sin(np.radians(angles)), fit, style.PAGE),
+        guidance_picture([diagram] * 3, 40.0),
+    ):
+        smallest = min(text.get_fontsize() for text in figure.findobj(Text) if text.get_text())
+        assert smallest * 180.0 / 25.4 / figure.get_figwidth() > 6.0
 
 
 @pytest.mark.parametrize("modes", [("sway", "roll", "yaw"), ("roll",)])

@@ -114,5 +114,5 @@ def test_maps_draw_the_boundary_where_the_exponent_is_zero():
 def test_tornado_picture_says_what_each_value_is_and_where_it_flips():
     ds = qt.tornado(SHIP, *AT, parameters=["gm", "roll_damping", "K_prr"])
     words = texts(tornado_picture(ds, "title", "note"))
-    for needed in ("gm 0.813 m", "roll_damping 0.05", "stable at x 0.4", "10 % less", "10 % more", "[1/s]"):
+    for needed in ("GM 0.813 m", "added roll damping 0.05", "stable at x 0.4", "10 % less", "10 % more", "[1/s]"):
         assert needed in words, needed

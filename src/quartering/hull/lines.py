@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import InputError
-from quartering.hull.bilge import elliptic_bilge
 from quartering.hull.from_file import hull_from_lines, read_lines
 from quartering.hull.offsets import Contour, Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
 from quartering.hull.schema import OffsetKeys, ShipKeys, StationKeys
@@ -178,7 +177,7 @@ def _label(station: StationKeys) -> str:
 
 
 def _contour(where: str, offsets: OffsetKeys, station: StationKeys, size: tuple[float, float, float]) -> Contour:
-    """Contour of one station in metres; blanks below the hull are left out, the bilge is filled in."""
+    """Contour of one station in metres; blanks below the hull are left out."""
     heights = station.heights or offsets.waterlines
     if heights is None:
         raise InputError(
@@ -199,5 +198,4 @@ def _contour(where: str, offsets: OffsetKeys, station: StationKeys, size: tuple[
     height = np.array(heights[blanks:], dtype=float)
     units = (" B/2", " T") if offsets.unit == "LBT" else (" m", " m")
     check_contour(f"{where}: {_label(station)}", y, height, units, first=blanks + 1)
-    y, height = y * size[1], height * size[2]
-    return elliptic_bilge(y, height) if offsets.bilge == "ellipse" and blanks == 0 else (y, height)
+    return y * size[1], height * size[2]

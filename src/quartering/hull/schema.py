@@ -89,7 +89,6 @@ class OffsetKeys(_Strict):
 
     unit: Literal["m", "LBT"]
     outline: Literal["smooth", "straight"] = "smooth"
-    bilge: Literal["none", "ellipse"] = "none"
     waterlines: list[float] | None = None
     stations: list[StationKeys] = Field(min_length=4)
 

@@ -18,7 +18,7 @@ BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
 
 
 class Entry(NamedTuple):
-    """One line of the table of coefficients."""
+    """One line of the table of coefficients: name, value and unit, where it comes from, and which kind of source that is."""
 
     name: str
     value: float

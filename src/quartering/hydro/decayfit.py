@@ -29,7 +29,7 @@ class Estimate(NamedTuple):
 
 
 class Row(NamedTuple):
-    """One line of a table of decay results."""
+    """One line of a table of decay results: a value with its confidence interval."""
 
     name: str
     value: float

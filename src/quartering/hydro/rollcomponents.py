@@ -35,7 +35,7 @@ REFERENCES: Final[dict[Method, tuple[str, ...]]] = {
 
 
 class Row(NamedTuple):
-    """One line of a table of roll damping."""
+    """One line of a table of roll damping: a component, its value and unit, and where it comes from."""
 
     name: str
     value: float

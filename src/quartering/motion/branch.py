@@ -153,14 +153,14 @@ def follow_branch(
     along: Floats | None = None,
     go_on: Callable[[Floats], bool] = lambda _: True,
 ) -> tuple[Path, list[int]]:
-    """Points of a branch from a start until the parameter leaves its limits, through folds, or until it closes.
+    """Points of a branch from a start to a limit of the parameter, through folds, or until it closes.
 
     Parameters
     ----------
     curve : Curve
     start : (m + 1,) float         a point of it
     points : int                   at the most
-    limits : (low, high)           of the parameter; the last point is the first one beyond them
+    limits : (low, high)           of the parameter; a branch that reaches one ends on it
     along : (m + 1,) float         direction to set off to; by default that of a rising parameter
     go_on : function               of a point: False ends the branch there
 
@@ -191,7 +191,7 @@ def follow_branch(
     def inside(point: Floats) -> bool:
         return limits[0] <= point[-1] <= limits[1] and go_on(point)
 
-    path = follow(curve.residual, start, along, inside, points=points)
+    path = _landed(curve, follow(curve.residual, start, along, inside, points=points), limits)
     found, tangents, folds = [path.points[0]], [path.tangents[0]], []
     for i in range(1, len(path.points)):
         before, tangent = path.points[i - 1], path.tangents[i - 1]
@@ -202,6 +202,24 @@ def follow_branch(
         found.append(path.points[i])
         tangents.append(path.tangents[i])
     return Path(np.array(found), np.array(tangents), path.closed), folds
+
+
+def _landed(curve: Curve, path: Path, limits: tuple[float, float]) -> Path:
+    """Path with its last point, a step beyond a limit, back on that limit; without it where the curve has none there."""
+    last, limit = path.points[-1], float(np.clip(path.points[-1, -1], *limits))
+    if len(path.points) == 1 or last[-1] == limit:
+        return path
+    before, there = path.points[-2], None
+    if before[-1] != limit:
+        level = np.zeros(last.size)
+        level[-1] = 1.0
+        share = (limit - before[-1]) / (last[-1] - before[-1])
+        there = corrected(curve.residual, before + share * (last - before), level)
+    if there is None or np.linalg.norm(there - before) > np.linalg.norm(last - before):
+        return Path(path.points[:-1], path.tangents[:-1], False)
+    there[-1] = limit
+    tangent = tangent_at(curve.residual, there, path.tangents[-2])
+    return Path(np.vstack([path.points[:-1], there]), np.vstack([path.tangents[:-1], tangent]), False)
 
 
 def within(curve: Curve, steepest: float) -> Callable[[Floats], bool]:

@@ -181,8 +181,9 @@ def _columns(line: Line, number: int, over: str, low: float, high: float) -> xr.
     own = columns(orders)[line.curve.periods]
     amplitude = np.hypot(u[:, :, own.start], u[:, :, own.start + 1])
     roll, yaw = np.degrees(amplitude[:, 1]), np.degrees(amplitude[:, 2])
+    share = line.points[:, -1]
     values = {
-        over: low + (high - low) * line.points[:, -1], "sway": amplitude[:, 0], "roll": roll, "yaw": yaw,
+        over: low * (1 - share) + high * share, "sway": amplitude[:, 0], "roll": roll, "yaw": yaw,
         "roll_peak": np.degrees(peaks(u, orders)[:, 1]), "exponent": result.floquet.growth, "verdict": result.kind,
     }  # fmt: skip
     ds = xr.Dataset({name: ("point", v, parameter_attributes(name)) for name, v in values.items()})

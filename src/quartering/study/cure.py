@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import brentq
 
-from quartering.conventions import SYMBOLS, InputError, RangeWarning
+from quartering.conventions import InputError, RangeWarning, in_unit, written
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
 from quartering.study.conditions import evaluate
@@ -51,8 +51,7 @@ class Cure:
             if self.needed < 0:
                 return f"{self.parameter} times {self.needed:.2f}"
             return f"{abs(self.change):.0%} {more} {self.parameter}"
-        name = SYMBOLS[self.parameter].symbol if self.parameter in SYMBOLS else self.parameter
-        unit = "" if self.unit == "1" else f" {self.unit}"
+        unit, name = in_unit(self.unit), written(self.parameter)
         return f"{abs(self.needed - self.now):.3g}{unit} {more} {name} ({self.now:.3g} -> {self.needed:.3g}{unit})"
 
 

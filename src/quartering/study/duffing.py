@@ -71,7 +71,7 @@ def duffing_curves(
         )
         path, folds = follow_branch(curve, start, _POINTS)
         u = np.array([curve.coefficients(point) for point in path.points])
-        frequency = first + (last - first) * path.points[:, -1]
+        frequency = first * (1 - path.points[:, -1]) + last * path.points[:, -1]
         if not paths or not _joined(paths[0], frequency, u):
             paths.append((frequency, folds, u))
     parts = [_described(duffing_model(beta, force, 1.0, damping), *path, i) for i, path in enumerate(paths)]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Final
 
+# JSON schema of the case file, for editors.
 SCHEMA: Final = Path(__file__).with_name("case.schema.json")
-"""JSON schema of the case file, for editors."""
 
 
 def starting_case(name: str) -> str:

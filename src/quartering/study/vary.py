@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.conventions import SYMBOLS, InputError, RangeWarning
+from quartering.conventions import InputError, RangeWarning, written
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
@@ -82,18 +82,11 @@ def vary(
     ds = over(wanted, progress)
     for name in wanted:
         ds[name].attrs["own_value"] = _own_value(ship, conditions, name)
-    ds.attrs["title"] = f"{ship.name}: response and stability over {' and '.join(map(_words, wanted))}"
+    ds.attrs["title"] = f"{ship.name}: response and stability over {' and '.join(map(written, wanted))}"
     if len(wanted) == 1:
         (name,) = wanted
         ds = ds.assign(_flips(ds, name, lambda values: np.asarray(over({name: values})["verdict"])))
     return ds
-
-
-def _words(name: str) -> str:
-    """A parameter as a title names it: heading, wave length, GM, k_xx, K_ppp."""
-    if name in CONDITION_AXES or name == "roll_damping":
-        return name.replace("_", " ")
-    return SYMBOLS[name].symbol if name in LOADING_AXES else name
 
 
 def varied(ds: xr.Dataset) -> list[str]:

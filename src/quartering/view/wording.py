@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from quartering.conventions import CUBIC_MONOMIALS
+from quartering.conventions import CUBIC_MONOMIALS, in_unit, written
 from quartering.hull.ship import Ship
 from quartering.hull.units import quantity
 from quartering.hydro.coefficients import coefficients
@@ -23,13 +23,7 @@ MOST_ROWS = 16
 ESTIMATES = ("regression", "cross-flow", "estimated")
 """Kinds of coefficient that are estimates."""
 
-_LOADING = {
-    "gm": "GM",
-    "kg": "KG",
-    "gyradius_roll": "k_xx",
-    "gyradius_yaw": "k_zz",
-    "roll_damping": "added roll damping",
-}
+_LOADING = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
 
 
 def froude(speed: float, length: float) -> float:
@@ -123,7 +117,7 @@ def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> 
     ]
     if components:
         parts.append("roll damping K_p, K_p|p| (component method)")
-    assumed = [words for key, words in _LOADING.items() if provenance.get(key, "").startswith("assumed")]
+    assumed = [written(key) for key in _LOADING if provenance.get(key, "").startswith("assumed")]
     lines = [
         f"Estimated: {'; '.join(parts)}." if parts else "No coefficient rests on regression or on cross-flow drag."
     ]
@@ -221,7 +215,7 @@ def row_words(row: xr.Dataset) -> str:
     name, unit = str(row["parameter"].values), str(row["unit"].values)
     if _is_coefficient(name):
         return name
-    return f"{name} {float(row['value']):.3g}{'' if unit == '1' else ' ' + unit}"
+    return f"{written(name)} {float(row['value']):.3g}{in_unit(unit)}"
 
 
 def flip_words(row: xr.Dataset) -> str:
@@ -231,7 +225,7 @@ def flip_words(row: xr.Dataset) -> str:
         return ""
     name, unit = str(row["parameter"].values), str(row["unit"].values)
     times = "x " if _is_coefficient(name) else ""
-    return f"{Kind(int(row['verdict_beyond'])).label} at {times}{flip:.3g}{'' if unit == '1' else ' ' + unit}"
+    return f"{Kind(int(row['verdict_beyond'])).label} at {times}{flip:.3g}{in_unit(unit)}"
 
 
 def _is_coefficient(name: str) -> bool:

@@ -19,6 +19,9 @@ MARINER_FROUDE: Final = 0.20
 """Near the 15 knots at which the Mariner's set was measured."""
 
 HEADINGS: Final = np.arange(0.0, 181.0, 1.0)
+FINE_HEADINGS: Final = np.arange(1801) / 10
+"""For exponents: next to resonance the largest one rises and falls within 2 deg."""
+
 RATIOS: Final = (0.75, 1.0, 1.5)
 """Wave lengths over the ship's."""
 

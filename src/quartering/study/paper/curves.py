@@ -15,7 +15,7 @@ from quartering.loads.forces import wave_forces
 from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
 from quartering.study.grid import LOADING_AXES
-from quartering.study.paper.conditions import FROUDE, HEADINGS, RATIOS, speed_of, wave_of
+from quartering.study.paper.conditions import FINE_HEADINGS, FROUDE, HEADINGS, RATIOS, speed_of, wave_of
 from quartering.study.polar import polar
 from quartering.study.sweep import sweep
 
@@ -138,7 +138,7 @@ def loading_curves(
     ship: Ship,
     name: str,
     values: Sequence[float],
-    headings: ArrayLike = HEADINGS,
+    headings: ArrayLike = FINE_HEADINGS,
     froude: float = FROUDE,
     ratio: float = 1.0,
 ) -> xr.Dataset:

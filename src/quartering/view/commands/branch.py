@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from quartering.conventions import SYMBOLS, InputError
+from quartering.conventions import SYMBOLS, InputError, headed
 from quartering.hull.ship import Ship
 from quartering.hull.units import Kind as Quantity
 from quartering.loads.waves import STEEPEST, Wave
@@ -133,8 +133,7 @@ def _events(ds: xr.Dataset, over: str) -> list[dict[str, object]]:
 
 
 def _print(ds: xr.Dataset, over: str) -> None:
-    unit = ds[over].attrs["units"]
-    unit = "" if unit == "1" else f" [{unit}]"
+    along = headed(over, str(ds[over].attrs["units"]))
     curves = [
         (
             str(c["curve"]),
@@ -145,16 +144,12 @@ def _print(ds: xr.Dataset, over: str) -> None:
         )
         for c in _curves(ds, over)
     ]
-    show(
-        table(
-            "Curves of motions", ("curve", "what", over + unit, "largest roll [deg]", "points stable"), curves, (3, 4)
-        )
-    )
+    show(table("Curves of motions", ("curve", "what", along, "largest roll [deg]", "points stable"), curves, (3, 4)))
     rows = [
         (str(e["event"]), f"{e[over]:.6g}", f"{e['roll_peak_deg']:.3g}", str(e["curve"])) for e in _events(ds, over)
     ]
     if rows:
-        show(table("Where stability changes", ("event", over + unit, "largest roll [deg]", "curve"), rows, (1, 2)))
+        show(table("Where stability changes", ("event", along, "largest roll [deg]", "curve"), rows, (1, 2)))
     else:
         kinds = [Kind(int(k)).label for k in np.unique(ds["verdict"])]
         show(

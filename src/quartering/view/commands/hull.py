@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from quartering.conventions import SYMBOLS, written
 from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
 from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
 from quartering.hull.ship import Ship, ship
@@ -20,14 +21,14 @@ HYDROSTATICS = {
     "volume": ("displaced volume", "m3"), "mass": ("displaced mass", "kg"),
     "lcb": ("centre of buoyancy from midship, + forward", "m"), "lcf": ("centre of flotation from midship, + forward", "m"),
     "kb": ("KB", "m"), "bm": ("BM", "m"), "km": ("KM", "m"), "kg": ("KG", "m"), "gm": ("GM", "m"),
-    "cb": ("block coefficient CB", "1"), "cm": ("midship coefficient CM", "1"), "cp": ("prismatic coefficient CP", "1"),
-    "cw": ("waterplane coefficient CW", "1"), "wetted_surface": ("wetted surface", "m2"),
+    "cb": ("block coefficient CB", "-"), "cm": ("midship coefficient CM", "-"), "cp": ("prismatic coefficient CP", "-"),
+    "cw": ("waterplane coefficient CW", "-"), "wetted_surface": ("wetted surface", "m2"),
 }  # fmt: skip
 """Attribute of the hydrostatics -> what it is, and its unit."""
 
 LOADING = (
-    ("gm", "GM", "m"), ("kg", "KG", "m"), ("gyradius_roll", "k_xx", "m"), ("gyradius_yaw", "k_zz", "m"),
-    ("roll_damping", "added roll damping, of critical", "1"),
+    *((key, written(key), SYMBOLS[key].unit) for key in ("gm", "kg", "gyradius_roll", "gyradius_yaw")),
+    ("roll_damping", f"{written('roll_damping')}, of critical", "-"),
 )  # fmt: skip
 """Attribute of the loading, what it is, and its unit."""
 
@@ -70,7 +71,8 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
         for key, words, unit in LOADING
     ]
     show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading, (1,)))
-    terms = " ".join(f"{c:+.4g} phi^{n}" for n, c in ((1, fit.gm), (3, fit.gz3), (5, fit.gz5), (7, fit.gz7)) if c)
+    powers = (("phi", fit.gm), ("phi^3", fit.gz3), ("phi^5", fit.gz5), ("phi^7", fit.gz7))
+    terms = " ".join(f"{c:+.4g} {power}" for power, c in powers if c)
     show(
         f"Righting arm GZ = {terms} m (phi in rad), within {fit.residual:.1%} of the largest up to {fit.max_angle:g} deg."
     )

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from quartering.conventions import InputError
+from quartering.conventions import InputError, headed
 from quartering.stability.kind import Kind
 from quartering.study.query import Measure, cut, worst, worst_by, write_csv
 from quartering.study.result import open_result
@@ -172,5 +172,4 @@ def _sizes(ds: xr.Dataset) -> str:
 
 
 def _head(name: str, ds: xr.Dataset) -> str:
-    unit = ds[name].attrs.get("units", "1")
-    return name.replace("_", " ") + ("" if unit == "1" else f" [{unit}]")
+    return headed(name, str(ds[name].attrs.get("units", "1")))

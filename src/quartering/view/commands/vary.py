@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 from rich.table import Table
 
-from quartering.conventions import InputError
+from quartering.conventions import InputError, headed, in_unit, written
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind as Quantity
 from quartering.loads.forces import Form
@@ -145,14 +145,13 @@ def _lines(ds: xr.Dataset) -> list[Table | str]:
         for i in shown
     ]
     unit = str(ds[name].attrs["units"])
-    columns = (f"{name} [{unit}]", "roll [deg]", "yaw [deg]", "K2 [1/s2]", "S [1/s]", "Floquet [1/s]", "verdict")
+    columns = (headed(name, unit), "roll [deg]", "yaw [deg]", "K2 [1/s2]", "S [1/s]", "Floquet [1/s]", "verdict")
     return [table(str(ds.attrs["title"]), columns, rows, right=range(6)), _flip_sentence(ds, name, unit)]
 
 
 def _flip_sentence(ds: xr.Dataset, name: str, unit: str) -> str:
-    units = "" if unit == "1" else f" {unit}"
     flips = [
-        f"{name} = {float(v):.4g}{units} ({Kind(int(a)).label} below, {Kind(int(b)).label} above)"
+        f"{written(name)} = {float(v):.4g}{in_unit(unit)} ({Kind(int(a)).label} below, {Kind(int(b)).label} above)"
         for v, a, b in zip(ds["flip"], ds["verdict_below"], ds["verdict_above"], strict=True)
     ]
     if flips:
@@ -170,7 +169,7 @@ def _map_lines(ds: xr.Dataset) -> list[Table | str]:
             i = np.unravel_index(int(np.nanargmax(ds[key].values)), ds[key].shape)
             cell = ds[key][i]
             rows.append((words, f"{float(cell):.3g}", *(f"{float(cell[name]):.4g}" for name in varied(ds))))
-    columns = ("", "value", *(f"{name} [{ds[name].attrs['units']}]" for name in varied(ds)))
+    columns = ("", "value", *(headed(name, str(ds[name].attrs["units"])) for name in varied(ds)))
     return [table(str(ds.attrs["title"]), columns, rows, right=(1, 2, 3)), f"Cells: {said}."]
 
 

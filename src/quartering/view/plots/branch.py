@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from quartering.conventions import headed
 from quartering.stability.kind import Kind
 from quartering.view.plots import style
 
@@ -74,8 +75,7 @@ def curves_on(ax: Axes, ds: xr.Dataset, over: str) -> None:
         ax.plot(
             ds[over][at], ds["roll_peak"][at], mark, color=style.INK, markerfacecolor="white", markersize=6, zorder=4
         )
-    unit = ds[over].attrs["units"]
-    ax.set_xlabel(over.replace("_", " ") + ("" if unit == "1" else f" [{unit}]"))
+    ax.set_xlabel(headed(over, str(ds[over].attrs["units"])))
     ax.set_ylabel("largest roll over a cycle [deg]")
     ax.set_ylim(bottom=0.0)
 

@@ -56,7 +56,7 @@ def guidance_picture(diagrams: list[Diagram], limit: float) -> Figure:
     """
     columns = min(len(diagrams), 3)
     rows = -(-len(diagrams) // columns)
-    made = style.figure(2.75 * columns + 1.0, 3.1 * rows + 0.55)
+    made = style.figure((style.PAGE - 1.0) / 3 * columns + 1.0, 3.1 * rows + 0.55)
     style.foot(made, 0.45)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
     colours = Normalize(0.0, limit)
@@ -86,13 +86,13 @@ def _panel(ax: PolarAxes, d: Diagram, colours: Normalize) -> object:
     knots = quantity("1 kn", "speed")
     rings = _round_knots(r[-1] / knots)
     ax.set_rgrids(
-        [ring * knots for ring in rings], [f"{ring:g} kn" for ring in rings], angle=157.5, fontsize=7, color=style.INK
+        [ring * knots for ring in rings], [f"{ring:g} kn" for ring in rings], angle=157.5, fontsize=7.5, color=style.INK
     )
     for label in ax.get_yticklabels():
         label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.8})
     words = {0: "0° following", 90: "90°", 180: "180° head", 270: "90°"}
     angles = range(0, 360, 30)
-    ax.set_thetagrids(angles, [words.get(a, f"{a if a <= 180 else 360 - a}°") for a in angles], fontsize=7)
+    ax.set_thetagrids(angles, [words.get(a, f"{a if a <= 180 else 360 - a}°") for a in angles], fontsize=7.5)
     ax.grid(visible=True, color="white", alpha=0.3, linewidth=0.5)
     ax.set_title(d.title, fontsize=9, pad=8)
     return mesh

@@ -14,7 +14,7 @@ from quartering.view.plots.body_plan import draw_body_plan
 from quartering.view.plots.righting import draw_righting_arm
 
 
-def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit) -> Figure:
+def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit, width: float = 12.0) -> Figure:
     """Body plan and righting arm of a ship.
 
     Parameters
@@ -22,12 +22,13 @@ def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit) -> 
     ship : Ship
     angles, arms : (n,) float    heel [deg] and GZ [m]
     fit : RightingFit
+    width : float                of the figure [inches]
 
     Returns
     -------
     Figure
     """
-    made = style.figure(12.0, 5.4)
+    made = style.figure(width, 1.4 + width / 3)
     left, right = made.subplots(1, 2, width_ratios=(1.15, 1.0))
     draw_body_plan(left, ship)
     draw_righting_arm(right, angles, arms, fit)

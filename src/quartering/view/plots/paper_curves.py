@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from quartering.conventions import SYMBOLS
+from quartering.conventions import SYMBOLS, written
 from quartering.stability.kind import Kind
 from quartering.study.paper.curves import PARTS, resonances
 from quartering.view.plots import style
@@ -25,9 +25,9 @@ FORCES: Final = {
 }
 """Mode -> panel name, words and unit of its force."""
 
-_LOADINGS: Final = {"gm": ("GM", "B"), "gyradius_roll": ("k_xx", "B"), "gyradius_yaw": ("k_zz", "L")}
-_EVERY: Final = 18
-"""Headings between markers on a line."""
+_SIZES: Final = {"gm": "B", "gyradius_roll": "B", "gyradius_yaw": "L"}
+_EVERY: Final = 18.0
+"""Degrees of heading between markers on a line."""
 
 
 def force_picture(ds: xr.Dataset, mode: str, title: str) -> Figure:
@@ -48,12 +48,12 @@ def force_picture(ds: xr.Dataset, mode: str, title: str) -> Figure:
     name, words, unit = FORCES[mode]
     field = ds["force"].sel(mode=mode)
     scale, prefix = metric_prefix(float(field.max()))
-    looks, ratio = style.looks(ds.sizes["wave_length"]), _ratio(ds)
+    looks, ratio, every = style.looks(ds.sizes["wave_length"]), _ratio(ds), _points_in(_EVERY, ds)
     for ax, parts in zip(panels, (("stf", "without"), ("paper", "paper-corrected", "without")), strict=True):
         for part, dash in zip(parts, ("-", "--") if len(parts) == 2 else (":", "-", "--"), strict=True):
             for i, look in enumerate(looks):
                 shown = field.sel(part=part).isel(wave_length=i) / scale
-                ax.plot(ds["heading"], shown, **(look | {"linestyle": dash}), markevery=_EVERY, markersize=4)
+                ax.plot(ds["heading"], shown, **(look | {"linestyle": dash}), markevery=every, markersize=4)
         dashes = zip(parts, ("-", "--") if len(parts) == 2 else (":", "-", "--"), strict=True)
         ax.legend(
             handles=[Line2D([], [], color=style.INK, linestyle=d, label=PARTS[p]) for p, d in dashes],
@@ -87,7 +87,7 @@ def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
     looks = style.looks(ds.sizes["wave_length"])
     for i, look in enumerate(looks):
         one = ds.isel(wave_length=i)
-        ax.plot(ds["heading"], one[name], **look, markevery=_EVERY, markersize=4)
+        ax.plot(ds["heading"], one[name], **look, markevery=_points_in(_EVERY, ds), markersize=4)
         _mark_unstable(ax, one, name)
         for heading in resonances(one):
             ax.plot(heading, 0.0, color=look["color"], marker=look["marker"], markersize=9, clip_on=False, zorder=4)
@@ -121,7 +121,7 @@ def loading_picture(sets: Mapping[str, xr.Dataset], name: str, title: str, note:
         looks = style.looks(ds.sizes["loading"])
         for i, (look, label) in enumerate(zip(looks, _loading_labels(ds, quantity), strict=True)):
             one = ds.isel(loading=i)
-            ax.plot(ds["heading"], one[name], **look, markevery=_EVERY, markersize=4, label=label)
+            ax.plot(ds["heading"], one[name], **look, markevery=_points_in(_EVERY, ds), markersize=4, label=label)
             _mark_unstable(ax, one, name)
         style.headings(ax)
         ax.set_gid(name)
@@ -151,7 +151,7 @@ def stability_picture(sets: Mapping[str, xr.Dataset], title: str, note: str = ""
     for (upper, lower), (quantity, ds) in zip(panels.T, sets.items(), strict=True):
         looks = style.looks(ds.sizes["loading"])
         for i, (look, label) in enumerate(zip(looks, _loading_labels(ds, quantity), strict=True)):
-            _stability_lines(upper, lower, ds["heading"], ds.isel(loading=i), look, label)
+            _stability_lines(upper, lower, ds["heading"], ds.isel(loading=i), look, label, _points_in(_EVERY / 2, ds))
         upper.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
         style.headings(lower)
     _stability_axes(panels)
@@ -178,7 +178,7 @@ def coefficient_picture(sets: Mapping[str, xr.Dataset], title: str) -> Figure:
     for (upper, lower), (words, ds) in zip(panels.T, sets.items(), strict=True):
         looks = style.looks(ds.sizes["coefficient"])
         for i, (look, label) in enumerate(zip(looks, ds["coefficient"].values, strict=True)):
-            _stability_lines(upper, lower, ds["change"], ds.isel(coefficient=i), look, str(label), every=2)
+            _stability_lines(upper, lower, ds["change"], ds.isel(coefficient=i), look, str(label), 2)
         upper.set_title(words)
         lower.set_xlabel("change of the coefficient [%]")
     _stability_axes(panels)
@@ -210,6 +210,12 @@ def _legend(
     made.legend(handles=[*handles, *more], loc="outside right center", frameon=False)
 
 
+def _points_in(degrees: float, ds: xr.Dataset) -> int:
+    """Headings of a dataset in so many degrees, at least one."""
+    heading = np.asarray(ds["heading"], dtype=float)
+    return max(1, round(degrees * (heading.size - 1) / (float(np.ptp(heading)) or 1.0)))
+
+
 def _is_unstable(ds: xr.Dataset) -> np.ndarray:
     return np.asarray(ds["verdict"]) > Kind.STABLE
 
@@ -231,7 +237,7 @@ def _marked(sets: Sequence[xr.Dataset]) -> list[str]:
 
 
 def _stability_lines(
-    upper: Axes, lower: Axes, along: xr.DataArray, ds: xr.Dataset, look: dict[str, object], label: str, every: int = 9
+    upper: Axes, lower: Axes, along: xr.DataArray, ds: xr.Dataset, look: dict[str, object], label: str, every: int
 ) -> None:
     """K2 above; below, the largest Floquet exponent as a line and K2/(2 n2) as open marks of the same colour."""
     upper.plot(along, ds["k2"], **look, markevery=2 * every, markersize=4, label=label)
@@ -264,7 +270,7 @@ def _told(sets: Sequence[xr.Dataset]) -> list[str]:
 
 
 def _loading_labels(ds: xr.Dataset, quantity: str) -> list[str]:
-    symbol, unit = _LOADINGS[quantity]
+    symbol, unit = written(quantity), _SIZES[quantity]
     size = float(ds.attrs["ship_beam" if unit == "B" else "ship_length"])
     return [f"{symbol} = {v:.3g} m ({v / size:.3g} {unit})" for v in np.asarray(ds[quantity], dtype=float)]
 

@@ -8,6 +8,7 @@ from typing import Any
 import matplotlib.patheffects as effects
 import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
@@ -34,16 +35,24 @@ COURSE_INK = "#ffb38a"
 HATCHES = {"unstable": "/////", "course": "....."}
 """Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
 
+_NARROW = 4.0
+"""Inches of width in which the title of a panel would meet the next one's."""
+
+SCALE = "roll amplitude, fundamental [deg]"
+_DARK: dict[str, Any] = {
+    "facecolor": "#4a4063", "edgecolor": "none", "labelcolor": "white", "framealpha": 1.0, "handlelength": 2.8,
+}  # fmt: skip
 _OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
-def polar_map(ds: xr.Dataset, columns: int | None = None) -> Figure:
-    """Draw the dataset of `quartering.polar`, one panel a speed.
+def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = None) -> Figure:
+    """Draw the dataset of `quartering.polar`, one panel a speed; the key stands in an empty corner where there is one.
 
     Parameters
     ----------
     ds : Dataset      with dims speed, heading, wave_length
     columns : int     panels beside each other; by default 3, of four panels 2
+    width : float     of the figure [inches]; by default what the panels want
 
     Returns
     -------
@@ -52,8 +61,10 @@ def polar_map(ds: xr.Dataset, columns: int | None = None) -> Figure:
     count = ds.sizes["speed"]
     columns = min(count, columns or (2 if count == 4 else 3))
     rows = -(-count // columns)
-    width, height = max(4.7 * columns + 1.2, 7.4), 4.9 * rows + 1.8
-    made = style.figure(width, height)
+    corner = count < rows * columns
+    beside, titles = (0.0, 0.0) if corner else (1.2, 0.25)  # inches for the scale at the side, and between the rows
+    width = width or max(4.7 * columns + beside, 7.4)
+    made = style.figure(width, min((width - beside) / columns + titles, 4.9) * rows + 1.8)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
     amplitude = ds["roll"].values
     top = float(np.nanmax(amplitude)) if np.isfinite(amplitude).any() else 0.0
@@ -62,17 +73,32 @@ def polar_map(ds: xr.Dataset, columns: int | None = None) -> Figure:
         panel.set_visible(False)
     for i, panel in enumerate(panels[:count]):
         mesh = _panel(panel, ds.isel(speed=i), colours)
-    scale = made.colorbar(mesh, ax=list(panels[:count]), shrink=0.75, pad=0.03, aspect=28)
-    scale.set_label("roll amplitude, fundamental [deg]")
+        if width / columns < _NARROW:
+            panel.title.set_fontsize(8.0)
     style.title(made, _title(ds))
-    top_of_print = style.footnote(
-        made, "\n".join([HOW_TO_READ + (MIRRORED if _mirrored(ds) else ""), *notes(ds)]), above=0.4
-    )
-    made.legend(
-        handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, top_of_print), ncols=2 * columns,
-        facecolor="#4a4063", edgecolor="none", labelcolor="white", framealpha=1.0, handlelength=2.8,
-    )  # fmt: skip
+    words = "\n".join([HOW_TO_READ + (MIRRORED if _mirrored(ds) else ""), *notes(ds)])
+    if corner:
+        style.footnote(made, words)
+        _key(panels[-1], ds, mesh)
+    else:
+        scale = made.colorbar(mesh, ax=list(panels), shrink=0.75, pad=0.03, aspect=28)
+        scale.set_label(SCALE)
+        made.legend(
+            handles=_legend(ds), loc="lower left", bbox_to_anchor=(0.008, style.footnote(made, words, above=0.4)),
+            ncols=int(width / 2.6), **_DARK,
+        )  # fmt: skip
     return made
+
+
+def _key(empty: Axes, ds: xr.Dataset, mesh: Any) -> None:
+    """Scale of the colours and legend in place of a panel without a speed."""
+    made = empty.figure
+    box = made.add_subplot(empty.get_subplotspec())
+    box.set_axis_off()
+    scale = made.colorbar(mesh, cax=box.inset_axes((0.08, 0.8, 0.84, 0.06)), orientation="horizontal")
+    scale.set_label(SCALE)
+    scale.ax.grid(visible=False)
+    box.legend(handles=_legend(ds), loc="upper center", bbox_to_anchor=(0.5, 0.62), **_DARK)
 
 
 def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:

@@ -15,22 +15,23 @@ from quartering.view.wording import notes, speed_words, wave_words
 MARKS = {"unstable": "x", "course-unstable even in calm water": "."}
 
 
-def response_picture(ds: xr.Dataset) -> Figure:
+def response_picture(ds: xr.Dataset, columns: int = 3) -> Figure:
     """Draw a map of few wave lengths as lines over heading.
 
     Parameters
     ----------
-    ds : Dataset    of `quartering.polar`, dims speed, heading, wave_length
+    ds : Dataset     of `quartering.polar`, dims speed, heading, wave_length
+    columns : int    panels beside each other: 3 for a screen, or 2, with the legend in the empty corner, for a page
 
     Returns
     -------
     Figure
     """
-    made = style.figure(13.0, 5.4)
-    panels = made.subplots(1, 3)
+    made = style.figure(13.0, 5.4) if columns == 3 else style.figure(style.PAGE, 7.0)
+    panels = made.subplots(-(-3 // columns), columns).ravel()
     ratio = np.asarray(ds["wave_length"]) / float(ds.attrs["ship_length"])
     colours = style.sequence(ds.sizes["speed"])
-    for ax, name in zip(panels, ("roll", "sway", "yaw"), strict=True):
+    for ax, name in zip(panels[:3], ("roll", "sway", "yaw"), strict=True):
         for i, colour in enumerate(colours):
             for j, dash in zip(range(ratio.size), style.DASHES, strict=False):
                 _line(ax, ds.isel(speed=i, wave_length=j), name, colour, dash)
@@ -51,7 +52,11 @@ def response_picture(ds: xr.Dataset) -> Figure:
         for label, mark in MARKS.items()
         if _unstable(ds, label).any()
     ]
-    made.legend(handles=handles, loc="outside right center", frameon=False)
+    if columns == 3:
+        made.legend(handles=handles, loc="outside right center", frameon=False)
+    else:
+        panels[3].set_axis_off()
+        panels[3].legend(handles=handles, loc="center", frameon=False)
     style.title(made, f"{ds.attrs['ship']}: response in regular waves, {wave_words(ds)}\n{ds.attrs['loading']}")
     style.footnote(made, "\n".join(notes(ds)))
     return made

@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 RESOLUTION: Final = 130
 """Dots per inch of a PNG."""
 
+PAGE: Final = 8.8
+"""Width of a figure for a page of A4 [inches]: over its 180 mm of text 7.5 pt become 6."""
+
 SEQUENTIAL: Final = "viridis"
 CONTRAST: Final = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 """Colours for things that are not in an order (Okabe and Ito)."""

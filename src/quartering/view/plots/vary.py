@@ -41,10 +41,10 @@ def vary_picture(ds: xr.Dataset) -> Figure:
 
 def axis_words(ds: xr.Dataset, name: str) -> str:
     """Label of a parameter's axis: name, letter and unit."""
-    unit = str(ds[name].attrs["units"])
     if name not in SYMBOLS:
-        return f"{name} over its present value [1]"
-    return f"{SYMBOLS[name].meaning.split(':')[0]}, {SYMBOLS[name].symbol} [{unit}]"
+        return f"{name} over its present value"
+    unit = str(ds[name].attrs["units"])
+    return f"{SYMBOLS[name].meaning.split(':')[0]}, {SYMBOLS[name].symbol}" + ("" if unit == "1" else f" [{unit}]")
 
 
 def _curves(made: Figure, ds: xr.Dataset, name: str) -> None:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from quartering.conventions import InputError, RangeWarning
+from quartering.conventions import SYMBOLS, InputError, RangeWarning, in_unit, written
 from quartering.loads.waves import Wave
 from quartering.stability.kind import Kind
 from quartering.study.grid import loaded
@@ -104,8 +104,8 @@ def _share(change: np.ndarray) -> np.ndarray:
 
 def _line(ds: xr.Dataset, per_tenth: xr.Dataset, i: int) -> tuple[str, str, float, float]:
     unit = str(ds["unit"].values[i])
-    value = f"{float(ds['value'][i]):.4g}" + ("" if unit == "1" else f" {unit}")
-    return str(ds["parameter"].values[i]), value, float(per_tenth["roll"][i]), float(per_tenth["exponent"][i])
+    value = f"{float(ds['value'][i]):.4g}{in_unit(unit)}"
+    return written(str(ds["parameter"].values[i])), value, float(per_tenth["roll"][i]), float(per_tenth["exponent"][i])
 
 
 def _examined(source: Source, condition: Condition) -> Examined:
@@ -123,5 +123,6 @@ def _where(source: Source, place: dict[str, float]) -> str:
         f"heading {place['heading']:g} deg, {speed_words(place['speed'], length)}, "
         f"wave {place['wave_length']:.4g} x {place['wave_height']:.3g} m (λ/L {place['wave_length'] / length:.3g})"
     )
-    own = [f"{name} {value:.4g}" for name, value in place.items() if name not in _USUAL]
+    units = {name: SYMBOLS[name].unit if name in SYMBOLS else "1" for name in place}
+    own = [f"{written(k)} {value:.4g}{in_unit(units[k])}" for k, value in place.items() if k not in _USUAL]
     return ", ".join([words, *own])

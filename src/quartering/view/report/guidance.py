@@ -170,9 +170,13 @@ def _summary(height: str, d: Diagram, words: str) -> tuple[str, str, float, floa
 
 
 def _summary_table(rows: list[tuple[str, str, float, float, float, float]]) -> Table:
+    """Shares of each wave; the heights have a column where there are several."""
+    several = len({height for height, *_ in rows}) > 1
     columns = ("wave", "", "largest roll [deg]", "failure event", "unstable motion", "no answer")
     texts = [
-        Row((height, words, f"{roll:.1f}", *(f"{100 * share:.1f} %" for share in shares)))
+        (height, words, f"{roll:.1f}", *(f"{100 * share:.1f} %" for share in shares))
         for height, words, roll, *shares in rows
     ]
-    return Table(columns, texts, (2, 3, 4, 5))
+    if several:
+        return Table(columns, [Row(cells) for cells in texts], (2, 3, 4, 5))
+    return Table((columns[0], *columns[2:]), [Row(cells[1:]) for cells in texts], (1, 2, 3, 4))

@@ -16,11 +16,12 @@ from quartering.conventions import RangeWarning
 from quartering.hull.righting import righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.view.commands.result import map_of
+from quartering.view.plots import style
 from quartering.view.plots.hull import hull_picture
 from quartering.view.plots.polar_map import polar_map
 from quartering.view.plots.response import response_picture
 
-_FEWEST_RINGS, _MOST_HEIGHTS = 3, 4
+_FEWEST_RINGS, _MOST_HEIGHTS, _MOST_PAIRED = 3, 4, 4
 
 
 def inline_svg(figure: Figure, words: str) -> Markup:
@@ -47,7 +48,9 @@ def hull_svg(ship: Ship) -> Markup:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)  # the picture shows where the deck goes under
         arms = righting_arm(ship, angles)
-    return inline_svg(hull_picture(ship, angles, arms, righting_polynomial(ship)), f"Body plan and GZ of {ship.name}")
+    return inline_svg(
+        hull_picture(ship, angles, arms, righting_polynomial(ship), style.PAGE), f"Body plan and GZ of {ship.name}"
+    )
 
 
 def map_svgs(result: xr.Dataset) -> list[Markup]:
@@ -60,5 +63,10 @@ def map_svgs(result: xr.Dataset) -> list[Markup]:
         flat = map_of(cut)
         words = "Map of roll and stability" + ("" if heights[i] is None else f", wave height {heights[i]:g} m")
         several = flat.sizes["wave_length"] >= _FEWEST_RINGS
-        made.append(inline_svg(polar_map(flat, columns=2) if several else response_picture(flat), words))
+        made.append(inline_svg(_map(flat) if several else response_picture(flat, columns=2), words))
     return made
+
+
+def _map(flat: xr.Dataset) -> Figure:
+    """The polar map of a page: two panels beside each other, three where there are many."""
+    return polar_map(flat, 2 if flat.sizes["speed"] <= _MOST_PAIRED else 3, style.PAGE)
