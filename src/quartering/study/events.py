@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from quartering.motion.arclength import corrected
 from quartering.motion.branch import Curve
@@ -14,7 +15,7 @@ SYMMETRY_BREAKING, PERIOD_DOUBLING = "symmetry-breaking", "period-doubling"
 FOLD, NEIMARK_SACKER = "fold", "neimark-sacker"
 
 _ACCURACY = 1e-9
-_BISECTIONS = 40
+_PLACE = 1e-13
 
 
 def judged(curve: Curve, points: Floats) -> Assessment:
@@ -53,14 +54,14 @@ def with_events(curve: Curve, points: Floats, folds: list[int]) -> tuple[Floats,
 
     Notes
     -----
-    A change is a change of the number of multipliers outside the unit circle between two neighbours, located by bisection.
-    Two changes between two neighbours are seen as their sum.  Source: [Krack19].
+    A change is a change of the number of multipliers outside the unit circle between two neighbours, located where the
+    one that crosses has modulus 1.  Two changes between two neighbours are seen as their sum.  Source: [Krack19].
     """
     count = _unstable(judged(curve, points))
     found, names = [], []
     for i, point in enumerate(points):
         if i > 0 and count[i] != count[i - 1] and i not in folds and i - 1 not in folds:
-            event = _located(curve, points[i - 1], point, int(count[i - 1]))
+            event = _located(curve, points[i - 1], point, int(min(count[i - 1], count[i])))
             name = _named(curve, event)
             if name != FOLD:  # the curve itself locates folds, and better than the multipliers of a truncated motion
                 found.append(event)
@@ -75,22 +76,23 @@ def _unstable(result: Assessment) -> NDArray[np.int64]:
     return np.asarray((np.abs(result.floquet.multipliers) > 1.0).sum(axis=1))
 
 
-def _located(curve: Curve, a: Floats, b: Floats, before: int) -> Floats:
-    """Point between two where the number of unstable multipliers changes, by bisection."""
-    chord = (b - a) / np.linalg.norm(b - a)
-    inside, outside = 0.0, float(np.linalg.norm(b - a))
-    found = b
-    for _ in range(_BISECTIONS):
-        middle = 0.5 * (inside + outside)
-        point = corrected(curve.residual, a + middle * chord, chord)
-        if point is None:
-            break
-        found = point
-        if _unstable(judged(curve, point[None]))[0] == before:
-            inside = middle
-        else:
-            outside = middle
-    return found
+def _located(curve: Curve, a: Floats, b: Floats, which: int) -> Floats:
+    """Point between two where the modulus of a multiplier, counted from the largest, passes through 1."""
+    chord, reach = (b - a) / np.linalg.norm(b - a), float(np.linalg.norm(b - a))
+
+    def at(length: float) -> Floats:
+        guess = a + length * chord
+        point = corrected(curve.residual, guess, chord)
+        return guess if point is None else point
+
+    def beyond(length: float) -> float:
+        moduli = np.abs(judged(curve, at(length)[None]).floquet.multipliers[0])
+        return float(np.log(np.sort(moduli)[::-1][which]))
+
+    first, last = beyond(0.0), beyond(reach)
+    if not first * last < 0:  # it passes within rounding of one of the two
+        return a if abs(first) < abs(last) else b
+    return at(brentq(beyond, 0.0, reach, xtol=_PLACE))
 
 
 def _named(curve: Curve, point: Floats) -> str:
