@@ -40,7 +40,7 @@ def branch(
     over: str = "frequency",
     *,
     limits: tuple[float, float] | None = None,
-    harmonics: int = 3,
+    harmonics: int = 9,
     wave: Wave | None = None,
     speed: float = 0.0,
     heading: float = 90.0,

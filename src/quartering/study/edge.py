@@ -41,7 +41,7 @@ def edge(
     over: tuple[str, str] = ("wave_height", "heading"),
     *,
     limits: tuple[tuple[float, float] | None, tuple[float, float] | None] = (None, None),
-    harmonics: int = 3,
+    harmonics: int = 9,
     wave: Wave | None = None,
     speed: float = 0.0,
     heading: float = 90.0,
