@@ -16,6 +16,7 @@ from quartering.motion.branch import balance_of, within
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.steady import peaks
 from quartering.motion.subharmonic import ascending, columns, slowed
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.study.border import STEP, Border
 from quartering.study.branch import lines_of, references_of, steepest_of
@@ -90,6 +91,7 @@ def edge(
     """
     if over[0] == over[1]:
         raise InputError(f"over={over!r}: give two different parameters")
+    announce_compilation()
     of = parameters(ship_or_model, over, limits, wave, speed, heading)
     edges: list[Edge] = []
     with small_matrices():

@@ -11,10 +11,11 @@ from quartering.hydro.coefficients import coefficients
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.ensemble import basin
 from quartering.motion.of_ship import equations
+from quartering.stability.ahead import announce_compilation
 from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import values
 from quartering.view.output import PICTURES, claim, write
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import ship_notes, speed_words
 
