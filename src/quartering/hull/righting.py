@@ -253,6 +253,10 @@ def warn_of_polynomial(ship: Ship, largest_roll: float) -> None:
     Warns
     -----
     RangeWarning
+
+    Notes
+    -----
+    Source: `polynomial_miss`; the 5 % are ours.
     """
     if ship.righting == "spline" or not largest_roll > 0:
         return
