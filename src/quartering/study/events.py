@@ -10,6 +10,7 @@ from quartering.motion.arclength import corrected
 from quartering.motion.branch import Curve
 from quartering.motion.equations import Floats
 from quartering.stability.assessment import Assessment, assess
+from quartering.stability.magnus import FINEST
 
 SYMMETRY_BREAKING, PERIOD_DOUBLING = "symmetry-breaking", "period-doubling"
 FOLD, NEIMARK_SACKER = "fold", "neimark-sacker"
@@ -18,13 +19,14 @@ _ACCURACY = 1e-9
 _PLACE = 1e-13
 
 
-def judged(curve: Curve, points: Floats) -> Assessment:
+def judged(curve: Curve, points: Floats, accuracy: float = _ACCURACY) -> Assessment:
     """Stability of points of a branch, as one batch.
 
     Parameters
     ----------
     curve : Curve
     points : (n, m + 1) float
+    accuracy : float             of the multipliers
 
     Returns
     -------
@@ -35,7 +37,7 @@ def judged(curve: Curve, points: Floats) -> Assessment:
     Source: Floquet's theorem.
     """
     u, orders = curve.motions(points)
-    return assess(curve.systems(points), u, orders, _ACCURACY)
+    return assess(curve.systems(points), u, orders, accuracy)
 
 
 def with_events(curve: Curve, points: Floats, folds: list[int]) -> tuple[Floats, NDArray[np.str_]]:
@@ -57,7 +59,7 @@ def with_events(curve: Curve, points: Floats, folds: list[int]) -> tuple[Floats,
     A change is a change of the number of multipliers outside the unit circle between two neighbours, located where the
     one that crosses has modulus 1.  Two changes between two neighbours are seen as their sum.  Source: [Krack19].
     """
-    count = _unstable(judged(curve, points))
+    count = _unstable(judged(curve, points, FINEST))  # only where it changes does more matter
     found, names = [], []
     for i, point in enumerate(points):
         if i > 0 and count[i] != count[i - 1] and i not in folds and i - 1 not in folds:

@@ -171,11 +171,13 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
         )
     arrays = [getattr(systems, name) for name in PER_CONDITION]
     spline = CubicSpline(share, np.column_stack([array.reshape(share.size, -1) for array in arrays]))
-    ends = np.cumsum([array[0].size for array in arrays])[:-1]
+    ends = np.cumsum([array[0].size for array in arrays]).tolist()
+    places = [(end - array[0].size, end, (1, *array.shape[1:])) for end, array in zip(ends, arrays, strict=True)]
 
     def at_share(t: float) -> System:
-        parts = zip(PER_CONDITION, np.split(spline(t), ends), arrays, strict=True)
-        return replace(systems, **{name: part.reshape(1, *array.shape[1:]) for name, part, array in parts})
+        row = spline(t)
+        parts = [row[begin:end].reshape(shape) for begin, end, shape in places]
+        return replace(systems, **dict(zip(PER_CONDITION, parts, strict=True)))
 
     return at_share
 
