@@ -66,8 +66,8 @@ def course_rates(course: Floats) -> Floats:
 
     Examples
     --------
-    >>> course_rates(np.diag([-0.3, -0.1])[None]).tolist()
-    [[-0.1, -0.3]]
+    >>> course_rates(np.diag([-0.5, -0.25])[None]).tolist()
+    [[-0.25, -0.5]]
     """
     if course.shape[1] == 2:
         return _real_parts(course)
