@@ -70,6 +70,22 @@ def test_the_harmonics_taken_unless_told_see_at_large_roll_what_fifteen_see():
     assert float(events[1]["wave_height"][0]) == pytest.approx(float(events[2]["wave_height"][0]), rel=2e-4)
 
 
+def test_an_idle_autopilot_leaves_the_changes_of_stability_where_they_are():
+    """The heading is free then: one more multiplier, exactly 1, beside those of the bare ship."""
+    from dataclasses import replace
+
+    from quartering.hull.autopilot import Autopilot
+
+    model = model_of(DYNAMICS["cases"]["C_ship_unstable_I3"])
+    bare, idle = (
+        branch(one, "excitation", limits=(0.05, 1.0), harmonics=3)
+        for one in (model, replace(model, autopilot=Autopilot(0.0, 0.0)))
+    )
+    at = [ds["excitation"][ds["event"] == "neimark-sacker"].values for ds in (bare, idle)]
+    assert at[0].size > 0
+    np.testing.assert_allclose(at[1], at[0], rtol=1e-7)
+
+
 def test_neimark_sacker_point_is_where_the_index_changes_sign():
     """Agreement: Floquet's growing roll begins, to first order, where K2 passes zero ([H71] eq. (13))."""
     model = model_of(DYNAMICS["cases"]["C_ship_unstable_I3"])

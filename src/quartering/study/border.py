@@ -16,7 +16,7 @@ from quartering.stability.magnus import FINEST
 from quartering.study.events import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
 
 STEP = 1e-4
-"""Of differences, in scaled unknowns and shares of the limits: long beside what separates two test functions at once."""
+"""Of differences, in scaled unknowns and shares of the limits: long beside errors of 1e-7, short beside any bend."""
 _ACCURACY = 1e-8
 _OSCILLATES = 1e-4
 

@@ -88,8 +88,8 @@ def _located(curve: Curve, a: Floats, b: Floats, which: int) -> Floats:
         return guess if point is None else point
 
     def beyond(length: float) -> float:
-        moduli = np.abs(judged(curve, at(length)[None]).floquet.multipliers[0])
-        return float(np.log(np.sort(moduli)[::-1][which]))
+        multipliers = judged(curve, at(length)[None]).floquet.multipliers[0]
+        return float(np.log(np.sort(np.abs(multipliers[_may_change(multipliers)]))[::-1][which]))
 
     first, last = beyond(0.0), beyond(reach)
     if not first * last < 0:  # it passes within rounding of one of the two
@@ -97,10 +97,16 @@ def _located(curve: Curve, a: Floats, b: Floats, which: int) -> Floats:
     return at(brentq(beyond, 0.0, reach, xtol=_PLACE))
 
 
+def _may_change(multipliers: NDArray[np.complex128]) -> NDArray[np.bool_]:
+    """Which multipliers are not that of a heading nobody holds, which is exactly 1 everywhere?"""
+    return np.asarray(multipliers != 1.0)
+
+
 def _named(curve: Curve, point: Floats) -> str:
     """What kind of change of stability a point is, from the multiplier nearest to the unit circle."""
     floquet = judged(curve, point[None]).floquet
-    critical = int(np.argmin(np.abs(np.abs(floquet.multipliers[0]) - 1.0)))
+    away = np.abs(np.abs(floquet.multipliers[0]) - 1.0)
+    critical = int(np.argmin(np.where(_may_change(floquet.multipliers[0]), away, np.inf)))
     half, full = floquet.half[0, critical], floquet.multipliers[0, critical]
     deciding = half if np.isfinite(half) else full
     if abs(deciding.imag) > 1e-6:
