@@ -11,6 +11,7 @@ import logging
 import subprocess
 import sys
 from functools import cache
+from multiprocessing import parent_process
 from pathlib import Path
 from types import ModuleType
 
@@ -33,10 +34,11 @@ def announce_compilation() -> None:
 
     Notes
     -----
-    A warning of the logger "quartering", which stands on stderr unless logging is set up otherwise.
+    A warning of the logger "quartering", which stands on stderr unless logging is set up otherwise.  Worker processes of
+    `multiprocessing` keep quiet: there may be many.
     Source: none needed; the compiler works on one thread, so a second process is what shortens the first wait.
     """
-    if compiled():
+    if parent_process() is not None or compiled():
         return
     logging.getLogger("quartering").warning(NOTICE)
     if workers() > 1 and sys.executable:
