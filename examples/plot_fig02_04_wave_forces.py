@@ -17,14 +17,16 @@ takes moment *away* there, and the roll moment has two humps, near 60 and 125 de
 # %%
 # Both forms of the correction, and a third with the speed of the ship in it (Salvesen, Tuck and Faltinsen).
 import quartering as qt
-from quartering.study.paper.curves import PARTS, force_curves
+from quartering.study.paper.conditions import speed_of
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
-forces = force_curves(qt.ship("series60-cb60"), ratios=[1.0], headings=[60.0, 90.0, 120.0])["force"].isel(wave_length=0)
-for part, words in PARTS.items():
-    moments = (forces.sel(part=part, mode="roll").values / 1e6).round(2)
-    print(f"roll moment at 60, 90, 120 deg [MN m/m]: {moments}  {words}")
+ship = qt.ship("series60-cb60")
+forces = qt.compare_forces(ship, [ship.hull.length], [60.0, 90.0, 120.0], speed_of(ship)).isel(wave_length=0)
+for form in ("froude-krylov", "stf", "paper", "paper-corrected"):
+    one = forces.sel(form=form, mode="roll")
+    moments = (one["amplitude"].values / 1e6).round(2)
+    print(f"roll moment at 60, 90, 120 deg [MN m/m]: {moments}  {form}: {one['meaning'].item()}")
 
 # %%
 # Sway force: diffraction more than doubles it.

@@ -10,6 +10,8 @@ import quartering as qt
 from quartering.hull.autopilot import Rudder
 from quartering.hydro.rudder import rudder_derivatives
 from quartering.motion.basis import basis
+from quartering.motion.branch import balance_of
+from quartering.motion.struble import modified_struble
 from quartering.study.conditions import RESULTS
 
 INERTIA = np.array([[1.1, 0.1, 0.1], [0.1, 1.1, 0.0], [0.05, 0.0, 1.2]])
@@ -120,6 +122,24 @@ def test_derivative_of_the_balance_is_exact_with_a_rudder_that_lags():
         e[i] = step
         columns.append((residual(u + e.reshape(3, 7), none) - residual(u - e.reshape(3, 7), none)) / (2 * step))
     np.testing.assert_allclose(exact, np.array(columns).T, atol=1e-8)
+
+
+@pytest.mark.parametrize("mean", [(0.0, 0.0, 0.0), (0.02, 0.1, 0.05)], ids=["symmetric", "wind"])
+@pytest.mark.parametrize("autopilot", AUTOPILOTS, ids=str)
+def test_linear_third_harmonic_with_a_rudder_solves_the_balance_equations(autopilot, mean):
+    """Authority: (A-8) in the general balance equations: the products of the fundamental against the linear rows alone."""
+    from dataclasses import replace
+
+    s = model_with(autopilot, mean).system
+    u, orders, _, _ = modified_struble(s)
+    known = 2 if orders[0] else 3
+    fundamental = np.zeros_like(u[0])
+    fundamental[:, :known] = u[0, :, :known]
+    left, bare = balance_of(s, orders, fundamental)[0], replace(s, coefficients=0.0 * s.coefficients)
+    answered = balance_of(bare, orders, u[0])[0] - balance_of(bare, orders, fundamental)[0]
+    unbalanced = (left + answered).reshape(3, -1)[:, known:]
+    np.testing.assert_allclose(unbalanced, 0.0, rtol=0, atol=1e-15)
+    assert np.abs(left.reshape(3, -1)[:, known:]).max() > 1e-3
 
 
 def test_estimated_rudder_of_the_s175_against_her_measured_one():

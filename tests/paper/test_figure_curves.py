@@ -6,7 +6,7 @@ import pytest
 import quartering as qt
 from quartering.conventions import GRAVITY, InputError
 from quartering.study.paper.conditions import speed_of, wave_of
-from quartering.study.paper.curves import coefficient_curves, force_curves, loading_curves, resonances, response_curves
+from quartering.study.paper.curves import coefficient_curves, loading_curves, resonances, response_curves
 
 SHIP = qt.ship("series60-cb60")
 SPEED = speed_of(SHIP)
@@ -14,7 +14,13 @@ SPEED = speed_of(SHIP)
 
 @pytest.fixture(scope="module")
 def forces():
-    return force_curves(SHIP, [1.0], np.arange(0.0, 181.0, 15.0))["force"].isel(wave_length=0)
+    return amplitudes(1.0, np.arange(0.0, 181.0, 15.0))
+
+
+def amplitudes(ratio, headings):
+    """Forces of every form in one wave, per metre of its amplitude."""
+    found = qt.compare_forces(SHIP, [ratio * SHIP.hull.length], headings, SPEED)
+    return found["amplitude"].isel(wave_length=0)
 
 
 def test_no_lateral_force_in_head_and_following_seas(forces):
@@ -24,14 +30,14 @@ def test_no_lateral_force_in_head_and_following_seas(forces):
 
 def test_pressure_alone_is_as_large_from_ahead_as_from_astern(forces):
     """[H71] (B-4): k1 changes its sign with heading -> 180 - heading, which conjugates the force and leaves its amplitude."""
-    without = forces.sel(part="without")
+    without = forces.sel(form="froude-krylov")
     np.testing.assert_allclose(without, without.isel(heading=slice(None, None, -1)), rtol=1e-9, atol=1e-3)
 
 
 def test_long_beam_waves_heel_the_ship_by_their_slope():
     """Closed form: |K| / A -> rho g V GM k, |Y| / A -> rho g V k (Froude-Krylov), error of order k L."""
     ratio = 400.0
-    found = force_curves(SHIP, [ratio], [90.0])["force"].isel(wave_length=0, heading=0).sel(part="without")
+    found = amplitudes(ratio, [90.0]).isel(heading=0).sel(form="froude-krylov")
     k = 2 * np.pi / (ratio * SHIP.hull.length)
     weight = qt.hydrostatics(SHIP).mass * GRAVITY
     assert float(found.sel(mode="sway")) == pytest.approx(weight * k, rel=2 * np.pi / ratio)
@@ -41,7 +47,7 @@ def test_long_beam_waves_heel_the_ship_by_their_slope():
 def test_strip_correction_matters_most_where_the_paper_prints_the_wrong_sign(forces):
     """The printed slope sign changes the roll moment in beam seas several times over, the sway force by a few percent."""
     beam = forces.sel(heading=90.0)
-    change = beam.sel(part="paper") / beam.sel(part="paper-corrected")
+    change = beam.sel(form="paper") / beam.sel(form="paper-corrected")
     assert float(change.sel(mode="roll")) > 2.0
     assert float(change.sel(mode="sway")) == pytest.approx(1.0, abs=0.05)
 

@@ -63,9 +63,40 @@ def test_a_ships_branch_over_wave_height_agrees_with_single_conditions():
     curve = branch(ship, "wave_height", limits=(0.5, 3.0), wave=wave, speed=8.0, heading=60.0)
     at = curve.isel(point=curve.sizes["point"] // 2)
     model = qt.equations(ship, qt.Wave(wave.length, float(at["wave_height"])), 8.0, 60.0)
-    motion = qt.steady_motion(model, 3, start="rest")
+    motion = qt.steady_motion(model, 9, start="rest")
     assert float(at["roll"]) == pytest.approx(np.degrees(motion.amplitude[1]), rel=1e-6)
     assert float(at["exponent"]) == pytest.approx(stability(model, motion).exponents[0].real, abs=1e-7)
+
+
+def test_the_harmonics_taken_unless_told_see_at_large_roll_what_fifteen_see():
+    """Convergence: a fold near 70 deg where fifteen harmonics put it; three show a symmetry breaking there besides."""
+    import quartering as qt
+
+    ship = qt.ship("series60-cb60")
+    given = {"wave": qt.Wave(ship.hull.length, 4.0), "speed": 8.0, "heading": 60.0, "limits": (1.0, 14.0)}
+    few, usual, many = (
+        branch(ship, "wave_height", **given, **more) for more in ({"harmonics": 3}, {}, {"harmonics": 15})
+    )
+    events = [ds.isel(point=np.flatnonzero(ds["event"] != "")) for ds in (few, usual, many)]
+    assert [ds["event"].values.tolist() for ds in events] == [["fold", "symmetry-breaking"], ["fold"], ["fold"]]
+    assert float(events[2]["roll_peak"][0]) > 70.0
+    assert float(events[1]["wave_height"][0]) == pytest.approx(float(events[2]["wave_height"][0]), rel=2e-4)
+
+
+def test_an_idle_autopilot_leaves_the_changes_of_stability_where_they_are():
+    """The heading is free then: one more multiplier, exactly 1, beside those of the bare ship."""
+    from dataclasses import replace
+
+    from quartering.hull.autopilot import Autopilot
+
+    model = model_of(DYNAMICS["cases"]["C_ship_unstable_I3"])
+    bare, idle = (
+        branch(one, "excitation", limits=(0.05, 1.0), harmonics=3)
+        for one in (model, replace(model, autopilot=Autopilot(0.0, 0.0)))
+    )
+    at = [ds["excitation"][ds["event"] == "neimark-sacker"].values for ds in (bare, idle)]
+    assert at[0].size > 0
+    np.testing.assert_allclose(at[1], at[0], rtol=1e-7)
 
 
 def test_neimark_sacker_point_is_where_the_index_changes_sign():

@@ -70,7 +70,7 @@ def test_a_ships_edge_divides_stable_verdicts_from_unstable_ones():
         height, heading = float(first["wave_height"][i]), float(first["heading"][i])
         heights = [0.97 * height, 1.03 * height]
         around = qt.sweep(
-            ship, speed=[speed], heading=[heading], wave_length=[wave.length], wave_height=heights, harmonics=3
+            ship, speed=[speed], heading=[heading], wave_length=[wave.length], wave_height=heights, harmonics=9
         )
         below, above = around["verdict"].values.ravel()
         assert below == 0

@@ -1,7 +1,6 @@
 """The command line as a user meets it: what it prints, writes, refuses, and how it exits."""
 
 import json
-import os
 import subprocess
 import sys
 import time
@@ -18,7 +17,6 @@ from quartering.hydro.calm_water import calm_water_exponents
 from quartering.stability.kind import Kind
 from quartering.view.cli import app
 from quartering.view.output import write
-from quartering.view.progress import compiled
 
 CONDITION = ["--heading", "30", "--speed", "15kn", "--wave-length", "1L", "--wave-height", "3"]
 SMALL_MAP = ["--speed", "0.25Fn", "--headings", "0:180:7", "--wave-lengths", "0.6L,1L"]
@@ -214,40 +212,8 @@ BAD = [
         ["verdict", "wigley", "--heading", "30", "--speed", "5 furlong", "--wave-length", "50", "--wave-height", "1"],
         "kn",
     ),
-    (
-        [
-            "verdict",
-            "wigley",
-            "--heading",
-            "30",
-            "--speed",
-            "5",
-            "--wave-length",
-            "50",
-            "--wave-height",
-            "1",
-            "--harmonics",
-            "2",
-        ],
-        "odd",
-    ),
-    (
-        [
-            "verdict",
-            "wigley",
-            "--heading",
-            "30",
-            "--speed",
-            "5",
-            "--wave-length",
-            "50",
-            "--wave-height",
-            "1",
-            "--form",
-            "cfd",
-        ],
-        "stf",
-    ),
+    (["verdict", "wigley", *CONDITION, "--harmonics", "2"], "odd"),
+    (["verdict", "wigley", *CONDITION, "--form", "cfd"], "stf"),
     (["polar", "wigley", "--wave-lengths", "1L:2L:1"], "2 or more"),
     (["polar", "wigley", "-o", "nowhere/map.nc"], "folder"),
     (["polar", "wigley", "-o", "map.csv"], ".nc"),
@@ -378,15 +344,3 @@ def test_cells_without_an_answer_are_grouped_with_advice(run, tmp_path):
         unanswered = int((ds["verdict"] == int(Kind.NO_ANSWER)).sum())
     assert unanswered > 0
     assert f"{unanswered} cells without an answer" in " ".join(result.stdout.split())
-
-
-def test_compilation_is_announced_only_when_the_cache_is_cold(tmp_path):
-    """A fresh cache folder has nothing in it, whatever this machine has compiled before."""
-    code = "from quartering.view.progress import compiled; print(compiled())"
-    cold = subprocess.run(
-        [sys.executable, "-c", code], env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)},
-        capture_output=True, text=True, check=True,
-    )  # fmt: skip
-    assert cold.stdout.strip() == "False"
-    qt.polar(qt.ship("wigley"), qt.Wave(100.0, 1.0), [5.0], [60.0])
-    assert compiled()

@@ -10,11 +10,11 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.conventions import GRAVITY
 from quartering.study.paper.conditions import speed_of
-from quartering.study.paper.curves import force_curves, loading_curves, response_curves
+from quartering.study.paper.curves import loading_curves, response_curves
 from quartering.view.cli import app
 from quartering.view.plots.paper_axes import wave_direction
-from quartering.view.plots.paper_curves import force_picture, loading_picture, response_picture, stability_picture
-from quartering.view.plots.paper_figures import FIGURES
+from quartering.view.plots.paper_curves import loading_picture, response_picture, stability_picture
+from quartering.view.plots.paper_figures import FIGURES, draw_figure
 from quartering.view.plots.paper_points import panels
 
 SHIP = qt.ship("series60-cb60")
@@ -97,14 +97,21 @@ def test_response_figure_marks_resonance_and_instability():
     assert [line.get_xdata().tolist() for line in crosses] == [[45.0]]
 
 
-def test_force_figure_has_the_forces_of_the_dataset_per_metre():
-    ds = force_curves(SHIP, [1.0], HEADINGS)
-    left, right = force_picture(ds, "roll", "title").axes
-    assert left.get_ylabel().endswith("[MN m/m]")
-    np.testing.assert_allclose(
-        1e6 * left.lines[0].get_ydata(), ds["force"].sel(mode="roll", part="stf").isel(wave_length=0)
-    )
-    assert len(right.lines) == 3
+@pytest.mark.parametrize(
+    ("number", "mode", "panel"), [(2, "sway", "sway_force"), (3, "roll", "roll_moment"), (4, "yaw", "yaw_moment")]
+)
+def test_force_figures_show_four_forms_in_three_waves(number, mode, panel):
+    """Against the forces themselves, in the prefix the axis has."""
+    made = draw_figure(number)
+    assert panels(made) == [panel]
+    compared = qt.compare_forces(SHIP, [SHIP.hull.length], HEADINGS, speed_of(SHIP))
+    middle = made.axes[1]
+    assert middle.get_title() == f"{mode}, λ/L = 1"
+    for line in middle.lines:
+        wanted = compared["amplitude"].sel(form=line.get_label(), mode=mode)[0]
+        shown = np.interp(HEADINGS, line.get_xdata(), line.get_ydata()) * 1e6
+        np.testing.assert_allclose(shown, wanted, rtol=1e-12, atol=1e-6)
+    assert {line.get_label() for line in middle.lines} == {"froude-krylov", "paper", "paper-corrected", "stf"}
 
 
 def test_figures_writes_what_was_asked_for_and_draws_points(run, tmp_path):
@@ -149,12 +156,6 @@ def test_every_panel_the_readme_of_the_points_names_exists(gyradii):
     """Figures whose panels are named by their kind: forces, response, loading, stability."""
     assert panels(stability_picture(gyradii, "t")) == ["k2", "growth"]
     assert panels(loading_picture(gyradii, "yaw", "t")) == ["yaw"]
-    ds = force_curves(SHIP, [1.0], [0.0, 90.0, 180.0])
-    assert [panels(force_picture(ds, mode, "t")) for mode in ("sway", "roll", "yaw")] == [
-        ["sway_force"],
-        ["roll_moment"],
-        ["yaw_moment"],
-    ]
 
 
 def test_duffing_prints_the_exact_motions_and_draws_them(run, tmp_path):

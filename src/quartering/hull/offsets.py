@@ -136,9 +136,7 @@ def box_hull(length: float, beam: float, draught: float, depth: float, name: str
 
     Parameters
     ----------
-    length, beam, draught : float    [m]
-    depth : float                    height of the deck above the keel [m]
-    name : str                       what it is called
+    length, beam, draught, depth, name    as in `wigley_hull`
 
     Returns
     -------

@@ -141,6 +141,7 @@ def deck_angle(hull: Hull) -> float:
     return float(np.interp(0.0, -freeboard[at - 1 : at + 1], [angles[0], angles[-1]]))
 
 
+@lru_cache(maxsize=64)
 def righting_polynomial(ship: Ship, max_angle: float = 40.0) -> RightingFit:
     """Odd polynomial of the righting arm, with the slope at 0 held at GM.
 
@@ -237,7 +238,7 @@ def polynomial_miss(ship: Ship, max_angle: float) -> float:
     """
     within = max(int(np.searchsorted(_ALL_ANGLES, max_angle, side="right")), 1)
     arms = _arm(ship, np.radians(_ALL_ANGLES))[0][:within]  # always the same angles, so that they are computed once
-    missed = np.abs(_polynomial(ship).arm(_ALL_ANGLES[:within]) - arms).max()
+    missed = np.abs(righting_polynomial(ship).arm(_ALL_ANGLES[:within]) - arms).max()
     return float(missed / np.abs(arms).max())
 
 
@@ -252,6 +253,10 @@ def warn_of_polynomial(ship: Ship, largest_roll: float) -> None:
     Warns
     -----
     RangeWarning
+
+    Notes
+    -----
+    Source: `polynomial_miss`; the 5 % are ours.
     """
     if ship.righting == "spline" or not largest_roll > 0:
         return
@@ -266,7 +271,6 @@ def warn_of_polynomial(ship: Ship, largest_roll: float) -> None:
 
 
 _ALL_ANGLES = np.arange(2.5, 90.0, 2.5)
-_polynomial = lru_cache(maxsize=16)(righting_polynomial)
 
 
 @lru_cache(maxsize=16)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -46,7 +48,8 @@ def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], 
         raise InputError(f"roll stiffness {stiffness:g} N m must be positive; check GM")
 
     def excess(frequency: float) -> float:
-        return frequency**2 * inertia(frequency) / stiffness - 1
+        # The root of the ratio is nearly a straight line over the frequency: few steps reach its zero.
+        return frequency * math.sqrt(max(inertia(frequency) / stiffness, 0.0)) - 1
 
     if not excess(highest) > 0:
         raise InputError(f"no natural roll frequency below {highest:g} rad/s; check the radius of gyration in roll")
@@ -66,6 +69,7 @@ class FreeRoll(NamedTuple):
     inertia: float
 
 
+@lru_cache(maxsize=64)
 def free_roll(ship: Ship) -> FreeRoll:
     """Natural roll frequency of a ship as loaded, and the inertia about G at that frequency.
 

@@ -89,6 +89,23 @@ def _outgoing_row(
 
 
 @kernel
+def _definite_matrix(nu: float, normal: Floats, row: Complexes, G: Floats) -> float:
+    """The normal matrix at one wave number with a multiple of the far-field row's square, lower half; that multiple."""
+    n = G.shape[0] - 1
+    trace = size = 0.0
+    for i in range(n + 1):
+        for j in range(i + 1):
+            G[i, j] = normal[0, i, j] + nu * (normal[1, i, j] + nu * normal[2, i, j])
+        trace += G[i, i]
+        size += row[i].real ** 2 + row[i].imag ** 2
+    beta = trace / ((n + 1) * size)
+    for i in range(n + 1):
+        for j in range(i + 1):
+            G[i, j] += beta * (row[i].real * row[j].real + row[i].imag * row[j].imag)
+    return beta
+
+
+@kernel
 def standing_waves(
     first: int, last: int, wavenumber: Floats, sign: float, submerged: np.ndarray, normal: Floats, known: Floats,
     node: Complexes, tangent: Complexes, slope: Floats, stream: Floats, stream_slope: Floats, potential: Complexes,
@@ -132,16 +149,8 @@ def standing_waves(
         nu, T = wavenumber[f, s], tangent[s]
         _far_field(nu, sign, node[s], of_h, of_conjugate)
         _outgoing_row(nu, sign, submerged[s], T, slope[s], of_h, of_conjugate, row)
-        trace = size = 0.0
+        beta = _definite_matrix(nu, normal[s], row, G)
         for i in range(n + 1):
-            for j in range(i + 1):
-                G[i, j] = normal[s, 0, i, j] + nu * (normal[s, 1, i, j] + nu * normal[s, 2, i, j])
-            trace += G[i, i]
-            size += row[i].real ** 2 + row[i].imag ** 2
-        beta = trace / ((n + 1) * size)
-        for i in range(n + 1):
-            for j in range(i + 1):
-                G[i, j] += beta * (row[i].real * row[j].real + row[i].imag * row[j].imag)
             for j in range(m):
                 R[i, j] = known[f, s, i, j]
             R[i, m], R[i, m + 1] = row[i].real, row[i].imag

@@ -63,7 +63,7 @@ def compare_forces(
     Notes
     -----
     The differences count phase as well as size.
-    Source: [H71] eqs. (B-3)-(B-11); [STF70] exciting force; [Ancellin19].  Valid: deep water, linear wave.
+    Source: [H71] eqs. (B-3)-(B-11), Figs. 2-4; [STF70] exciting force; [Ancellin19].  Valid: deep water, linear wave.
 
     Examples
     --------

@@ -195,17 +195,18 @@ def slopes(linear, coefficients, powers, modulus, state, table, jacobian):
 
 
 @abreast
-def linear_response(linear, l, w, x, y, z):
+def linear_response(linear, l, w, x, y, z, answer):
     """Phasors of sway, roll, yaw under accelerations (x, y, z) at frequency ``w`` without the products; Cramer's rule.
 
     Notes
     -----
+    ``answer`` is what an autopilot does to (sway, roll, yaw) per unit of yaw, as `steering.feedback`.
     Source: [H71] eq. (3), linear part.
     """
     e, s = 1j * w, -w * w
-    a, b, c = s - e * linear[0, 0, l], -linear[0, 1, l] - e * linear[0, 2, l], -e * linear[0, 3, l]
-    d, f, g = -e * linear[1, 0, l], s - linear[1, 1, l] - e * linear[1, 2, l], -e * linear[1, 3, l]
-    h, i, j = -e * linear[2, 0, l], -linear[2, 1, l] - e * linear[2, 2, l], s - e * linear[2, 3, l]
+    a, b, c = s - e * linear[0, 0, l], -linear[0, 1, l] - e * linear[0, 2, l], -e * linear[0, 3, l] - answer[0]
+    d, f, g = -e * linear[1, 0, l], s - linear[1, 1, l] - e * linear[1, 2, l], -e * linear[1, 3, l] - answer[1]
+    h, i, j = -e * linear[2, 0, l], -linear[2, 1, l] - e * linear[2, 2, l], s - e * linear[2, 3, l] - answer[2]
     p, q, r = f * j - g * i, d * j - g * h, d * i - f * h
     det = a * p - b * q + c * r
     if det == 0.0:  # an undamped resonance; a complex division by zero would stop the whole batch

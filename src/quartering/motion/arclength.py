@@ -14,6 +14,7 @@ Equations = Callable[[Floats], tuple[Floats, Floats]]
 
 _FIRST_STEP, _LONGEST_STEP, _SHORTEST_STEP = 0.02, 0.05, 1e-6
 _LARGEST_TURN = 0.98
+_NEWTON_STEP = 1e-10
 _POINTS_OF_A_LOOP = 8
 
 
@@ -49,20 +50,8 @@ def corrected(equations: Equations, guess: Floats, tangent: Floats) -> Floats | 
     >>> corrected(circle, np.array([0.1, 1.1]), np.array([1.0, 0.0])).round(6).tolist()
     [0.1, 0.994987]
     """
-    point = guess.copy()
-    for _ in range(12):
-        value, derivative = equations(point)
-        try:
-            step = np.linalg.solve(np.vstack([derivative, tangent]), -np.append(value, tangent @ (point - guess)))
-        except np.linalg.LinAlgError:
-            return None
-        point += step
-        largest = np.abs(step).max()
-        if not largest < 1e3:
-            return None
-        if largest < 1e-10:
-            return point
-    return None
+    found = _newton(equations, guess, tangent)
+    return None if found is None else found[0]
 
 
 def tangent_at(equations: Equations, point: Floats, along: Floats) -> Floats:
@@ -88,8 +77,30 @@ def tangent_at(equations: Equations, point: Floats, along: Floats) -> Floats:
     >>> tangent_at(circle, np.array([1.0, 0.0]), np.array([0.3, 1.0])).round(9).tolist()
     [0.0, 1.0]
     """
-    _, derivative = equations(point)
-    last = np.zeros(point.size)
+    return _null_vector(equations(point)[1], along)
+
+
+def _newton(equations: Equations, guess: Floats, tangent: Floats) -> tuple[Floats, Floats] | None:
+    """Point of `corrected`, and the derivative at the last iterate, a hair's breadth from it."""
+    point = guess.copy()
+    for _ in range(12):
+        value, derivative = equations(point)
+        try:
+            step = np.linalg.solve(np.vstack([derivative, tangent]), -np.append(value, tangent @ (point - guess)))
+        except np.linalg.LinAlgError:
+            return None
+        point += step
+        largest = np.abs(step).max()
+        if not largest < 1e3:
+            return None
+        if largest < _NEWTON_STEP:
+            return point, derivative
+    return None
+
+
+def _null_vector(derivative: Floats, along: Floats) -> Floats:
+    """Unit vector that a derivative (m, m + 1) takes to zero, on the side of `along`."""
+    last = np.zeros(along.size)
     last[-1] = 1.0
     try:
         direction = np.linalg.solve(np.vstack([derivative, along]), last)
@@ -139,9 +150,12 @@ def follow(
     tangent = tangent_at(equations, start, along)
     found, tangents, length = [start], [tangent], min(_FIRST_STEP, longest)
     while len(found) < points and length > _SHORTEST_STEP:
-        point = corrected(equations, found[-1] + length * tangent, tangent)
-        turned = tangent_at(equations, point, tangent) if point is not None else tangent
-        if point is None or not turned @ tangent >= _LARGEST_TURN:
+        there = _newton(equations, found[-1] + length * tangent, tangent)
+        if there is None:
+            length *= 0.5
+            continue
+        point, turned = there[0], _null_vector(there[1], tangent)
+        if not turned @ tangent >= _LARGEST_TURN:
             length *= 0.5
             continue
         enough = may_close and len(found) >= _POINTS_OF_A_LOOP

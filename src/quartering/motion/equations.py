@@ -99,7 +99,7 @@ class System:
         All are writeable and contiguous: a kernel is compiled again for arrays that are not.
         """
         own = (self.linear, self.coefficients, self.powers, self.modulus, self.mean, self.cos, self.sin, self.frequency)
-        return tuple(np.require(array, requirements=("C", "W")) for array in own)
+        return tuple(array if array.flags.carray else np.require(array, requirements=("C", "W")) for array in own)
 
 
 def canonical(

@@ -58,6 +58,46 @@ def _correct(system, tables, u, share, scale, tangent, force, bordered, pivots, 
 
 
 @inner
+def _set_off(linear_motion, scale, tangent):
+    """Size of each mode (3,), and the unit tangent (3 b + 1,) of the branch where the wave begins to rise."""
+    nb = linear_motion.shape[1]
+    size = 3 * nb
+    whole = 1e-300
+    for k in range(3):
+        for b in range(nb):
+            whole = max(whole, abs(linear_motion[k, b]))
+    for k in range(3):
+        scale[k] = 1e-3 * whole
+        for b in range(nb):
+            scale[k] = max(scale[k], abs(linear_motion[k, b]))
+    norm = 1.0
+    for row in range(size):
+        tangent[row] = linear_motion[row // nb, row % nb] / scale[row // nb]
+        norm += tangent[row] ** 2
+    tangent[size] = 1.0
+    for row in range(size + 1):
+        tangent[row] /= np.sqrt(norm)
+
+
+@inner
+def _turn(bordered, pivots, tangent, new):
+    """The branch's next tangent (3 b + 1,) in ``new``; returns its cosine with the last one."""
+    size = tangent.size - 1
+    for row in range(size):
+        new[row] = 0.0
+    new[size] = 1.0
+    lu_solve(bordered, pivots, new)
+    turn, norm = 0.0, 0.0
+    for row in range(size + 1):
+        norm += new[row] ** 2
+        turn += new[row] * tangent[row]
+    norm = np.sqrt(norm)
+    for row in range(size + 1):
+        new[row] /= norm
+    return turn / norm
+
+
+@inner
 def follow(system, tables, linear_motion, u, work):
     """Follow the motion from rest while the excitation grows from 0 to 1; leaves ``u`` near the first motion at 1.
 
@@ -80,22 +120,9 @@ def follow(system, tables, linear_motion, u, work):
     bordered, pivots = np.empty((size + 1, size + 1)), np.empty(size + 1, np.int64)
     first = 1 if tables[2][0] == 0.0 else 0
     _excitation(system, first, nb, force)
-    whole = 1e-300
-    for k in range(3):
-        for b in range(nb):
-            whole = max(whole, abs(linear_motion[k, b]))
-    for k in range(3):
-        scale[k] = 1e-3 * whole
-        for b in range(nb):
-            scale[k] = max(scale[k], abs(linear_motion[k, b]))
-    norm = 1.0
+    _set_off(linear_motion, scale, tangent)
     for row in range(size):
-        tangent[row] = linear_motion[row // nb, row % nb] / scale[row // nb]
-        norm += tangent[row] ** 2
         u[row // nb, row % nb] = 0.0
-    tangent[size] = 1.0
-    for row in range(size + 1):
-        tangent[row] /= np.sqrt(norm)
     share, length = 0.0, 0.05
     for _ in range(600):
         for row in range(size):
@@ -103,18 +130,8 @@ def follow(system, tables, linear_motion, u, work):
         iterations, reached = _correct(
             system, tables, trial, share + length * tangent[size], scale, tangent, force, bordered, pivots, step, work
         )
-        for row in range(size + 1):
-            new[row] = 0.0
-        new[size] = 1.0
-        turn, norm = -1.0, 0.0
-        if iterations >= 0:
-            lu_solve(bordered, pivots, new)
-            turn = 0.0
-            for row in range(size + 1):
-                norm += new[row] ** 2
-                turn += new[row] * tangent[row]
-            turn /= np.sqrt(norm)
-        if not turn > 0.9:  # not converged, or the branch bent too sharply to be sure it is the same one
+        same = iterations >= 0 and _turn(bordered, pivots, tangent, new) > 0.9
+        if not same:  # not converged, or the branch bent too sharply to be sure it is the same one
             length *= 0.5
             if length < 1e-7:
                 return False
@@ -127,7 +144,7 @@ def follow(system, tables, linear_motion, u, work):
         if crossed:
             return True
         for row in range(size + 1):
-            tangent[row] = new[row] / np.sqrt(norm)
+            tangent[row] = new[row]
         share = reached
         if abs(share) > 1e3:
             return False

@@ -24,6 +24,7 @@ from quartering.motion.dense import factor_abreast, solve_abreast
 
 _ITERATIONS = 8
 _LEFT, _DONE = 1, 2
+_NO_AUTOPILOT = (0j, 0j, 0j)
 
 
 @abreast
@@ -46,8 +47,13 @@ def _inertia_and_waves(tables, mean, cos, sin, w, u, residual):
 
 
 @abreast
-def _balance(system, tables, degrees, u, residual, room):
-    """Residuals (3 b, W) of the balance equations, as `balance.balance` has them for one condition."""
+def balance_abreast(system, tables, degrees, u, residual, room):
+    """Residuals (3 b, W) of the balance equations, as `balance.balance` has them for one condition.
+
+    Notes
+    -----
+    Source: [H71] eqs. (A-10), (A-11), [Krack19].
+    """
     linear, coefficients, powers, modulus, mean, cos, sin, w = system
     values, _, _, weights = tables
     state, table, force, _, _ = room
@@ -145,7 +151,7 @@ def _linear(system, factors, u, side):
             for b in range(u.shape[1]):
                 u[k, b, l] = 0.0
         x, y, z = cos[0, l] - 1j * sin[0, l], cos[1, l] - 1j * sin[1, l], cos[2, l] - 1j * sin[2, l]
-        sway, roll, yaw = linear_response(linear, l, w[l], x, y, z)
+        sway, roll, yaw = linear_response(linear, l, w[l], x, y, z, _NO_AUTOPILOT)
         u[0, first, l], u[0, first + 1, l] = sway.real, -sway.imag
         u[1, first, l], u[1, first + 1, l] = roll.real, -roll.imag
         u[2, first, l], u[2, first + 1, l] = yaw.real, -yaw.imag
@@ -184,7 +190,7 @@ def _newton(system, tables, degrees, u, stage, sign, work):
         factor_abreast(matrix, pivots, inverse, sign[1])
         _copy(u, points[0])
         for j in range(3):
-            _balance(system, tables, degrees, points[j], step, room)
+            balance_abreast(system, tables, degrees, points[j], step, room)
             solve_abreast(matrix, pivots, inverse, step)
             _move(points[j], step, points[j + 1], sizes[j])
         working = False
@@ -250,7 +256,7 @@ def in_step(first, last, linear, coefficients, powers, modulus, mean, cos, sin, 
                 for b in range(nb):
                     u[k, b, l] = start[i, k, b] if given_start else linear_motion[k, b, l]
         _newton(system, tables, degrees, u, stage, sign, work)
-        _balance(system, tables, degrees, u, step, room)
+        balance_abreast(system, tables, degrees, u, step, room)
         for l in range(min(WIDTH, last - begin)):
             i = begin + l
             if stage[l] != _DONE:
@@ -266,37 +272,3 @@ def in_step(first, last, linear, coefficients, powers, modulus, mean, cos, sin, 
             error[i] = 0.0
             for row in range(size):
                 error[i] = max(error[i], abs(step[row, l]) / scale)
-
-
-@kernel
-def add_linear_harmonics(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-                         values, rates, factors, weights, known, u):  # fmt: skip
-    """Fill the columns of ``u`` (n, 3, b) after the first ``known`` with their linear response to the products.
-
-    Notes
-    -----
-    Source: [H71] eq. (A-8).
-    """
-    nb = values.shape[0]
-    own, room, degrees = rows_abreast(powers, nb)
-    source = (linear, coefficients, powers, modulus, mean, cos, sin, frequency)
-    system = (own[0], own[1], powers, modulus, own[2], own[3], own[4], own[5])
-    tables = (values, rates, factors, weights)
-    row, residual = np.zeros((3, nb, WIDTH)), np.zeros((3 * nb, WIDTH))
-    for begin in range(first, last, WIDTH):
-        gather(begin, last, source, system)
-        for l in range(WIDTH):
-            i = min(begin + l, last - 1)
-            for k in range(3):
-                for b in range(nb):
-                    row[k, b, l] = u[i, k, b] if b < known else 0.0
-        _balance(system, tables, degrees, row, residual, room)
-        for l in range(min(WIDTH, last - begin)):
-            for b in range(known, nb, 2):
-                x = 1j * residual[b + 1, l] - residual[b, l]
-                y = 1j * residual[nb + b + 1, l] - residual[nb + b, l]
-                z = 1j * residual[2 * nb + b + 1, l] - residual[2 * nb + b, l]
-                sway, roll, yaw = linear_response(own[0], l, factors[b] * own[5][l], x, y, z)
-                u[begin + l, 0, b], u[begin + l, 0, b + 1] = sway.real, -sway.imag
-                u[begin + l, 1, b], u[begin + l, 1, b + 1] = roll.real, -roll.imag
-                u[begin + l, 2, b], u[begin + l, 2, b + 1] = yaw.real, -yaw.imag

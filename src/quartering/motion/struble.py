@@ -7,45 +7,43 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import kernel
-from quartering.motion.balance import balance
+from quartering.motion.abreast import WIDTH, gather, gather_motions, linear_response, rows_abreast
 from quartering.motion.basis import basis
-from quartering.motion.dense import lu_factor, lu_solve
 from quartering.motion.equations import Floats, System
 from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.lockstep import add_linear_harmonics
+from quartering.motion.lockstep import balance_abreast
+from quartering.motion.steering import feedback, turning
 from quartering.threads import in_threads
 
 
 @kernel
-def _correct(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-             values, rates, factors, weights, known, u):  # fmt: skip
-    """Fill the columns of ``u`` (n, 3, b) after the first `known` with their linear response, one condition after another."""
-    nb = values.shape[0]
-    size, free = 3 * nb, nb - known
-    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, nb)))
-    residual, no_matrix, matrix = np.empty(size), np.empty((0, 0)), np.empty((size, size))
-    block, right, pivots = np.empty((3 * free, 3 * free)), np.empty(3 * free), np.empty(3 * free, np.int64)
+def _add_linear_harmonics(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
+                          values, rates, factors, weights, fundamental, answer, u):  # fmt: skip
+    """Fill the columns of ``u`` (n, 3, b) beyond those of ``fundamental`` with their linear response to its products.
+
+    ``answer`` (n, 3, b) is the autopilot's to each harmonic of yaw.
+    """
+    nb, known = values.shape[0], fundamental.shape[2]
+    own, room, degrees = rows_abreast(powers, nb)
+    source = (linear, coefficients, powers, modulus, mean, cos, sin, frequency)
+    system = (own[0], own[1], powers, modulus, own[2], own[3], own[4], own[5])
     tables = (values, rates, factors, weights)
-    for i in range(first, last):
-        system = (linear[i], coefficients[i], powers, modulus, mean[i], cos[i], sin[i], frequency[i])
-        # Imbalance of the higher harmonics left by the fundamental, then the linear equations' own matrix.
-        balance(system, tables, u[i], 1.0, residual, no_matrix, scratch)
-        for k in range(3):
-            for b in range(free):
-                right[k * free + b] = -residual[k * nb + known + b]
-        balance(system, tables, u[i], 0.0, residual, matrix, scratch)
-        for k in range(3):
-            for b in range(free):
-                for j in range(3):
-                    for c in range(free):
-                        block[k * free + b, j * free + c] = matrix[k * nb + known + b, j * nb + known + c]
-        if lu_factor(block, pivots) == 0:
-            right[:] = np.nan
-        else:
-            lu_solve(block, pivots, right)
-        for k in range(3):
-            for b in range(free):
-                u[i, k, known + b] = right[k * free + b]
+    row, residual = np.zeros((3, nb, WIDTH)), np.zeros((3 * nb, WIDTH))
+    for begin in range(first, last, WIDTH):
+        gather(begin, last, source, system)
+        gather_motions(begin, last, fundamental, row[:, :known])
+        balance_abreast(system, tables, degrees, row, residual, room)
+        for l in range(min(WIDTH, last - begin)):
+            i = begin + l
+            for b in range(known, nb, 2):
+                x = 1j * residual[b + 1, l] - residual[b, l]
+                y = 1j * residual[nb + b + 1, l] - residual[nb + b, l]
+                z = 1j * residual[2 * nb + b + 1, l] - residual[2 * nb + b, l]
+                steering = (answer[i, 0, b], answer[i, 1, b], answer[i, 2, b])
+                sway, roll, yaw = linear_response(own[0], l, factors[b] * own[5][l], x, y, z, steering)
+                u[i, 0, b], u[i, 0, b + 1] = sway.real, -sway.imag
+                u[i, 1, b], u[i, 1, b + 1] = roll.real, -roll.imag
+                u[i, 2, b], u[i, 2, b + 1] = yaw.real, -yaw.imag
 
 
 def modified_struble(
@@ -82,10 +80,11 @@ def modified_struble(
     """
     low, orders = ((1,), (1, 3)) if system.symmetric else ((0, 1), (0, 1, 2, 3))
     fundamental, status, residual = harmonic_balance(system, low, start, from_rest=from_rest)
-    known = fundamental.shape[2]
     table = basis(orders, system.degree, system.has_modulus)
     u = np.zeros((system.count, 3, table.factors.size))
-    u[:, :, :known] = fundamental
-    add = add_linear_harmonics if system.plain else _correct
-    in_threads(add, system.count, *system.kernel_arrays(), *table.arrays, known, u)
+    u[:, :, : fundamental.shape[2]] = fundamental
+    # A rudder is linear: it takes no part in what the fundamental's products leave, only in the response to it.
+    moving = np.ascontiguousarray(turning(system.linear, fundamental, low))
+    answer = np.stack([feedback(system.linear, h * system.frequency) for h in table.factors], axis=2)
+    in_threads(_add_linear_harmonics, system.count, *system.kernel_arrays(), *table.arrays, moving, answer, u)
     return u, orders, status, residual

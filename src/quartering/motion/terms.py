@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,6 +40,7 @@ class Factors:
         return sum(self.powers) % 2 == 1
 
 
+@lru_cache(maxsize=1024)
 def parse(name: str) -> tuple[int, Factors]:
     """Row and factors of a term name.
 

@@ -1,15 +1,69 @@
-"""Compiling, ahead of need, the kernels that a first map meets last: run as a process of its own beside the map's.
+"""What the first computation waits for: kernels that must be compiled, said once, and a second process that compiles some.
 
-``python -m quartering.stability.ahead`` leaves them in the cache on disk, where the other process finds them.
+``python -m quartering.stability.ahead`` leaves the kernels that a first map meets last in the cache on disk, where the other
+process finds them.
 """
 
 from __future__ import annotations
 
+import atexit
+import logging
+import subprocess
+import sys
+from functools import cache
+from multiprocessing import parent_process
+from pathlib import Path
+from types import ModuleType
+
 import numpy as np
 
+from quartering.loads import diffraction
+from quartering.motion import harmonic
 from quartering.motion.equations import Model
 from quartering.motion.harmonic import solve_with_care
+from quartering.stability import variation
 from quartering.stability.assessment import assess
+from quartering.threads import workers
+
+NOTICE = "compiling numerical kernels, once (15 to 30 s)"
+
+
+@cache
+def announce_compilation() -> None:
+    """Say that kernels will be compiled, when they are not in the cache, and have a second process compile some; once.
+
+    Notes
+    -----
+    A warning of the logger "quartering", which stands on stderr unless logging is set up otherwise.  Worker processes of
+    `multiprocessing` keep quiet: there may be many.
+    Source: none needed; the compiler works on one thread, so a second process is what shortens the first wait.
+    """
+    if parent_process() is not None or compiled():
+        return
+    logging.getLogger("quartering").warning(NOTICE)
+    if workers() > 1 and sys.executable:
+        beside = subprocess.Popen(
+            [sys.executable, "-m", "quartering.stability.ahead"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        atexit.register(_stop, beside)
+
+
+def _stop(process: subprocess.Popen[bytes]) -> None:
+    process.terminate()
+    process.wait()
+
+
+def compiled() -> bool:
+    """Are kernels of every module a map compiles in the cache, and newer than their source?"""
+    return all(_cached(module) for module in (diffraction, harmonic, variation))
+
+
+def _cached(module: ModuleType) -> bool:
+    source = Path(str(module.__file__))
+    folders = {kernel.stats.cache_path for kernel in vars(module).values() if hasattr(kernel, "stats")}
+    pattern = f"{source.stem}.*.py{sys.version_info.major}{sys.version_info.minor}*.nbi"
+    entries = [entry for folder in folders for entry in Path(folder).glob(pattern)]
+    return any(entry.stat().st_mtime >= source.stat().st_mtime for entry in entries)
 
 
 def compile_ahead() -> None:
@@ -17,7 +71,7 @@ def compile_ahead() -> None:
 
     Notes
     -----
-    Source: none needed; the compiler works on one thread, so a second process is what shortens the first wait.
+    Source: none needed; the answer is thrown away.
     """
     terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_ppp": -0.1, "K_phiphiphi": -0.2, "N_r": -0.6}
     system = Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0.02, 0)).system

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats, System
 from quartering.motion.steering import HEADING, RUDDER, feedback, state_matrix
+from quartering.stability.course import combination_rate, course_matrix, course_rates
 from quartering.stability.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
@@ -113,35 +114,6 @@ def _index_from_amplitudes(
     return np.asarray(0.5 * n2 * w**2 * (i1 * p1**2 + i2 * p2**2 + i3 * p3**2) + n2 * linear)
 
 
-def _real_parts(matrix: Floats) -> Floats:
-    """Real parts (n, 2) of the eigenvalues of 2 x 2 matrices, the larger first."""
-    (a, b), (c, d) = matrix.transpose(1, 2, 0)
-    middle, apart = 0.5 * (a + d), np.sqrt(np.maximum(0.25 * (a - d) ** 2 + b * c, 0.0))
-    return np.stack([middle + apart, middle - apart], axis=1)
-
-
-def _course(mean: Floats, rho: Floats, linear: Floats) -> Floats:
-    """Averaged matrix (n, 2, 2) of the sway-yaw modes; with an autopilot the heading and the rudder are added."""
-    sway_yaw = mean[:, [0, 2]][:, :, [0, 2]] - rho[:, [0, 2], None] * mean[:, 1][:, None, [0, 2]]
-    states = linear.shape[2]
-    if states <= HEADING:
-        return np.asarray(sway_yaw)
-    matrix = np.zeros((len(mean), states - 2, states - 2))
-    matrix[:, :2, :2] = sway_yaw
-    matrix[:, :2, 2:] = linear[:, [0, 2], HEADING:] - rho[:, [0, 2], None] * linear[:, [1], HEADING:]
-    matrix[:, 2, 1] = 1.0
-    if states > RUDDER:
-        matrix[:, 3, 1:] = linear[:, 3, 3:]
-    return matrix
-
-
-def _growth_rates(course: Floats) -> Floats:
-    """Real parts of the eigenvalues of the course matrices, the largest first."""
-    if course.shape[1] == 2:
-        return _real_parts(course)
-    return np.asarray(-np.sort(-eigenvalues(course).real, axis=1))
-
-
 def _averaged_roll_pair(system: System, phasors: Complex, detail: Detail) -> Complex:
     """Roll pair (n, 2) of d(A', B')/d(A, B) from the averaged equations (A-10).
 
@@ -189,28 +161,6 @@ def _in_roll(matrix: Floats) -> Complex:
     in_roll = share[:, 1] + share[:, 4]
     order = np.argsort(-in_roll, axis=1)[:, :2]
     return np.asarray(np.take_along_axis(values, order, axis=1).astype(complex))
-
-
-def _combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Floats, phasors: Complex) -> Floats:
-    """Largest growth rate of roll combined with the slow modes through modulation at 2 omega, near n2 = 2 omega."""
-    n = w.size
-    two, four = phasors[:, 1], phasors[:, 2]
-    d2, d4 = two[:, :, _VELOCITIES], four[:, :, _VELOCITIES]
-    c = (four[:, 1, 1] - 1j * n2 * np.einsum("nj,nj->n", rho, d4[:, 1])) / (4j * n2)
-    diagonal = rate - 1j * (2 * w - n2)
-    into_roll = d2[:, 1][:, [0, 2]] / (4j * n2)[:, None]
-    modulation = np.einsum("nkj,nj->nk", d2, rho)
-    drive = 1j * n2[:, None] * np.conj(modulation - rho * modulation[:, [1]])[:, [0, 2]]
-    states = 2 + slow.shape[1]
-    matrix = np.zeros((n, states, states))
-    matrix[:, 0, 0] = (diagonal + c).real
-    matrix[:, 0, 1] = -(diagonal - c).imag
-    matrix[:, 1, 0] = (diagonal + c).imag
-    matrix[:, 1, 1] = (diagonal - c).real
-    matrix[:, 0, 2:4], matrix[:, 1, 2:4] = into_roll.real, into_roll.imag
-    matrix[:, 2:4, 0], matrix[:, 2:4, 1] = drive.real, -drive.imag
-    matrix[:, 2:, 2:] = slow
-    return np.asarray(eigenvalues(matrix).real.max(axis=1))
 
 
 def roll_mode(rows: Any, linear: Any) -> tuple[Any, Any, Any]:
@@ -297,8 +247,8 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
         root = np.abs(modulation) ** 2 / (16 * n2[:, None] ** 2) - detuning**2
         return rate[:, None] + np.sqrt(np.maximum(root, 0.0))
 
-    course = _course(mean, rho, own)
-    slow = _growth_rates(course)
+    course = course_matrix(mean, rho, own)
+    slow = course_rates(course)
     spectrum = np.full((w.size, system.states), np.nan, dtype=complex)
     if detail == "full" or system.states > HEADING:
         spectrum[:] = eigenvalues(state_matrix(phasors[:, 0].real, own))
@@ -320,7 +270,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
         q_paper=known(growth(kappa)),
         q=known(growth(kappa - 1j * n2[:, None] * damping)),
         slow=known(slow),
-        combination=known(_combination_rate(w, n2, rho, rate, course, phasors)),
+        combination=known(combination_rate(w, n2, rho, rate, course, phasors)),
         averaged=known(_averaged_roll_pair(system, phasors, detail), finite),
         mean_jacobian=known(spectrum, finite),
     )

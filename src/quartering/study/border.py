@@ -12,9 +12,11 @@ from quartering.motion.equations import Floats, System
 from quartering.motion.subharmonic import ascending, columns, orders_of, rearranged, slowed
 from quartering.motion.switching import new_columns
 from quartering.stability.assessment import assess
+from quartering.stability.magnus import FINEST
 from quartering.study.events import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
 
-_STEP = 1e-5
+STEP = 1e-4
+"""Of differences, in scaled unknowns and shares of the limits: long beside errors of 1e-7, short beside any bend."""
 _ACCURACY = 1e-8
 _OSCILLATES = 1e-4
 
@@ -43,33 +45,33 @@ class Border:
 
         Returns
         -------
-        values : (k + 1,) float
+        values : (k + 1,) float  good enough in the others for differences
         gradient : (m,) float    in the first condition
         """
         if self.kind == NEIMARK_SACKER:
-            beside = np.concatenate([x + _STEP * np.eye(x.size), x - _STEP * np.eye(x.size)])
-            motions = np.concatenate([np.repeat(x[None], len(near) + 1, axis=0), beside])
-            growth = self._growth(joined([here, *near, *[here] * len(beside)]), motions)
-            up, down = growth[len(near) + 1 : -x.size], growth[-x.size :]
-            return growth[: len(near) + 1], np.asarray((up - down) / (2 * _STEP))
+            beside = np.concatenate([x + STEP * np.eye(x.size), x - STEP * np.eye(x.size)])
+            motions = np.concatenate([np.repeat(x[None], len(near), axis=0), beside])
+            others = self._growth(joined([*near, *[here] * len(beside)]), motions, FINEST)
+            up, down = others[len(near) : -x.size], others[-x.size :]
+            values = np.append(self._growth(here, x[None], _ACCURACY), others[: len(near)])
+            return values, np.asarray((up - down) / (2 * STEP))
         value, left, right = self._singular(here, x)
         values = np.array([value, *(self._singular(system, x)[0] for system in near)])
         # The second derivative of the balance equations is symmetric: one directional difference gives the whole row.
         u, v = self._enlarged(x), right.reshape(3, -1) * self._scale().reshape(3, -1)
         slow, orders = slowed(here, self._periods()), self._orders()
-        ahead, behind = (balance_of(slow, orders, u + sign * _STEP * v)[1] for sign in (1.0, -1.0))
-        row = (left @ self._weighted(slow, (ahead - behind) / (2 * _STEP))).reshape(1, 3, -1)
+        ahead, behind = (balance_of(slow, orders, u + sign * STEP * v)[1] for sign in (1.0, -1.0))
+        row = (left @ self._weighted(slow, (ahead - behind) / (2 * STEP))).reshape(1, 3, -1)
         factor = self._periods() // self.curve.periods
         kept = columns(orders)
         return values, np.concatenate([row[:, :, kept[factor * h]] for h in self.curve.orders], axis=2).ravel()
 
-    def _growth(self, system: System, x: Floats) -> Floats:
+    def _growth(self, system: System, x: Floats, accuracy: float) -> Floats:
         """Growth rate times the period (n,) of the oscillating pair nearest to the unit circle."""
         u = (x * self.curve.scale).reshape(len(x), 3, -1)
         rising, orders = ascending(u, self.curve.orders)
-        multipliers = assess(
-            slowed(system, self.curve.periods), rising, orders, _ACCURACY, detail="map"
-        ).floquet.multipliers
+        slow = slowed(system, self.curve.periods)
+        multipliers = assess(slow, rising, orders, accuracy, detail="map").floquet.multipliers
         logarithm = np.log(np.abs(multipliers))
         oscillating = np.abs(multipliers.imag) > _OSCILLATES * np.abs(multipliers)
         nearest = np.where(oscillating, np.abs(logarithm), np.inf).argmin(axis=1)

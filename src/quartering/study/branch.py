@@ -18,6 +18,7 @@ from quartering.motion.isola import loops
 from quartering.motion.steady import peaks
 from quartering.motion.subharmonic import columns
 from quartering.motion.switching import doubled, leaning, strength
+from quartering.stability.ahead import announce_compilation
 from quartering.study.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.family import family, parameter_attributes
 from quartering.threads import small_matrices
@@ -40,7 +41,7 @@ def branch(
     over: str = "frequency",
     *,
     limits: tuple[float, float] | None = None,
-    harmonics: int = 3,
+    harmonics: int = 9,
     wave: Wave | None = None,
     speed: float = 0.0,
     heading: float = 90.0,
@@ -91,6 +92,7 @@ def branch(
     >>> curve["frequency"][curve["event"] == "fold"].values.round(2).tolist()
     [1.26, 1.1]
     """
+    announce_compilation()
     low, high, at = family(ship_or_model, over, limits, wave, speed, heading)
     with small_matrices():
         parts = [

@@ -15,6 +15,7 @@ from quartering.loads.forces import Form
 from quartering.motion.of_ship import ShipSystem, ship_system
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks, steady_motions
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
 from quartering.study.grid import Grid
@@ -80,6 +81,7 @@ def evaluate(
     >>> found["verdict"].tolist(), found["exponent"].shape
     ([[0, 0]], (1, 2))
     """
+    announce_compilation()
     m, heights = wave_height.shape
     results: dict[str, NDArray[np.generic]] = {name: np.full((m, heights, *s), np.nan) for name, s in RESULTS.items()}
     results["encounter_frequency"] = np.full(m, np.nan)

@@ -16,15 +16,15 @@ from quartering.motion.branch import balance_of, within
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.steady import peaks
 from quartering.motion.subharmonic import ascending, columns, slowed
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
-from quartering.study.border import Border
+from quartering.study.border import STEP, Border
 from quartering.study.branch import lines_of, references_of, steepest_of
 from quartering.study.dataset import attributes
 from quartering.study.family import Parameters, along, parameter_attributes, parameters
-from quartering.threads import alone, small_matrices
+from quartering.threads import alone, small_matrices, spread
 
 _SCAN = 5
-_STEP = 1e-6
 _SAME = 0.02
 _LONGEST = 0.05
 
@@ -42,7 +42,7 @@ def edge(
     over: tuple[str, str] = ("wave_height", "heading"),
     *,
     limits: tuple[tuple[float, float] | None, tuple[float, float] | None] = (None, None),
-    harmonics: int = 3,
+    harmonics: int = 9,
     wave: Wave | None = None,
     speed: float = 0.0,
     heading: float = 90.0,
@@ -91,6 +91,7 @@ def edge(
     """
     if over[0] == over[1]:
         raise InputError(f"over={over!r}: give two different parameters")
+    announce_compilation()
     of = parameters(ship_or_model, over, limits, wave, speed, heading)
     edges: list[Edge] = []
     with small_matrices():
@@ -107,27 +108,30 @@ def _starts(of: Parameters, harmonics: int, steepest: float, *, splined: bool) -
     """Points (scaled unknowns, two shares) of edges, from branches over the first parameter."""
     own = float((of.own[1] - of.low[1]) / (of.high[1] - of.low[1]))
     shares = [*([own] if 0 <= own <= 1 else []), *((np.arange(_SCAN) + 0.5) / _SCAN)]
-    found, refusals = [], []
-    for share in shares:
+
+    def starts_at(share: float) -> list[tuple[Border, Floats]] | InputError:
         others = np.array([of.low[0], of.low[1] + share * (of.high[1] - of.low[1])])
         try:
             lines = lines_of(along(of, 0, others, splined=splined), harmonics, steepest=steepest)
         except InputError as refusal:  # no motion, or the ship keeps pace with the wave, at this value: others may do
-            refusals.append(refusal)
-            continue
-        for line in lines:
-            for event in np.unique(line.events[line.events != ""]):
-                found += [
-                    (Border(str(event), line.curve), np.append(p, share)) for p in line.points[line.events == event]
-                ]
+            return refusal
+        return [
+            (Border(str(event), line.curve), np.append(point, share))
+            for line in lines
+            for event in np.unique(line.events[line.events != ""])
+            for point in line.points[line.events == event]
+        ]
+
+    found = [one for _, one in sorted(spread(starts_at, shares), key=lambda pair: pair[0])]
+    refusals = [one for one in found if isinstance(one, InputError)]
     if len(refusals) == len(shares):
         raise refusals[0]
-    return found
+    return [start for one in found if not isinstance(one, InputError) for start in one]
 
 
 def _equations(of: Parameters, border: Border) -> Equations:
     """Balance equations and the test function of one edge, as `follow` takes them."""
-    curve, offsets = border.curve, _STEP * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
+    curve, offsets = border.curve, STEP * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
 
     def equations(point: Floats) -> tuple[Floats, Floats]:
         x, m = point[:-2], point.size - 2
@@ -144,8 +148,8 @@ def _equations(of: Parameters, border: Border) -> Equations:
             values = [
                 balance_of(slowed(s, curve.periods), curve.orders, u, with_matrix=False)[0] for s in (ahead, behind)
             ]
-            derivative[:m, m + j] = (values[0] - values[1]) / (2 * _STEP)
-            derivative[m, m + j] = (tests[1 + 2 * j] - tests[2 + 2 * j]) / (2 * _STEP)
+            derivative[:m, m + j] = (values[0] - values[1]) / (2 * STEP)
+            derivative[m, m + j] = (tests[1 + 2 * j] - tests[2 + 2 * j]) / (2 * STEP)
         return np.append(value, tests[0]), derivative
 
     return equations

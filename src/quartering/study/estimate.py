@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.stability.ahead import announce_compilation
 from quartering.study.conditions import FLAGS, RESULTS, evaluate_block
 from quartering.study.grid import Grid
 from quartering.study.resonance import missed_resonance
@@ -148,6 +149,7 @@ def _size_of_blocks(grid: Grid, each: float) -> int:
 
 def _seconds_each(grid: Grid, most: int) -> float:
     """Time of one condition on one core, by up to `most` from all over the grid: the best of a few tries, compiled before."""
+    announce_compilation()
     sample = _sampled(grid, most)
     alone(lambda i: evaluate_block(sample, i), 0)
     taken = []

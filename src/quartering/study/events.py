@@ -4,26 +4,29 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.optimize import brentq
 
 from quartering.motion.arclength import corrected
 from quartering.motion.branch import Curve
 from quartering.motion.equations import Floats
 from quartering.stability.assessment import Assessment, assess
+from quartering.stability.magnus import FINEST
 
 SYMMETRY_BREAKING, PERIOD_DOUBLING = "symmetry-breaking", "period-doubling"
 FOLD, NEIMARK_SACKER = "fold", "neimark-sacker"
 
 _ACCURACY = 1e-9
-_BISECTIONS = 40
+_PLACE = 1e-13
 
 
-def judged(curve: Curve, points: Floats) -> Assessment:
+def judged(curve: Curve, points: Floats, accuracy: float = _ACCURACY) -> Assessment:
     """Stability of points of a branch, as one batch.
 
     Parameters
     ----------
     curve : Curve
     points : (n, m + 1) float
+    accuracy : float             of the multipliers
 
     Returns
     -------
@@ -34,7 +37,7 @@ def judged(curve: Curve, points: Floats) -> Assessment:
     Source: Floquet's theorem.
     """
     u, orders = curve.motions(points)
-    return assess(curve.systems(points), u, orders, _ACCURACY)
+    return assess(curve.systems(points), u, orders, accuracy)
 
 
 def with_events(curve: Curve, points: Floats, folds: list[int]) -> tuple[Floats, NDArray[np.str_]]:
@@ -53,14 +56,14 @@ def with_events(curve: Curve, points: Floats, folds: list[int]) -> tuple[Floats,
 
     Notes
     -----
-    A change is a change of the number of multipliers outside the unit circle between two neighbours, located by bisection.
-    Two changes between two neighbours are seen as their sum.  Source: [Krack19].
+    A change is a change of the number of multipliers outside the unit circle between two neighbours, located where the
+    one that crosses has modulus 1.  Two changes between two neighbours are seen as their sum.  Source: [Krack19].
     """
-    count = _unstable(judged(curve, points))
+    count = _unstable(judged(curve, points, FINEST))  # only where it changes does more matter
     found, names = [], []
     for i, point in enumerate(points):
         if i > 0 and count[i] != count[i - 1] and i not in folds and i - 1 not in folds:
-            event = _located(curve, points[i - 1], point, int(count[i - 1]))
+            event = _located(curve, points[i - 1], point, int(min(count[i - 1], count[i])))
             name = _named(curve, event)
             if name != FOLD:  # the curve itself locates folds, and better than the multipliers of a truncated motion
                 found.append(event)
@@ -75,28 +78,35 @@ def _unstable(result: Assessment) -> NDArray[np.int64]:
     return np.asarray((np.abs(result.floquet.multipliers) > 1.0).sum(axis=1))
 
 
-def _located(curve: Curve, a: Floats, b: Floats, before: int) -> Floats:
-    """Point between two where the number of unstable multipliers changes, by bisection."""
-    chord = (b - a) / np.linalg.norm(b - a)
-    inside, outside = 0.0, float(np.linalg.norm(b - a))
-    found = b
-    for _ in range(_BISECTIONS):
-        middle = 0.5 * (inside + outside)
-        point = corrected(curve.residual, a + middle * chord, chord)
-        if point is None:
-            break
-        found = point
-        if _unstable(judged(curve, point[None]))[0] == before:
-            inside = middle
-        else:
-            outside = middle
-    return found
+def _located(curve: Curve, a: Floats, b: Floats, which: int) -> Floats:
+    """Point between two where the modulus of a multiplier, counted from the largest, passes through 1."""
+    chord, reach = (b - a) / np.linalg.norm(b - a), float(np.linalg.norm(b - a))
+
+    def at(length: float) -> Floats:
+        guess = a + length * chord
+        point = corrected(curve.residual, guess, chord)
+        return guess if point is None else point
+
+    def beyond(length: float) -> float:
+        multipliers = judged(curve, at(length)[None]).floquet.multipliers[0]
+        return float(np.log(np.sort(np.abs(multipliers[_may_change(multipliers)]))[::-1][which]))
+
+    first, last = beyond(0.0), beyond(reach)
+    if not first * last < 0:  # it passes within rounding of one of the two
+        return a if abs(first) < abs(last) else b
+    return at(brentq(beyond, 0.0, reach, xtol=_PLACE))
+
+
+def _may_change(multipliers: NDArray[np.complex128]) -> NDArray[np.bool_]:
+    """Which multipliers are not that of a heading nobody holds, which is exactly 1 everywhere?"""
+    return np.asarray(multipliers != 1.0)
 
 
 def _named(curve: Curve, point: Floats) -> str:
     """What kind of change of stability a point is, from the multiplier nearest to the unit circle."""
     floquet = judged(curve, point[None]).floquet
-    critical = int(np.argmin(np.abs(np.abs(floquet.multipliers[0]) - 1.0)))
+    away = np.abs(np.abs(floquet.multipliers[0]) - 1.0)
+    critical = int(np.argmin(np.where(_may_change(floquet.multipliers[0]), away, np.inf)))
     half, full = floquet.half[0, critical], floquet.multipliers[0, critical]
     deciding = half if np.isfinite(half) else full
     if abs(deciding.imag) > 1e-6:

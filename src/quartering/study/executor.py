@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError
+from quartering.stability.ahead import announce_compilation
 from quartering.study.conditions import evaluate_block
 from quartering.study.grid import Grid
 from quartering.threads import alone, spread
@@ -62,6 +63,7 @@ def computed(
 def _in_threads(
     grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts]
 ) -> Iterator[tuple[int, Counts]]:
+    announce_compilation()
     for i, counts in spread(lambda index: keep(index, evaluate_block(grid, index)), indices):
         yield indices[i], counts
 

@@ -7,12 +7,14 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
 from quartering.motion.batch import joined
+from quartering.motion.batch import rows as rows_of
 from quartering.motion.branch import Family
 from quartering.motion.equations import PER_CONDITION, Floats, Model, System
 from quartering.motion.of_ship import equations, ship_system
@@ -167,10 +169,15 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
             f"between {of.names[which]} = {of.low[which]:g} and {of.high[which]:g} the ship keeps pace with the wave;"
             " take narrower limits"
         )
-    splines = {name: CubicSpline(share, getattr(systems, name), axis=0) for name in PER_CONDITION}
+    arrays = [getattr(systems, name) for name in PER_CONDITION]
+    spline = CubicSpline(share, np.column_stack([array.reshape(share.size, -1) for array in arrays]))
+    ends = np.cumsum([array[0].size for array in arrays]).tolist()
+    places = [(end - array[0].size, end, (1, *array.shape[1:])) for end, array in zip(ends, arrays, strict=True)]
 
     def at_share(t: float) -> System:
-        return replace(systems, **{name: np.ascontiguousarray(spline(t)[None]) for name, spline in splines.items()})
+        row = spline(t)
+        parts = [row[begin:end].reshape(shape) for begin, end, shape in places]
+        return replace(systems, **dict(zip(PER_CONDITION, parts, strict=True)))
 
     return at_share
 
@@ -231,7 +238,7 @@ def _of_ship(ship: Ship, names: tuple[str, ...], own: Mapping[str, float]) -> Ca
             np.array(np.broadcast_to(by_name.get(name, own[name]), len(values)), dtype=float) for name in CONDITION_AXES
         )
 
-        def of(one: Ship, rows: slice) -> System:
+        def of(one: Ship, rows: slice | NDArray[np.intp]) -> System:
             at = ship_system(one, 2 * np.pi / length[rows], u[rows], mu[rows])
             s = at.at_amplitude(0.5 * height[rows, None])
             if at.encounter_frequency.min() < 0 < at.encounter_frequency.max():
@@ -240,8 +247,13 @@ def _of_ship(ship: Ship, names: tuple[str, ...], own: Mapping[str, float]) -> Ca
 
         if not changes:
             return _scaled(of(ship, slice(None)), by_name)
-        rows = [{name: float(by_name[name][i]) for name in changes} for i in range(len(values))]
-        return _scaled(joined([of(loaded(ship, row), slice(i, i + 1)) for i, row in enumerate(rows)]), by_name)
+        loadings, which = np.unique(values[:, [names.index(name) for name in changes]], axis=0, return_inverse=True)
+        groups = [np.flatnonzero(which.ravel() == i) for i in range(len(loadings))]
+        parts = [
+            of(loaded(ship, dict(zip(changes, row, strict=True))), group)
+            for row, group in zip(loadings.tolist(), groups, strict=True)
+        ]
+        return _scaled(rows_of(joined(parts), np.argsort(np.concatenate(groups))), by_name)
 
     return systems
 

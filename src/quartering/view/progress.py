@@ -1,49 +1,10 @@
-"""How far a long computation has come, and a line when kernels must be compiled first."""
+"""How far a long computation has come."""
 
 from __future__ import annotations
 
-import atexit
-import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from pathlib import Path
-from types import ModuleType
-
-import typer
-
-from quartering.threads import workers
-
-NOTICE = "compiling numerical kernels, once (15 to 30 s)"
-
-
-def announce_compilation() -> None:
-    """Say on stderr that kernels will be compiled, when they are not in the cache, and have a second process compile some."""
-    if compiled():
-        return
-    typer.echo(NOTICE, err=True)
-    if workers() > 1:
-        beside = subprocess.Popen(
-            [sys.executable, "-m", "quartering.stability.ahead"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
-        )
-        atexit.register(beside.terminate)
-
-
-def compiled() -> bool:
-    """Are kernels of every module a map compiles in the cache, and newer than their source?"""
-    from quartering.loads import diffraction
-    from quartering.motion import harmonic
-    from quartering.stability import variation
-
-    return all(_cached(module) for module in (diffraction, harmonic, variation))
-
-
-def _cached(module: ModuleType) -> bool:
-    source = Path(str(module.__file__))
-    folders = {kernel.stats.cache_path for kernel in vars(module).values() if hasattr(kernel, "stats")}
-    pattern = f"{source.stem}.*.py{sys.version_info.major}{sys.version_info.minor}*.nbi"
-    entries = [entry for folder in folders for entry in Path(folder).glob(pattern)]
-    return any(entry.stat().st_mtime >= source.stat().st_mtime for entry in entries)
 
 
 @contextmanager

@@ -12,7 +12,9 @@ from quartering.conventions import CUBIC_MONOMIALS, in_unit, written
 from quartering.hull.ship import Ship
 from quartering.hull.units import quantity
 from quartering.hydro.coefficients import coefficients
+from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
+from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
 
 if TYPE_CHECKING:
@@ -230,3 +232,20 @@ def flip_words(row: xr.Dataset) -> str:
 
 def _is_coefficient(name: str) -> bool:
     return name[0] in "YKN" and "_" in name
+
+
+def forces_note(compared: xr.Dataset) -> str:
+    """What the forms of a comparison are, about which point, from which source, by which mesh.
+
+    Parameters
+    ----------
+    compared : Dataset    of `compare_forces`
+
+    Returns
+    -------
+    str
+    """
+    meanings = "; ".join(f"{form}: {MEANINGS[form]}" for form in map(str, compared["form"].to_numpy()))
+    mesh = f" Panels: {compared.attrs['panels']}." if PANELS in compared["form"] else ""
+    papers = (REFERENCES[key].partition(")")[0] + ")" for key in compared.attrs["references"].split(", "))
+    return f"Moments about {compared.attrs['reference_point']}. {meanings}.{mesh} Sources: {'; '.join(papers)}."

@@ -1,9 +1,9 @@
-"""The paper's curves: wave forces (Figs. 2-4), response (5-10), effect of loading (14-21), of coefficients (22)."""
+"""The paper's curves: response (Figs. 5-10), effect of loading (14-21), of coefficients (22)."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -11,70 +11,11 @@ from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
-from quartering.loads.forces import wave_forces
 from quartering.loads.waves import Wave
-from quartering.study.dataset import heading_of
 from quartering.study.grid import LOADING_AXES
 from quartering.study.paper.conditions import FINE_HEADINGS, FROUDE, HEADINGS, RATIOS, speed_of, wave_of
 from quartering.study.polar import polar
 from quartering.study.sweep import sweep
-
-PARTS: Final = {
-    "without": "without strip correction (Froude-Krylov)",
-    "stf": "with strip correction (Salvesen, Tuck, Faltinsen)",
-    "paper": "with the paper's strip correction as printed",
-    "paper-corrected": "with the paper's strip correction, sign of the slope corrected",
-}
-"""Part of a wave force -> what it is."""
-
-
-def force_curves(
-    ship: Ship, ratios: Sequence[float] = RATIOS, headings: ArrayLike = HEADINGS, froude: float = FROUDE
-) -> xr.Dataset:
-    """Amplitude of the wave forces over heading with and without the strip correction.
-
-    Parameters
-    ----------
-    ship : Ship
-    ratios : (w,) float      wave lengths over the ship's
-    headings : (h,) float    [deg]
-    froude : float
-
-    Returns
-    -------
-    xarray.Dataset           ``force`` (part, wave_length, heading, mode) per metre of wave amplitude [N/m; N m/m about G]
-
-    Notes
-    -----
-    Source: [H71] Figs. 2-4, Appendix B.  Valid: linear in the wave height.
-
-    Examples
-    --------
-    >>> from quartering.hull.ship import ship
-    >>> curves = force_curves(ship("wigley"), [1.0], [0.0, 90.0])
-    >>> curves["force"].sel(part="stf", heading=0.0).max().item()
-    0.0
-    """
-    speed, angles = speed_of(ship, froude), np.atleast_1d(np.asarray(headings, dtype=float))
-    waves = [wave_of(ship, ratio) for ratio in ratios]
-    found = np.empty((len(PARTS), len(waves), angles.size, 3))
-    for j, wave in enumerate(waves):
-        for i, part in enumerate(PARTS):
-            one = wave_forces(ship, wave, speed, angles, form="stf" if part == "without" else part)  # type: ignore[arg-type]
-            chosen = one["froude_krylov" if part == "without" else "total"]
-            found[i, j] = np.sqrt((chosen**2).sum("part")) / wave.amplitude
-    units = {"units": "N/m (sway), N m/m (roll, yaw)", "long_name": "wave force per metre of wave amplitude"}
-    return xr.Dataset(
-        {"force": (("part", "wave_length", "heading", "mode"), found, units)},
-        {
-            "part": list(PARTS),
-            "wave_length": [wave.length for wave in waves],
-            "heading": angles,
-            "mode": ["sway", "roll", "yaw"],
-            "speed": speed,
-        },
-        heading_of(ship, form="stf", harmonics=1),
-    )
 
 
 def response_curves(

@@ -11,19 +11,22 @@ import xarray as xr
 
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import quantity
+from quartering.loads.comparison import compare_forces
 from quartering.loads.waves import Wave
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
 from quartering.stability.verdict import Verdict, stability
 from quartering.study.paper.conditions import (
+    HEADINGS,
     INSTABILITY_HEADING,
     INSTABILITY_RATIO,
     INSTABILITY_STEEPNESS,
+    RATIOS,
     speed_of,
     wave_of,
 )
-from quartering.study.paper.curves import coefficient_curves, force_curves, loading_curves, response_curves
+from quartering.study.paper.curves import coefficient_curves, loading_curves, response_curves
 from quartering.study.paper.model import FEEDING, PAPER_SHIP, feeding_model, modified_model
 from quartering.study.paper.motions import disturbance, integration_check, time_check
 
@@ -43,8 +46,10 @@ DISTURBANCE, START_ROLL, DURATION = 0.01, 5.0, 300.0
 
 @lru_cache(maxsize=4)
 def forces_of(name: str) -> xr.Dataset:
-    """Wave forces of a built-in ship in the figures' conditions (Figs. 2-4)."""
-    return force_curves(ship(name))
+    """Wave forces of a built-in ship with and without the strip correction, in the figures' conditions (Figs. 2-4)."""
+    one = ship(name)
+    found = compare_forces(one, one.hull.length * np.array(RATIOS), HEADINGS, speed_of(one))
+    return found.sel(form=["froude-krylov", "paper", "paper-corrected", "stf"])
 
 
 @lru_cache(maxsize=4)

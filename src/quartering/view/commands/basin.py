@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from rich.table import Table
 
 from quartering.hull.righting import vanishing_angle
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.ensemble import basin
 from quartering.motion.of_ship import equations
+from quartering.stability.ahead import announce_compilation
 from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import values
 from quartering.view.output import PICTURES, claim, write
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import ship_notes, speed_words
 
@@ -54,15 +56,8 @@ def erode(
         from quartering.view.plots.basin import basin_picture
 
         title = f"{one.name}: heading {heading:g} deg, {speed_words(speed, one.hull.length)}, wave length {wave.length:.4g} m"
-        note = ship_notes(one)
-        write(
-            (
-                path,
-                lambda part: style.save(
-                    basin_picture(here, (height, integrity), wave.height, limit, title, note), part
-                ),
-            )
-        )
+        picture = basin_picture(here, (height, integrity), wave.height, limit, title, ship_notes(one))
+        write((path, lambda part: style.save(picture, part)))
     at = float(integrity[height == wave.height][0])
     if as_json:
         curve = [
@@ -82,13 +77,16 @@ def erode(
         f"In waves of {wave.height:g} m, {at:.1%} of the starts that are safe in calm water stay below {limit:.3g} deg"
         f" (the vanishing angle) for {periods} wave periods."
     )
-    rows = [(f"{h:.3g}", f"{s:.1%}", f"{q:.1%}") for h, s, q in zip(height, share, integrity, strict=True)]
-    show(
-        table("Integrity of the safe basin", ("wave height [m]", "of all starts", "of the safe ones"), rows, (0, 1, 2))
-    )
-    show(ship_notes(one))
+    show(_curve(height, share, integrity), ship_notes(one))
     if path is not None:
         show(f"Wrote {path}")
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     first = [f"quartering basin {name} {words} -o basin.png"] if path is None else []
     show(next_steps(*first, f"quartering branch {name} {words} --over wave_height"))
+
+
+def _curve(height: np.ndarray, share: np.ndarray, integrity: np.ndarray) -> Table:
+    rows = [(f"{h:.3g}", f"{s:.1%}", f"{q:.1%}") for h, s, q in zip(height, share, integrity, strict=True)]
+    return table(
+        "Integrity of the safe basin", ("wave height [m]", "of all starts", "of the safe ones"), rows, (0, 1, 2)
+    )

@@ -9,13 +9,14 @@ from quartering.conventions import SYMBOLS, InputError, headed
 from quartering.hull.ship import Ship
 from quartering.hull.units import Kind as Quantity
 from quartering.loads.waves import STEEPEST, Wave
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.branch import branch
 from quartering.study.grid import LOADING_AXES
 from quartering.view.commands.conditions import checked_headings, condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
-from quartering.view.progress import announce_compilation, working
+from quartering.view.progress import working
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import ship_notes, speed_words
 

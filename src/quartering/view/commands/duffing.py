@@ -7,10 +7,10 @@ import numpy as np
 from quartering.conventions import InputError
 from quartering.hull.units import quantity
 from quartering.motion.duffing import FORMULAS
+from quartering.stability.ahead import announce_compilation
 from quartering.study.duffing import duffing_curves, duffing_table
 from quartering.view.options import Sizes, values
 from quartering.view.output import PICTURES, claim, write
-from quartering.view.progress import announce_compilation
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import duffing_words
 

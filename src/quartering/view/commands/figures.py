@@ -9,12 +9,13 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from quartering.conventions import InputError
+from quartering.stability.ahead import announce_compilation
 from quartering.study.paper.points import Point, read_points
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.plots import style
 from quartering.view.plots.paper_figures import FIGURES, draw_figure
 from quartering.view.plots.paper_points import draw_points
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 
 _RANGE = re.compile(r"(\d+)(?:-(\d+))?")

@@ -11,13 +11,12 @@ from rich.table import Table
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship, ship
 from quartering.loads.comparison import MEANINGS, MEASURE, OWN, PANELS, compare_forces
-from quartering.references import REFERENCES
 from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import metric_prefix, speed_words
+from quartering.view.wording import forces_note, metric_prefix, speed_words
 
 _HEADINGS = np.arange(0.0, 181.0, 5.0)
 _UNITS = {"sway": "N/m", "roll": "N m/m", "yaw": "N m/m"}
@@ -41,32 +40,15 @@ def compare_forms(
         from quartering.view.plots import style
         from quartering.view.plots.forces import forces_picture
 
-        picture = forces_picture(compared, title, small_print(compared))
+        picture = forces_picture(compared, title, forces_note(compared))
         write((path, lambda part: style.save(picture, part)))
     if as_json:
         show_json(_facts(compared) | {"picture": str(path) if path else None})
         return
-    show(_by_wave(compared, title), small_print(compared))
+    show(_by_wave(compared, title), forces_note(compared))
     if path is not None:
         show(f"Wrote {path}")
     show(next_steps(f"quartering verdict {name} --heading 60 --speed {speed} --wave-length 1L --wave-height 2"))
-
-
-def small_print(compared: xr.Dataset) -> str:
-    """What the forms of a comparison are, about which point, from which source, by which mesh.
-
-    Parameters
-    ----------
-    compared : Dataset    of `compare_forces`
-
-    Returns
-    -------
-    str
-    """
-    meanings = "; ".join(f"{form}: {MEANINGS[form]}" for form in map(str, compared["form"].to_numpy()))
-    mesh = f" Panels: {compared.attrs['panels']}." if PANELS in compared["form"] else ""
-    papers = (REFERENCES[key].partition(")")[0] + ")" for key in compared.attrs["references"].split(", "))
-    return f"Moments about {compared.attrs['reference_point']}. {meanings}.{mesh} Sources: {'; '.join(papers)}."
 
 
 def _chosen(forms: Sequence[str], one: Ship) -> list[str]:

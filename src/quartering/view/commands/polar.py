@@ -15,12 +15,13 @@ from quartering.hydro.calm_water import calm_water_exponents
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.polar import polar
 from quartering.view.commands.conditions import checked_headings, sizes
 from quartering.view.options import steepness, value, values
 from quartering.view.output import claim, stem, write
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import estimated_names, exponents_words, notes, speed_words, wave_words
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 from quartering.conventions import InputError
 from quartering.hull.units import quantity
+from quartering.stability.ahead import announce_compilation
 from quartering.view.output import claim, stem, write
-from quartering.view.progress import announce_compilation
 from quartering.view.report.page import guidance_page, report_page, write_pdf
 from quartering.view.report.source import Source, report_source
 from quartering.view.terminal import next_steps, show, show_json, table

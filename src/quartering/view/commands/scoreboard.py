@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from quartering.stability.ahead import announce_compilation
 from quartering.study.paper.scoreboard import CLAIMS, scoreboard, scoreboard_page, tally
 from quartering.view.output import claim as claim_path
 from quartering.view.output import write
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 
 

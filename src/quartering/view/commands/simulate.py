@@ -11,10 +11,10 @@ from quartering.hull.righting import vanishing_angle, warn_of_polynomial
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
+from quartering.stability.ahead import announce_compilation
 from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
-from quartering.view.progress import announce_compilation
 from quartering.view.terminal import next_steps, show, show_json
 from quartering.view.wording import ship_notes, speed_words
 

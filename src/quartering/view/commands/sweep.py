@@ -12,6 +12,7 @@ import typer
 
 from quartering.conventions import InputError
 from quartering.hull.ship import ship
+from quartering.stability.ahead import announce_compilation
 from quartering.study.case import case_grid
 from quartering.study.estimate import check_size, estimate
 from quartering.study.grid import Grid
@@ -20,7 +21,7 @@ from quartering.study.starting_case import starting_case
 from quartering.study.sweep import fill, sized
 from quartering.study.uncertainty import uncertain
 from quartering.view.output import claim, write
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 
 INTERRUPTED = 130

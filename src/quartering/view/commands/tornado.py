@@ -13,12 +13,13 @@ from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.hull.units import quantity
 from quartering.loads.forces import Form
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.tornado import MEASURES, tornado
 from quartering.view.commands.conditions import condition
 from quartering.view.commands.vary import KINDS, condition_option_words, is_range, option, store
 from quartering.view.output import PICTURES, claim
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import MOST_ROWS, condition_words, estimated_names, flip_words, notes, row_words
 

@@ -15,13 +15,14 @@ from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind as Quantity
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.vary import varied, vary
 from quartering.view.commands.conditions import checked_headings, sizes
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
-from quartering.view.progress import announce_compilation, bar
+from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import condition_words, estimated_names, notes
 

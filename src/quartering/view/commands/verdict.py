@@ -20,10 +20,10 @@ from quartering.motion.equations import Model
 from quartering.motion.of_ship import equations
 from quartering.motion.status import Status
 from quartering.motion.steady import Motion, steady_motion
+from quartering.stability.ahead import announce_compilation
 from quartering.stability.verdict import Verdict, stability
 from quartering.study.cure import Cure, cures
 from quartering.view.commands.conditions import condition
-from quartering.view.progress import announce_compilation
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import estimated_words, exponents_words
 

@@ -11,7 +11,7 @@ from contextlib import suppress
 import typer
 
 from quartering.conventions import InputError
-from quartering.view.progress import announce_compilation
+from quartering.stability.ahead import announce_compilation
 
 _LONGEST_MESSAGE = 1_000_000
 _LOCAL = ("127.0.0.1", "localhost", "::1")

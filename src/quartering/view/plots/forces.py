@@ -14,9 +14,11 @@ from quartering.view.plots import style
 from quartering.view.wording import metric_prefix
 
 WORDS: Final = {
-    "sway": ("sway force |Y| / A", "N/m"), "roll": ("roll moment |K| / A", "N m/m"), "yaw": ("yaw moment |N| / A", "N m/m"),
-}  # fmt: skip
-"""Mode -> what is drawn, and its unit."""
+    "sway": ("sway_force", "sway force |Y| / A", "N/m"),
+    "roll": ("roll_moment", "roll moment |K| / A", "N m/m"),
+    "yaw": ("yaw_moment", "yaw moment |N| / A", "N m/m"),
+}
+"""Mode -> name of its panels, what is drawn, and its unit."""
 _SKY = "#56B4E9"
 LOOKS: Final[dict[str, dict[str, Any]]] = {
     "froude-krylov": {"color": style.QUIET, "linestyle": ":", "linewidth": 2.0},
@@ -50,6 +52,7 @@ def forces_picture(
     cells = np.asarray(made.subplots(rows, columns, squeeze=False, sharex=True))
     cells = cells.T if len(modes) == 1 else cells
     for mode, column in zip(modes, cells.T, strict=True):
+        name, words, unit = WORDS[mode]
         values = compared["amplitude"].sel(mode=mode)
         scale, prefix = metric_prefix(float(values.max()))
         top = 1.06 * float(values.max()) / scale
@@ -57,7 +60,8 @@ def forces_picture(
             _draw(ax, values.isel(wave_length=i) / scale)
             ax.set_ylim(0.0, top or 1.0)
             ax.set_title(f"{mode}, λ/L = {float(compared['ratio'][i]):.3g}")
-            ax.set_ylabel(f"{WORDS[mode][0]} [{prefix}{WORDS[mode][1]}]")
+            ax.set_ylabel(f"{words} [{prefix}{unit}]")
+            ax.set_gid(name)
     for ax in cells[-1] if len(modes) > 1 else cells[:, 0]:
         style.headings(ax)
     made.legend(*cells[0, 0].get_legend_handles_labels(), loc="outside right center", frameon=False)

@@ -5,25 +5,27 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from quartering.view.wording import notes, speed_words, steepness_words
+from quartering.hull.ship import Ship
+from quartering.view.wording import forces_note, notes, speed_words, steepness_words
 
 OURS = "The condition is ours: the paper's own is not known here."
 
 
-def force_caption(ds: xr.Dataset) -> str:
-    """Ship, speed, height of G, and what the forces are about.
+def force_caption(one: Ship, compared: xr.Dataset) -> str:
+    """Ship, speed, height of G, and what the forces are.
 
     Parameters
     ----------
-    ds : Dataset    of `force_curves`
+    one : Ship
+    compared : Dataset    of `compare_forces` for it
 
     Returns
     -------
     str
     """
-    where = f"{ds.attrs['ship']}, {speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}"
-    loading = ", ".join(str(ds.attrs["loading"]).split(", ")[:2])
-    return f"{where}; {loading} (GM assumed). Per metre of wave amplitude A; moments about G. {OURS}"
+    where = f"{one.name}, {speed_words(float(compared.attrs['speed']), one.hull.length)}"
+    loading = f"GM {one.loading.gm:.4g} m, KG {one.loading.kg:.4g} m (GM assumed)"
+    return f"{where}; {loading}. Per metre of wave amplitude A. {OURS}\n{forces_note(compared)}"
 
 
 def caption(ds: xr.Dataset, *more: str, loading: str = "") -> str:

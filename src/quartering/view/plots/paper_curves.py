@@ -1,4 +1,4 @@
-"""The paper's curves: wave forces (Figs. 2-4), response (5-10), effect of loading (14-21) and coefficients (22)."""
+"""The paper's curves: response (Figs. 5-10), effect of loading (14-21) and coefficients (22)."""
 
 from __future__ import annotations
 
@@ -13,60 +13,13 @@ from matplotlib.lines import Line2D
 
 from quartering.conventions import SYMBOLS, written
 from quartering.stability.kind import Kind
-from quartering.study.paper.curves import PARTS, resonances
+from quartering.study.paper.curves import resonances
 from quartering.view.plots import style
-from quartering.view.plots.paper_caption import caption, force_caption
-from quartering.view.wording import metric_prefix
-
-FORCES: Final = {
-    "sway": ("sway_force", "sway force |Y| / A", "N/m"),
-    "roll": ("roll_moment", "roll moment |K| / A", "N m/m"),
-    "yaw": ("yaw_moment", "yaw moment |N| / A", "N m/m"),
-}
-"""Mode -> panel name, words and unit of its force."""
+from quartering.view.plots.paper_caption import caption
 
 _SIZES: Final = {"gm": "B", "gyradius_roll": "B", "gyradius_yaw": "L"}
 _EVERY: Final = 18.0
 """Degrees of heading between markers on a line."""
-
-
-def force_picture(ds: xr.Dataset, mode: str, title: str) -> Figure:
-    """Amplitude of one wave force over heading with and without the strip correction.
-
-    Parameters
-    ----------
-    ds : Dataset    of `force_curves`
-    mode : str      "sway", "roll" or "yaw"
-    title : str
-
-    Returns
-    -------
-    Figure
-    """
-    made = style.figure(12.0, 5.6)
-    panels = made.subplots(1, 2, sharey=True)
-    name, words, unit = FORCES[mode]
-    field = ds["force"].sel(mode=mode)
-    scale, prefix = metric_prefix(float(field.max()))
-    looks, ratio, every = style.looks(ds.sizes["wave_length"]), _ratio(ds), _points_in(_EVERY, ds)
-    for ax, parts in zip(panels, (("stf", "without"), ("paper", "paper-corrected", "without")), strict=True):
-        for part, dash in zip(parts, ("-", "--") if len(parts) == 2 else (":", "-", "--"), strict=True):
-            for i, look in enumerate(looks):
-                shown = field.sel(part=part).isel(wave_length=i) / scale
-                ax.plot(ds["heading"], shown, **(look | {"linestyle": dash}), markevery=every, markersize=4)
-        dashes = zip(parts, ("-", "--") if len(parts) == 2 else (":", "-", "--"), strict=True)
-        ax.legend(
-            handles=[Line2D([], [], color=style.INK, linestyle=d, label=PARTS[p]) for p, d in dashes],
-            loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False,
-        )  # fmt: skip
-        style.headings(ax)
-        ax.set_gid(name)
-    panels[0].set_ylim(bottom=0.0)
-    panels[0].set_ylabel(f"{words} [{prefix}{unit}]")
-    _legend(made, looks, [f"λ/L = {x:.3g}" for x in ratio], dashes=False)
-    style.title(made, title)
-    style.footnote(made, force_caption(ds))
-    return made
 
 
 def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
@@ -203,10 +156,8 @@ def _legend(
     looks: Sequence[dict[str, object]],
     labels: Sequence[str],
     more: Sequence[Line2D] = (),
-    dashes: bool = True,
 ) -> None:
-    plain = {} if dashes else {"linestyle": "none"}
-    handles = [Line2D([], [], **(look | plain), label=label) for look, label in zip(looks, labels, strict=True)]
+    handles = [Line2D([], [], **look, label=label) for look, label in zip(looks, labels, strict=True)]
     made.legend(handles=[*handles, *more], loc="outside right center", frameon=False)
 
 

@@ -30,11 +30,11 @@ from quartering.study.paper.sets import (
     responses_of,
 )
 from quartering.view.plots.duffing import duffing_picture
+from quartering.view.plots.forces import forces_picture
 from quartering.view.plots.paper_axes import axes_picture
-from quartering.view.plots.paper_caption import OURS
+from quartering.view.plots.paper_caption import OURS, force_caption
 from quartering.view.plots.paper_curves import (
     coefficient_picture,
-    force_picture,
     loading_picture,
     response_picture,
     stability_picture,
@@ -104,7 +104,8 @@ def _axes(title: str) -> Figure:
 
 
 def _force(mode: str, title: str) -> Figure:
-    return force_picture(forces_of(CB60), mode, title)
+    compared = forces_of(CB60)
+    return forces_picture(compared, title, force_caption(ship(CB60), compared), [mode])
 
 
 def _response(name: str, mode: str, title: str) -> Figure:

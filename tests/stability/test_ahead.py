@@ -1,0 +1,24 @@
+"""The word about compilation: said on a cold cache, once, and not on a warm one."""
+
+import os
+import subprocess
+import sys
+
+import quartering as qt
+from quartering.stability.ahead import NOTICE, compiled
+
+
+def test_compilation_is_announced_once_and_only_when_the_cache_is_cold(tmp_path):
+    """A fresh cache folder has nothing in it, whatever this machine has compiled before."""
+    code = (
+        "from quartering.stability.ahead import announce_compilation, compiled; print(compiled());"
+        " announce_compilation(); announce_compilation()"
+    )
+    cold = subprocess.run(
+        [sys.executable, "-W", "error", "-c", code], env=os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)},
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert cold.stdout.strip() == "False"
+    assert cold.stderr.strip() == NOTICE
+    qt.polar(qt.ship("wigley"), qt.Wave(100.0, 1.0), [5.0], [60.0])
+    assert compiled()
