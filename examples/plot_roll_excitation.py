@@ -14,6 +14,7 @@ import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
+import xarray as xr
 
 import quartering as qt
 from quartering.hull.mesh import hull_panels
@@ -58,10 +59,9 @@ def coupling_along(ship: qt.Ship, frequency: float, panels: tuple[int, int] = (6
     return {"x": x, "width": width, "panels": total / width, "strips": np.interp(x, place.x, strips)}
 
 
-def both(ship: qt.Ship, ratios: np.ndarray) -> dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]]:
+def both(ship: qt.Ship, panels: xr.Dataset) -> dict[str, tuple[np.ndarray, np.ndarray, np.ndarray]]:
     """Force (n, 3) [N/m], added mass and damping (n, 3, 3) in beam seas at zero speed, by strips and by panels."""
-    lengths = ratios * ship.hull.length
-    panels = qt.bem_forces(ship, lengths, [90.0])
+    lengths = panels.wave_length.to_numpy()
     force = qt.compare_forces(ship, lengths, [90.0], bem=panels).force.sel(heading=90.0)
     phasor = force.sel(part="cos") - 1j * force.sel(part="sin")
     strips = qt.hydrodynamics(ship, frequency=np.sqrt(2 * np.pi * 9.81 / lengths), speed=0.0)
@@ -97,10 +97,10 @@ def roll(ship: qt.Ship, omega: np.ndarray, force: np.ndarray, added: np.ndarray,
     return np.abs(np.linalg.solve(system, force[..., None])[:, 1, 0])
 
 
-def measures(ship: qt.Ship, ratios: np.ndarray) -> dict[str, np.ndarray]:
-    """Strips over panels in beam seas: moments about three points, the lever they differ by, and roll."""
+def measures(ship: qt.Ship, ratios: np.ndarray, panels: xr.Dataset) -> dict[str, np.ndarray]:
+    """Strips over panels (of `bem_forces`) in beam seas: moments about three points, the lever they differ by, and roll."""
     omega = np.sqrt(2 * np.pi * 9.81 / (ratios * ship.hull.length))
-    two = both(ship, ratios)
+    two = both(ship, panels)
     (ours, *own), (theirs, *three) = two["strips"], two["panels"]
     lever = ship.loading.kg - ship.hull.draught
     held = [force[:, 1] + lever * force[:, 0] for force in (ours, theirs)]

@@ -7,7 +7,8 @@ mass of the section between zero and infinite frequency, where both can be solve
 
     psi(w) = psi_2D(0) + d + m (psi_2D(w) - psi_2D(0)),    a and b likewise.
 
-Nothing is fitted. m lies between 0 and about 1, so damping stays above zero; real factors keep added mass and damping bound
+Nothing is fitted. m is held between 0 and 1: a shallow overhang beside a deep skeg would have more, from water that is not its
+own. So damping stays above zero and below that of the strip; real factors keep added mass and damping bound
 to each other (Kramers and Kronig), and radiation and diffraction use the same potentials.
 """
 
@@ -41,7 +42,7 @@ class EndEffect(NamedTuple):
     x : (n,) float            from midship [m]
     share : (n, m) float      of the girth of the contour, from the keel (0) to the waterline [1]
     change : (n, m, 2) float  of the potential at zero frequency, over the draught there in sway, over its square in roll [1]
-    memory : (n,) float       factor on how the section's water changes from zero frequency on [1]
+    memory : (n,) float       factor on how the section's water changes from zero frequency on, 0 to 1
     """
 
     x: Floats
@@ -88,7 +89,7 @@ def _effect(grid: Grid) -> EndEffect:
     share = (np.cumsum(piece, axis=1) - 0.5 * piece) / piece.sum(axis=1, keepdims=True)
     scale = z.max(axis=1)[:, None, None] ** np.array([1, 2])
     change, strip = (body.hull[0] - body.sections[0]) / scale, body.sections[0] / scale
-    memory = np.maximum(_memory(body.hull, body.velocity) / _memory(body.sections, body.along), 0.0)
+    memory = np.clip(_memory(body.hull, body.velocity) / _memory(body.sections, body.along), 0.0, 1.0)
     pointed = [not grid.y[end].any() for end in (0, -1)]
     at_ends = [-strip[end] if bare else change[end] for end, bare in zip((0, -1), pointed, strict=True)]
     left = [0.0 if bare else memory[end] for end, bare in zip((0, -1), pointed, strict=True)]

@@ -18,8 +18,8 @@ import numpy as np
 from quartering.compiled import inner, kernel
 from quartering.hull.section import Floats
 
-FAR = 8.0
-"""Distance from which a panel acts as a point, over the distance of its centre from its farthest corner: 1e-3 of its part."""
+FAR = 20.0
+"""Distance from which a panel acts as a point, over the distance of its centre from its farthest corner: 2e-4 of its part."""
 
 
 @inner
