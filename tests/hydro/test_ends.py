@@ -11,6 +11,7 @@ from quartering.conventions import InputError
 from quartering.hull.immersed import strips
 from quartering.hull.mesh import hull_grid
 from quartering.hull.offsets import scaled
+from quartering.hull.stations import hull_from_offsets
 from quartering.hydro.double_body import double_body
 from quartering.hydro.ends import PANELS, end_effect
 from quartering.hydro.hull_table import hull_table
@@ -120,6 +121,28 @@ def test_effect_is_small_amidships_and_whole_at_a_pointed_end(name):
     assert (effect.memory[middle] > 0.85).all()
     assert np.isfinite(effect.change).all()
     assert (np.diff(effect.x) > 0).all()
+
+
+def test_bare_skeg_is_as_one_of_finite_thickness():
+    """Two sides of a skeg in the centre plane are opposite one another; one of 2 % of the half breadth is an ordinary body."""
+
+    def hull(thickness):
+        x, height = np.linspace(-50.0, 50.0, 21), np.linspace(0.0, 9.0, 31)
+        rise = np.clip(height / 6, 0, 1) ** 0.4
+        cut = np.maximum(np.clip(height / 3 - 1, 0, 1) ** 0.4, thickness)
+        contours = tuple((8 * (1 - (s / 50) ** 2) * (cut if s < -20 else rise), height) for s in x)
+        return hull_from_offsets("skeg", length=100.0, beam=16.0, draught=6.0, x=x, contours=contours)
+
+    bare, thick = (integrals(hull(thickness)) for thickness in (0.0, 0.02))
+    for mode in (0, 1):
+        ratio = [whole[mode, mode] / by_strips[mode, mode] for by_strips, whole in (bare, thick)]
+        assert ratio[0] == pytest.approx(ratio[1], abs=0.01)
+        assert ratio[0] < 0.93
+
+
+def test_a_change_of_loading_does_not_solve_the_hull_again():
+    ship = with_ends("wigley")
+    assert ship.with_(gm=1.0).hull is ship.hull
 
 
 def test_ship_file_names_the_choice(tmp_path):

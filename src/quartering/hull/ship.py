@@ -149,7 +149,9 @@ class Ship:
             hull = replace(hull, section_method=checked_sections(self.name, sections))
         own_database = self.database if database is None else _database(self.name, database)
         called = None if own_database is None else own_database.name
-        hull = replace(hull, ends=checked_ends(self.name, ends or hull.ends, called))
+        chosen = checked_ends(self.name, ends or hull.ends, called)
+        if chosen != hull.ends:  # the same hull is solved once
+            hull = replace(hull, ends=chosen)
         given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
         lengths = {key: self._length(key, value) for key, value in given.items() if value is not None}
         loading = reloaded(self.name, hull, self.loading, roll_damping=roll_damping, **lengths)

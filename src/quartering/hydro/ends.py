@@ -1,15 +1,15 @@
 """Three-dimensional ends: what the way of the water round stem and stern changes at each section of a hull.
 
-A section of strip theory takes itself for infinitely long. At zero frequency both the strip and the hull can be solved
-exactly (`double_body`); their difference d is added to the section potentials. How the water's part changes from there with
-frequency, its memory, keeps the form it has in the section and is scaled by the one factor m that sets right the sway added
-mass of the section between zero and infinite frequency, where both can be solved again:
+A section of strip theory takes itself for infinitely long. At zero frequency no waves are made, and strip and hull can both
+be solved (`double_body`); their difference d is added to the section potentials. How the water's part changes from there
+with frequency, its memory, keeps the form it has in the section and is scaled by one factor m: that which sets right the
+sway added mass between zero and infinite frequency, where both can be solved again:
 
     psi(w) = psi_2D(0) + d + m (psi_2D(w) - psi_2D(0)),    a and b likewise.
 
-Nothing is fitted. m is held between 0 and 1: a shallow overhang beside a deep skeg would have more, from water that is not its
-own. So damping stays above zero and below that of the strip; real factors keep added mass and damping bound
-to each other (Kramers and Kronig), and radiation and diffraction use the same potentials.
+Nothing is fitted. m is held between 0 and 1: a shallow overhang beside a deep skeg would have more, from water that is not
+its own. So damping stays above zero and below that of the strip; real factors keep added mass and damping bound to each
+other (Kramers and Kronig), and radiation and diffraction use the same potentials.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ import numpy as np
 from quartering.cache import remembered
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.mesh import Grid, hull_grid
-from quartering.hull.offsets import Hull
+from quartering.hull.offsets import STEM_HALF_THICKNESS, Hull
 from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
 from quartering.hydro.double_body import double_body
@@ -68,7 +68,7 @@ def end_effect(hull: Hull) -> EndEffect:
     At an end that closes in a line no potential and no waves are left; at one that closes in a flat (a transom, the water
     does not leave it) the last column's values are held.
     Source: [Morino74], [Hess67] double body; [Cummins62], [Ogilvie64] memory.  Valid: no forward speed, waves longer than
-    about half the ship.
+    0.7 ship lengths (below, forces come out up to a sixth too small).
 
     Examples
     --------
@@ -77,9 +77,17 @@ def end_effect(hull: Hull) -> EndEffect:
     >>> effect.memory[[0, 16]].round(2).tolist()  # the stem, and amidships
     [0.0, 0.96]
     """
-    grid = hull_grid(hull, *PANELS)
+    grid = _opened(hull_grid(hull, *PANELS))
     name = f"ends-{fingerprint([source_digest('hull', 'hydro'), *grid])}"
     return EndEffect(**remembered(name, lambda: _effect(grid)._asdict()))
+
+
+def _opened(grid: Grid) -> Grid:
+    """The grid with a bare skeg or web as thick as the line of a stem, so that its two sides are not one."""
+    y = np.maximum(grid.y, STEM_HALF_THICKNESS * grid.y.max())
+    y[:, 0] = 0.0
+    y[~grid.y.any(axis=1)] = 0.0
+    return grid._replace(y=y)
 
 
 def _effect(grid: Grid) -> EndEffect:
