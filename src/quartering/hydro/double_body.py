@@ -67,7 +67,7 @@ def double_body(grid: Grid) -> DoubleBody:
     area = np.linalg.norm(normal, axis=1)
     solid = area > 1e-10 * area.max()
     flux = _rigid(centre[:, 1:], normal[:, 1:])
-    potential, velocity = panel_equations(np.ascontiguousarray(corners[solid]))
+    potential, velocity = panel_equations(corners[solid], normal[solid])
     known = velocity @ (flux[solid] / area[solid, None])
     found = np.zeros((2, len(corners), 2))
     found[:, solid] = np.linalg.solve(potential, known)

@@ -58,14 +58,33 @@ def _triangle(px: float, py: float, pz: float, a: Floats, b: Floats, c: Floats) 
     return angle, source - height * angle
 
 
+@inner
+def _panel(px: float, py: float, pz: float, c: Floats, m: Floats, n: Floats) -> tuple[float, float]:
+    """The same of a quadrilateral with corners c, their mean m and area normal n: four triangles, or a point far away."""
+    dx, dy, dz = m[0] - px, m[1] - py, m[2] - pz
+    square, size = dx * dx + dy * dy + dz * dz, 0.0
+    for k in range(4):
+        size = max(size, (c[k, 0] - m[0]) ** 2 + (c[k, 1] - m[1]) ** 2 + (c[k, 2] - m[2]) ** 2)
+    angle, source = 0.0, 0.0
+    if square > FAR**2 * size:
+        source = math.sqrt((n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / square)
+        return (n[0] * dx + n[1] * dy + n[2] * dz) / (square * math.sqrt(square)), source
+    for k in range(4):
+        one, other = _triangle(px, py, pz, c[k], c[(k + 1) % 4], m)
+        angle += one
+        source += other
+    return angle, source
+
+
 @kernel
-def panel_equations(corners: Floats) -> tuple[Floats, Floats]:
+def panel_equations(corners: Floats, normal: Floats) -> tuple[Floats, Floats]:
     """Green's identity at the centres of the panels of a quarter body.
 
     Parameters
     ----------
-    corners : (n, 4, 3) float    quadrilaterals, the normal into the water by the right-hand rule; each is four triangles that
-                                 meet in the mean of its corners, so that the surface is closed whatever its twist [m]
+    corners : (n, 4, 3) float    quadrilaterals; each is four triangles that meet in the mean of its corners, so that the
+                                 surface is closed whatever its twist [m]
+    normal : (n, 3) float        their normals into the water, times area; right-hand rule [m2]
 
     Returns
     -------
@@ -79,33 +98,13 @@ def panel_equations(corners: Floats) -> tuple[Floats, Floats]:
     """
     n = corners.shape[0]
     potential, velocity = np.zeros((2, n, n)), np.zeros((2, n, n))
-    centre = np.empty((n, 3))
+    centre = corners.sum(axis=1) / 4
     for j in range(n):
-        for k in range(3):
-            centre[j, k] = 0.25 * (corners[j, 0, k] + corners[j, 1, k] + corners[j, 2, k] + corners[j, 3, k])
-    for j in range(n):
-        c, m, size = corners[j], centre[j], 0.0
-        for k in range(4):
-            size = max(size, (c[k, 0] - m[0]) ** 2 + (c[k, 1] - m[1]) ** 2 + (c[k, 2] - m[2]) ** 2)
-        ux, uy, uz = c[2, 0] - c[0, 0], c[2, 1] - c[0, 1], c[2, 2] - c[0, 2]
-        vx, vy, vz = c[3, 0] - c[1, 0], c[3, 1] - c[1, 1], c[3, 2] - c[1, 2]
-        nx, ny, nz = 0.5 * (uy * vz - uz * vy), 0.5 * (uz * vx - ux * vz), 0.5 * (ux * vy - uy * vx)
-        area = math.sqrt(nx * nx + ny * ny + nz * nz)
         for i in range(n):
             for image in range(4):  # the body's image acts on p as the body on the image of p
                 in_y, in_z = image % 2, image // 2
-                px, py, pz = centre[i, 0], centre[i, 1] * (1 - 2 * in_y), centre[i, 2] * (1 - 2 * in_z)
-                dx, dy, dz = m[0] - px, m[1] - py, m[2] - pz
-                square = dx * dx + dy * dy + dz * dz
-                angle, source = 0.0, 0.0
-                if square > FAR**2 * size:
-                    source = area / math.sqrt(square)
-                    angle = (nx * dx + ny * dy + nz * dz) / (square * math.sqrt(square))
-                else:
-                    for k in range(4):
-                        one, other = _triangle(px, py, pz, c[k], c[(k + 1) % 4], m)
-                        angle += one
-                        source += other
+                y, z = centre[i, 1] * (1 - 2 * in_y), centre[i, 2] * (1 - 2 * in_z)
+                angle, source = _panel(centre[i, 0], y, z, corners[j], centre[j], normal[j])
                 if image == 0 and i == j:
                     angle = 0.0
                 for mirror in range(2):
@@ -117,6 +116,28 @@ def panel_equations(corners: Floats) -> tuple[Floats, Floats]:
         for i in range(n):
             potential[mirror, i, i] += 4.0 * math.pi
     return potential, velocity
+
+
+@inner
+def _piece(py: float, pz: float, y0: float, z0: float, y1: float, z1: float) -> tuple[float, float]:
+    """Angle under which a straight piece is seen from p, as a solid angle, and the integral of ln(1/r) over it."""
+    ty, tz = y1 - y0, z1 - z0
+    length = math.sqrt(ty * ty + tz * tz)
+    if length == 0.0:
+        return 0.0, 0.0
+    ty, tz = ty / length, tz / length
+    height = (z0 - pz) * ty - (y0 - py) * tz
+    first = (y0 - py) * ty + (z0 - pz) * tz
+    last = first + length
+    angle = 0.0
+    if height != 0.0:
+        angle = math.atan2(last, abs(height)) - math.atan2(first, abs(height))
+    source = length - abs(height) * angle
+    for end, sign in ((last, -0.5), (first, 0.5)):
+        square = end * end + height * height
+        if square > 0.0:
+            source += sign * end * math.log(square)
+    return math.copysign(angle, height), source
 
 
 @kernel
@@ -144,31 +165,14 @@ def contour_equations(y: Floats, z: Floats) -> tuple[Floats, Floats]:
             in_y, in_z = image % 2, image // 2
             py, pz = 0.5 * (y[i] + y[i + 1]) * (1 - 2 * in_y), 0.5 * (z[i] + z[i + 1]) * (1 - 2 * in_z)
             for j in range(n):
-                ty, tz = y[j + 1] - y[j], z[j + 1] - z[j]
-                length = math.sqrt(ty * ty + tz * tz)
-                if length == 0.0:
-                    continue
-                ty, tz = ty / length, tz / length
-                ay, az = y[j] - py, z[j] - pz
-                height = az * ty - ay * tz
+                angle, source = _piece(py, pz, y[j], z[j], y[j + 1], z[j + 1])
                 if image == 0 and i == j:
-                    height = 0.0
-                first = ay * ty + az * tz
-                last = first + length
-                angle = 0.0
-                if height != 0.0:
-                    angle = math.atan2(last, abs(height)) - math.atan2(first, abs(height))
-                source = length - abs(height) * angle
-                for end, sign in ((last, -0.5), (first, 0.5)):
-                    square = end * end + height * height
-                    if square > 0.0:
-                        source += sign * end * math.log(square)
-                angle = math.copysign(angle, height)
+                    angle = 0.0
                 for mirror in range(2):
-                    factor = (1 - 2 * in_y) * (1 - 2 * in_z * mirror)
-                    potential[mirror, i, j] += factor * angle
+                    sign = (1 - 2 * in_y) * (1 - 2 * in_z * mirror)
+                    potential[mirror, i, j] += sign * angle
                     potential[mirror, i, i] -= angle
-                    velocity[mirror, i, j] -= factor * source
+                    velocity[mirror, i, j] -= sign * source
     for mirror in range(2):
         for i in range(n):
             potential[mirror, i, i] += 2.0 * math.pi
