@@ -89,6 +89,12 @@ REFERENCES: Final[dict[str, str]] = {
     "Symposium on Naval Hydrodynamics, Bergen.",
     "Frank67": "Frank, W. (1967). Oscillation of cylinders in or below the free surface of deep fluids. "
     "Naval Ship Research and Development Center, Report 2375.",
+    "Hess67": "Hess, J. L., Smith, A. M. O. (1967). Calculation of potential flow about arbitrary bodies. Progress in "
+    "Aeronautical Sciences 8.",
+    "Morino74": "Morino, L., Kuo, C.-C. (1974). Subsonic potential aerodynamics for complex configurations: a general "
+    "theory. AIAA Journal 12.",
+    "VanOosterom83": "Van Oosterom, A., Strackee, J. (1983). The solid angle of a plane triangle. IEEE Transactions on "
+    "Biomedical Engineering 30.",
     "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
     "Numerische Mathematik 58.",
 }

@@ -18,22 +18,43 @@ AIM = 0.1
 """Strips against panels in beam seas from 0.8 ship lengths on: the aim of this library."""
 
 
+RATIOS = np.array([0.8, 1.0, 1.25, 2.5, 4.0])
+
+
+def ship_of(name, ends="strips"):
+    return qt.ship(name).with_(ends=ends)
+
+
 @pytest.fixture(scope="module", params=["series60-cb60", "wigley"])
-def measured(request):
+def panels(request):
     pytest.importorskip("capytaine", reason="the extra `bem` (Capytaine) is not installed")
-    return request.param, example.measures(qt.ship(request.param), np.array([0.8, 1.0, 1.25, 2.5, 4.0]))
+    ship = qt.ship(request.param)
+    return request.param, qt.bem_forces(ship, RATIOS * ship.hull.length, [90.0])
+
+
+@pytest.fixture(scope="module")
+def measured(panels):
+    name, solved = panels
+    return name, example.measures(ship_of(name), RATIOS, solved)
+
+
+@pytest.fixture(scope="module")
+def with_ends(panels):
+    name, solved = panels
+    return example.measures(ship_of(name, "three-dimensional"), RATIOS, solved)
 
 
 @pytest.mark.parametrize("form", ["stf", "relative-motion", "paper-corrected"])
 @pytest.mark.parametrize("name", ["series60-cb60", "series60-cb80", "wigley", "s175", "box"])
-def test_long_waves_roll_a_free_ship_by_her_righting_arm_whatever_her_added_mass(name, form):
+@pytest.mark.parametrize("ends", ["strips", "three-dimensional"])
+def test_long_waves_roll_a_free_ship_by_her_righting_arm_whatever_her_added_mass(name, form, ends):
     """Closed form: -m g GM k sin(mu) as k -> 0, reached like 1/lambda, so two long waves are extrapolated to none.
 
     The moment on the ship held fast is many times as large and hangs on the sway-roll added mass, which must cancel. What
     is left in 2 % of it (1 cm of lever for CB 0.80, less elsewhere) comes from potentials kept on half as many panels as
     the added mass of close-fit sections.
     """
-    ship, ratios = qt.ship(name), np.array([80.0, 160.0])
+    ship, ratios = ship_of(name, ends), np.array([80.0, 160.0])
     lengths = ratios * ship.hull.length
     omega = np.sqrt(2 * np.pi * 9.81 / lengths)
     strips = qt.hydrodynamics(ship, frequency=omega, speed=0.0)
@@ -63,6 +84,21 @@ def test_forces_and_coefficients_belong_together(measured):
     alone, mixed = np.abs(ratio["roll"] - 1), np.abs(ratio["roll, force by panels on strips"] - 1)
     assert (alone < AIM).all(), ratio
     assert (mixed > 2 * alone).all(), ratio
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("quantity", ["sway force", "about the waterline", "free to sway and yaw", "roll"])
+def test_three_dimensional_ends_meet_the_aim_on_a_ship_held_fast(with_ends, quantity):
+    """Agreement: sway force and roll moment of the ship held fast, and the moment and roll of the free ship, within 10 %."""
+    assert (np.abs(with_ends[quantity] - 1) < AIM).all(), with_ends[quantity]
+
+
+@pytest.mark.slow
+def test_three_dimensional_ends_halve_the_error_of_the_held_moment_at_least(measured, with_ends):
+    """The largest difference from panels, with the ends and without."""
+    before, after = (np.abs(ratio["about the waterline"] - 1).max() for ratio in (measured[1], with_ends))
+    assert after < before / 2
+    assert with_ends["lever over draught"].max() < measured[1]["lever over draught"].max()
 
 
 @pytest.mark.slow

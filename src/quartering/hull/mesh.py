@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,21 +80,81 @@ def hull_panels(hull: Hull, along_hull: int = 40, around: int = 10) -> Panels:
         raise InputError(
             f"{along_hull} panels along and {around} around the hull; give at least 8 along and 3 around, such as 40 and 10"
         )
-    x, y, z = _grid(hull, along_hull, around)
+    return _cleaned(closed_panels(hull_grid(hull, along_hull, around)))
+
+
+class Grid(NamedTuple):
+    """Contours along a hull, the same number of points on each.
+
+    Parameters
+    ----------
+    x : (n,) float         from midship, aft to fore [m]
+    y, z : (n, m) float    starboard points, keel to waterline, z down from the calm plane; an end that closes in a line
+                           has y = 0 throughout [m]
+    """
+
+    x: Floats
+    y: Floats
+    z: Floats
+
+
+def closed_panels(grid: Grid) -> Panels:
+    """Panels between the contours of a grid, an end with area closed by a flat.
+
+    Parameters
+    ----------
+    grid : Grid    n contours of m points
+
+    Returns
+    -------
+    Panels    first those of the (n - 1) (m - 1) meshes, contour by contour from the keel up; some may have no area
+
+    Notes
+    -----
+    Source: geometry.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import wigley_hull
+    >>> len(closed_panels(hull_grid(wigley_hull(100.0, 10.0, 6.25, 10.0), 8, 3)).quads)
+    24
+    """
+    x, y, z = grid
     vertices = np.stack([np.broadcast_to(x[:, None], y.shape), y, z], axis=-1).reshape(-1, 3)
     index = np.arange(y.size).reshape(y.shape)
     quads = [np.stack([index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]], axis=-1).reshape(-1, 4)]
-    area = -2 * (0.5 * (y[:, 1:] + y[:, :-1]) * np.diff(z, axis=1)).sum(axis=1)
     for end, outward in ((0, -1), (-1, 1)):
-        if area[end] > POINTED_SHARE * area.max():
+        if y[end].any():
             more, faces = _flat(x[end], y[end], z[end], index[end], len(vertices), outward)
             vertices = np.concatenate([vertices, more])
             quads.append(faces)
-    return _cleaned(vertices, np.concatenate(quads))
+    return Panels(vertices, np.concatenate(quads))
 
 
-def _grid(hull: Hull, along_hull: int, around: int) -> tuple[Floats, Floats, Floats]:
-    """Positions (n,) along the ship and points (n, m) from keel to waterline."""
+def hull_grid(hull: Hull, along_hull: int, around: int) -> Grid:
+    """Contours of a hull carried along it, finer towards the ends and the waterline.
+
+    Parameters
+    ----------
+    hull : Hull
+    along_hull : int    meshes along the ship
+    around : int        meshes from keel to waterline
+
+    Returns
+    -------
+    Grid    an end whose section has less than 2 % of the largest section area has no breadth
+
+    Notes
+    -----
+    Source: [Fritsch84] (curves).  Valid: as `hull_panels`.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import wigley_hull
+    >>> grid = hull_grid(wigley_hull(100.0, 10.0, 6.25, 10.0), 8, 3)
+    >>> grid.y.shape, float(grid.x[0]), float(grid.y[0].max())
+    ((9, 4), -50.0, 0.0)
+    """
     fraction = np.sin(np.linspace(0.0, np.pi / 2, around + 1)) * 0.4 + np.linspace(0.0, 0.6, around + 1)
     stations = np.array([hull.x[i] for i in hull.wet])
     lines = [_contour(hull, i, fraction) for i in hull.wet]
@@ -114,7 +175,7 @@ def _grid(hull: Hull, along_hull: int, around: int) -> tuple[Floats, Floats, Flo
     for end in (0, -1):
         if area[end] <= POINTED_SHARE * area.max():
             y[end] = 0.0
-    return x, y, z
+    return Grid(x, y, z)
 
 
 def _contour(hull: Hull, station: int, fraction: Floats) -> tuple[Floats, Floats]:
@@ -147,8 +208,9 @@ def _flat(
     return inner.reshape(-1, 3), quads if outward > 0 else quads[:, ::-1]
 
 
-def _cleaned(vertices: Floats, quads: NDArray[np.int64]) -> Panels:
+def _cleaned(loose: Panels) -> Panels:
     """Panels with vertices that coincide made one, and those without area left out."""
+    vertices, quads = loose.vertices, loose.quads
     size = float(np.ptp(vertices, axis=0).max())
     _, kept, back = np.unique(np.round(vertices / (1e-9 * size)), axis=0, return_index=True, return_inverse=True)
     panels = Panels(vertices[kept], back.ravel()[quads])

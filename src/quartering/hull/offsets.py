@@ -10,17 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
+from quartering.hull.choices import Ends, Sections
 from quartering.hull.contour import Curve, Outline, along, chord_at_height, contour_curve
 from quartering.hull.quadrature import gauss
 from quartering.hull.section import Floats, Section
 
 Contour = tuple[Floats, Floats]
 Shape = Literal["offsets", "wigley", "box"]
-Sections = Literal["auto", "lewis", "close-fit"]
 
 STATIONS = 41
 """Stations of a hull given by formula: Gauss-Legendre nodes, one of them amidships."""
-
 
 STEM_HALF_THICKNESS = 0.001
 """Half thickness [of B/2] given to a station that has depth but no breadth (the line of the stem)."""
@@ -43,6 +42,7 @@ class Hull:
     design_draught : float           draught the lines were drawn for [m]
     outline : str                    how contour points are joined: "smooth" or "straight"
     section_method : str             how the water at a section is solved: "auto", "lewis" or "close-fit"
+    ends : str                       "strips": every section as if it went on for ever, or "three-dimensional"
     """
 
     name: str
@@ -59,6 +59,7 @@ class Hull:
     design_draught: float
     outline: Outline = "smooth"
     section_method: Sections = "auto"
+    ends: Ends = "strips"
 
     @property
     def depth(self) -> float:

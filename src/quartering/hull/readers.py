@@ -12,6 +12,7 @@ import yaml
 
 from quartering.conventions import InputError
 from quartering.hull.autopilot import ASPECT, Autopilot, Rudder
+from quartering.hull.choices import Ends, checked_ends
 from quartering.hull.lines import hull_of
 from quartering.hull.loading_entries import loading_entries, loading_of
 from quartering.hull.offsets import Hull
@@ -124,7 +125,12 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
     """Ship from checked keys, on its base ship when it has one."""
     base, base_keys = _base(where, keys)
     hull = hull_of(where, keys, base.hull if base else None)
-    hull = replace(hull, section_method=keys.sections or (base.hull.section_method if base else "auto"))
+    database = _database(where, keys, base)
+    hull = replace(
+        hull,
+        section_method=keys.sections or (base.hull.section_method if base else "auto"),
+        ends=_ends(where, keys, base, database),
+    )
     entries = loading_entries(where, keys.loading, base_keys, base, hull)
     notes = _notes(keys, base, hull, entries)
     method, keels = roll_method(entries["roll_damping"].value), _bilge_keels(where, keys, base, hull)
@@ -150,8 +156,14 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         righting=keys.righting or (base.righting if base else "polynomial"),
         roll_method=method,
         bilge_keels=keels,
-        database=_database(where, keys, base),
+        database=database,
     )
+
+
+def _ends(where: str, keys: ShipKeys, base: Ship | None, database: Database | None) -> Ends:
+    """How the water at the ends is found: the file's own choice, or its base's."""
+    chosen = keys.ends or (base.hull.ends if base else "strips")
+    return checked_ends(where, chosen, None if database is None else database.name)
 
 
 def _autopilot(where: str, keys: ShipKeys, base: Ship | None) -> Autopilot | None:

@@ -149,6 +149,7 @@ class ShipKeys(_Strict):
     multipliers: dict[str, float] = {}
     linear: Literal["default", "strip"] | None = None
     sections: Literal["auto", "lewis", "close-fit"] | None = None
+    ends: Literal["strips", "three-dimensional"] | None = None
     measured: str | None = None
     autopilot: AutopilotKeys | None = None
     rudder: RudderKeys | None = None

@@ -7,12 +7,22 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
-from typing import Literal, cast, get_args
+from typing import Literal
 
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot, Rudder
+from quartering.hull.choices import (
+    Ends,
+    Linear,
+    Righting,
+    Sections,
+    checked_ends,
+    checked_linear,
+    checked_righting,
+    checked_sections,
+)
 from quartering.hull.loading import Loading, reloaded
-from quartering.hull.offsets import Hull, Sections, at_draught
+from quartering.hull.offsets import Hull, at_draught
 from quartering.hull.own_database import Database, database_of
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.units import quantity
@@ -22,12 +32,8 @@ __all__ = [
     "DRAG_COEFFICIENT",
     "Loading",
     "Ship",
-    "checked_linear",
-    "checked_sections",
     "ship",
 ]
-
-Righting = Literal["polynomial", "spline"]
 
 DRAG_COEFFICIENT = 0.8
 """Cross-flow drag coefficient when none is given (assumed)."""
@@ -62,7 +68,7 @@ class Ship:
     loading: Loading
     overrides: Mapping[str, float] = field(default_factory=dict)
     multipliers: Mapping[str, float] = field(default_factory=dict)
-    linear: Literal["default", "strip"] = "default"
+    linear: Linear = "default"
     drag_coefficient: float = DRAG_COEFFICIENT
     velocity_scale: float | None = None
     provenance: Mapping[str, str] = field(default_factory=dict)
@@ -87,8 +93,9 @@ class Ship:
         gyradius_yaw: float | str | None = None,
         draught: float | str | None = None,
         roll_damping: float | str | None = None,
-        linear: Literal["default", "strip"] | None = None,
+        linear: Linear | None = None,
         sections: Sections | None = None,
+        ends: Ends | None = None,
         coefficients: Mapping[str, float] | None = None,
         measured: str | None = None,
         autopilot: Autopilot | Literal["none"] | None = None,
@@ -106,6 +113,7 @@ class Ship:
         roll_damping : float or str                    fraction of critical, 0 or more; or "ikeda", "ikeda-simplified"
         linear : str                                   "default" or "strip"
         sections : str                                 how section coefficients are found: "auto", "lewis" or "close-fit"
+        ends : str                                     "strips", or "three-dimensional": with the water's way round them
         coefficients : mapping of str to float         factors by name, times those already there
         measured : str                                 measured manoeuvring set, by name or file; "none" goes without
         autopilot : Autopilot                          that keeps the course; "none" goes without
@@ -119,7 +127,7 @@ class Ship:
 
         Raises
         ------
-        InputError    GM not above 0, a radius not above 0, draught outside the lines, unknown coefficient name, NaN
+        InputError    GM not above 0, a radius not above 0, draught outside the lines, unknown coefficient name or choice, NaN
 
         Notes
         -----
@@ -139,6 +147,11 @@ class Ship:
             )
         if sections is not None:
             hull = replace(hull, section_method=checked_sections(self.name, sections))
+        own_database = self.database if database is None else _database(self.name, database)
+        called = None if own_database is None else own_database.name
+        chosen = checked_ends(self.name, ends or hull.ends, called)
+        if chosen != hull.ends:  # the same hull is solved once
+            hull = replace(hull, ends=chosen)
         given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
         lengths = {key: self._length(key, value) for key, value in given.items() if value is not None}
         loading = reloaded(self.name, hull, self.loading, roll_damping=roll_damping, **lengths)
@@ -169,13 +182,14 @@ class Ship:
             righting=checked_righting(self.name, righting or self.righting),
             roll_method=method,
             bilge_keels=keels,
-            database=self.database if database is None else _database(self.name, database),
+            database=own_database,
         )
 
     @property
     def radiation_words(self) -> str:
         """Where added mass, wave damping and wave forces come from, in words."""
-        return "the strips" if self.database is None else self.database.name
+        strips = "the strips" if self.hull.ends == "strips" else "the strips with three-dimensional ends"
+        return strips if self.database is None else self.database.name
 
     @property
     def roll_damping_words(self) -> str:
@@ -200,62 +214,6 @@ def _database(name: str, given: Database | str | Path) -> Database | None:
 def _multiplied(own: Mapping[str, float], factors: Mapping[str, float]) -> dict[str, float]:
     """Multipliers after further ones: a factor of 1 changes nothing."""
     return dict(own) | {name: factor * own.get(name, 1.0) for name, factor in factors.items()}
-
-
-def checked_sections(name: str, sections: str) -> Sections:
-    """The way section coefficients are found, refused when it is none of the three.
-
-    Notes
-    -----
-    Source: [Lewis29], [Frank67]: the ways there are.
-    """
-    if sections not in get_args(Sections):
-        raise InputError(f'{name}: sections = "{sections}"; allowed are {", ".join(get_args(Sections))}; try "auto"')
-    return cast(Sections, sections)
-
-
-def checked_linear(name: str, linear: str) -> Literal["default", "strip"]:
-    """The choice of linear derivatives, refused when it is neither of the two.
-
-    Parameters
-    ----------
-    name : str      ship or file named in the message
-    linear : str    "default" or "strip"
-
-    Returns
-    -------
-    str    the same
-
-    Raises
-    ------
-    InputError    another word
-
-    Notes
-    -----
-    Source: the format of the ship file.
-
-    Examples
-    --------
-    >>> checked_linear("my ship", "strip")
-    'strip'
-    """
-    if linear == "default":
-        return "default"
-    if linear == "strip":
-        return "strip"
-    raise InputError(f'{name}: linear = "{linear}"; allowed are "default" (lift from regression) and "strip"')
-
-
-def checked_righting(name: str, righting: str) -> Righting:
-    """The form of the righting curve, refused when it is neither of the two.
-
-    Notes
-    -----
-    Source: the format of the ship file.
-    """
-    if righting not in get_args(Righting):
-        raise InputError(f'{name}: righting = "{righting}"; allowed are "polynomial" (odd, to phi^7) and "spline"')
-    return cast(Righting, righting)
 
 
 def ship(name_or_path: str | Path) -> Ship:

@@ -32,6 +32,7 @@ loading:
 linear: {linear:<22} # sway-yaw derivatives: default (lift from regression) or strip (potential flow alone)
 righting: {righting:<20} # righting curve in the equations: polynomial (odd, to phi^7) or spline (the curve itself)
 sections: {sections:<20} # section coefficients: auto, lewis (ship-like sections, fast) or close-fit (any section)
+ends: {ends:<24} # water round stem and stern: strips (none), or three-dimensional
 drag_coefficient: {drag:<12} # cross-flow drag of the sections, 1; gives the cubic coefficients; {drag_note}
 
 # What keeps the course (off when left out): rudder angle = gain x heading off course + rate_gain x rate of turn.
@@ -115,6 +116,7 @@ def _text(base: str, ship: Ship) -> str:
         linear=ship.linear,
         righting=ship.righting,
         sections=hull.section_method,
+        ends=hull.ends,
         drag=f"{ship.drag_coefficient:g}",
         drag_note=status["drag_coefficient"],
     )

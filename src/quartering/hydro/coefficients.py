@@ -143,7 +143,8 @@ def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:
     lift = ("Clarke83",) if ship.linear == "default" else ()
     drag = ("Hoerner65",) if measured is None or not measured.drag else ()
     own = (measured.reference,) if measured else lift
-    water = ("STF70", "Tasai61") if ship.database is None else (ship.database.reference,)
+    ends = () if ship.hull.ends == "strips" else ("Morino74",)
+    water = ("STF70", "Tasai61", *ends) if ship.database is None else (ship.database.reference,)
     return ("H71", *water, *drag, *own, *damping_references(ship))
 
 

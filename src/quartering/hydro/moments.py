@@ -19,8 +19,9 @@ from quartering.hull.immersed import strips
 from quartering.hull.offsets import Hull
 from quartering.hull.section import Floats
 from quartering.hull.strips import has_transom
+from quartering.hydro.hull_table import hull_table
 from quartering.hydro.integrals import section_moments, shifted_moments
-from quartering.hydro.table import SectionTable, default_frequencies, radiation_table
+from quartering.hydro.table import SectionTable, default_frequencies
 
 
 @lru_cache(maxsize=8)
@@ -38,7 +39,8 @@ def section_table(hull: Hull, density: float) -> SectionTable:
 
     Notes
     -----
-    Source: [Tasai61] or [Frank67], by the hull's choice of section method.  Valid: as `radiation_table`.
+    Source: [Tasai61] or [Frank67], by the hull's choice of section method; [Morino74] for three-dimensional ends.
+    Valid: as `radiation_table`.
 
     Examples
     --------
@@ -48,7 +50,7 @@ def section_table(hull: Hull, density: float) -> SectionTable:
     True
     """
     frequency = default_frequencies(hull.beam, hull.draught)
-    return radiation_table(strips(hull), frequency, density, method=hull.section_method)
+    return hull_table(hull, frequency, density)
 
 
 class Moments(NamedTuple):

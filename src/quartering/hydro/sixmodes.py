@@ -14,11 +14,12 @@ from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
+from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.heave import heave_sections
+from quartering.hydro.hull_table import hull_table
 from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip import frequency_floor
 from quartering.hydro.surge import spheroid_surge
-from quartering.hydro.table import radiation_table
 
 SIX_MODES: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Modes in body axes: x to the bow, y to starboard, z down; pitch positive bow up."""
@@ -81,7 +82,7 @@ def hydrodynamics6(
     hull, density, immersed = ship.hull, ship.loading.density, strips(ship.hull)
     x_o, depth, said = _reference_point(ship, reference)
     ascending, back = np.unique(np.abs(omega), return_inverse=True)
-    table = radiation_table(immersed, ascending, density, method=hull.section_method)
+    table = hull_table(hull, ascending, density)
     heave = heave_sections(immersed, table)
     a, b = section_matrix(table.a, heave.a)[back], section_matrix(table.b, heave.b)[back]
     zero = section_matrix(table.a_zero, np.zeros(table.a_zero.shape[0]))  # heave grows there: filled in later
@@ -101,12 +102,13 @@ def hydrodynamics6(
     dataset = _dataset(omega, added, damping, _without_limit(ends, grows))
     if axes == "seakeeping":
         dataset = dataset.drop_vars(["added_mass_zero", "damping_zero"])
+    said_ends = "" if hull.ends == "strips" else f"; sway, roll, yaw {ENDS_WORDS}"
     return dataset.assign_attrs(
         ship=ship.name, speed=float(speed), reference_point=said, surge=surge, density=density,
         axes=f"{axes} axes: x to the bow, y to starboard, z down; pitch positive bow up",
         method=f"strip theory, {int(table.close_fit.sum())} of {len(immersed.x)} sections on their own contours, the others "
-        f"on Lewis forms; low frequencies: {low_frequency}",
-        references="STF70, Tasai61, Ursell49, Lewis29, Frank67, Lamb32",
+        f"on Lewis forms{said_ends}; low frequencies: {low_frequency}",
+        references="STF70, Tasai61, Ursell49, Lewis29, Frank67, Lamb32" + (", Morino74" if said_ends else ""),
     )  # fmt: skip
 
 

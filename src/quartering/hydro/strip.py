@@ -25,10 +25,11 @@ from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
+from quartering.hydro.ends import ENDS_WORDS
+from quartering.hydro.hull_table import hull_table
 from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.own_moments import check_frequencies, ship_moments
-from quartering.hydro.table import radiation_table
 
 __all__ = [
     "LowFrequency",
@@ -248,7 +249,7 @@ def _ship_derivatives(ship: Ship, omega: Floats, speed: float, low_frequency: Lo
     hull, loading = ship.hull, ship.loading
     immersed, manoeuvring = strips(hull), low_frequency == "manoeuvring"
     ascending, back = np.unique(np.zeros(1) if manoeuvring else omega, return_inverse=True)
-    table = radiation_table(immersed, ascending, loading.density, method=hull.section_method)
+    table = hull_table(hull, ascending, loading.density)
     x_g, z0 = hydrostatics(ship).lcb, loading.kg - hull.draught
     a, b = (about_gravity_centre(c[back], z0) for c in (table.a, table.b))
     floor = frequency_floor(hull.beam) if low_frequency == "cap" else np.inf
@@ -278,6 +279,8 @@ def _attributes(ship: Ship, speed: float, low_frequency: LowFrequency) -> dict[s
     """What a dataset of hydrodynamic coefficients says of itself."""
     method = "strip theory, sections by the hull's choice (Lewis form or true contour)"
     references = "STF70, Tasai61, Lewis29, Frank67"
+    if ship.hull.ends == "three-dimensional":
+        method, references = f"{method}, {ENDS_WORDS}", f"{references}, Morino74"
     if ship.database is not None:
         method = f"{ship.database.name}, zero speed; speed terms of strip theory without those of the aft end"
         references = f"STF70, {ship.database.reference}"

@@ -19,6 +19,7 @@ from quartering.conventions import (
 )
 from quartering.hull.immersed import strips
 from quartering.hull.strips import Strips
+from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.moments import section_table
 from quartering.hydro.table import SectionTable
 from quartering.loads.database_forces import database_force_phasors
@@ -127,7 +128,7 @@ def form_words(ship: Ship, form: Form) -> str:
     True
     """
     if ship.database is None or form != "stf":
-        return FORMS[form]
+        return FORMS[form] if ship.hull.ends == "strips" else f"{FORMS[form]}; {ENDS_WORDS}"
     return f"{ship.database.name}, zero speed, with speed terms of strip theory"
 
 
@@ -247,6 +248,7 @@ def _provenance(ship: Ship, wave: Wave, form: Form, omega: Floats) -> dict[str, 
     """Attributes that say what the forces are and what they rest on."""
     frequency: dict[str, str | float] = {"frequency": float(abs(omega[0]))} if omega.size == 1 else {}
     own = ship.database if form == "stf" else None
+    ends = "" if ship.hull.ends == "strips" else ", Morino74"
     return frequency | {
         "ship": ship.name,
         "form": form,
@@ -258,7 +260,7 @@ def _provenance(ship: Ship, wave: Wave, form: Form, omega: Floats) -> dict[str, 
         "wave_length": float(wave.length),
         "wave_height": float(wave.height),
         "water_density": float(ship.loading.density),
-        "references": "H71, STF70" if own is None else f"STF70, {own.reference}",
+        "references": f"H71, STF70{ends}" if own is None else f"STF70, {own.reference}",
     }
 
 

@@ -1,0 +1,104 @@
+"""The choices a ship is given by a word, each refused when the word is none of those allowed."""
+
+from __future__ import annotations
+
+from typing import Literal, cast, get_args
+
+from quartering.conventions import InputError
+
+Linear = Literal["default", "strip"]
+Righting = Literal["polynomial", "spline"]
+Sections = Literal["auto", "lewis", "close-fit"]
+Ends = Literal["strips", "three-dimensional"]
+
+
+def checked_linear(name: str, linear: str) -> Linear:
+    """The choice of linear derivatives.
+
+    Parameters
+    ----------
+    name : str      ship or file named in the message
+    linear : str    "default" or "strip"
+
+    Returns
+    -------
+    str    the same
+
+    Raises
+    ------
+    InputError    another word
+
+    Notes
+    -----
+    Source: the format of the ship file.
+
+    Examples
+    --------
+    >>> checked_linear("my ship", "strip")
+    'strip'
+    """
+    if linear not in get_args(Linear):
+        raise InputError(f'{name}: linear = "{linear}"; allowed are "default" (lift from regression) and "strip"')
+    return cast(Linear, linear)
+
+
+def checked_sections(name: str, sections: str) -> Sections:
+    """The way section coefficients are found.
+
+    Notes
+    -----
+    Source: [Lewis29], [Frank67]: the ways there are.
+    """
+    if sections not in get_args(Sections):
+        raise InputError(f'{name}: sections = "{sections}"; allowed are {", ".join(get_args(Sections))}; try "auto"')
+    return cast(Sections, sections)
+
+
+def checked_righting(name: str, righting: str) -> Righting:
+    """The form of the righting curve.
+
+    Notes
+    -----
+    Source: the format of the ship file.
+    """
+    if righting not in get_args(Righting):
+        raise InputError(f'{name}: righting = "{righting}"; allowed are "polynomial" (odd, to phi^7) and "spline"')
+    return cast(Righting, righting)
+
+
+def checked_ends(name: str, ends: str, database: str | None = None) -> Ends:
+    """The way the water at the ends of a hull is found; a ship with its own database has no choice.
+
+    Parameters
+    ----------
+    name : str                ship or file named in the message
+    ends : str                "strips" or "three-dimensional"
+    database : str or None    what the ship's own database is called
+
+    Returns
+    -------
+    str    the same
+
+    Raises
+    ------
+    InputError    another word, or "three-dimensional" beside a database
+
+    Notes
+    -----
+    Source: [Morino74], the ends.
+
+    Examples
+    --------
+    >>> checked_ends("my ship", "round")
+    Traceback (most recent call last):
+    ...
+    quartering.conventions.InputError: my ship: ends = "round"; allowed are strips, three-dimensional; try "strips"
+    """
+    if ends not in get_args(Ends):
+        raise InputError(f'{name}: ends = "{ends}"; allowed are {", ".join(get_args(Ends))}; try "strips"')
+    if ends == "three-dimensional" and database is not None:
+        raise InputError(
+            f'{name}: ends = "{ends}" corrects the strips, and {database} takes their place; leave one of the two out '
+            "(ends: strips, or database: none)"
+        )
+    return cast(Ends, ends)

@@ -1,0 +1,56 @@
+"""The section coefficients and potentials of a hull, solved the way the hull asks for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.hull.immersed import strips
+from quartering.hull.offsets import Hull
+from quartering.hydro.ends import end_effect, with_ends
+from quartering.hydro.table import SectionTable, radiation_table
+
+
+def hull_table(hull: Hull, frequency: ArrayLike, density: float) -> SectionTable:
+    """Section coefficients in sway and roll of a hull, by its own choice of section method and ends.
+
+    Parameters
+    ----------
+    hull : Hull              at its draught
+    frequency : (f,) float   w >= 0, ascending [rad/s]
+    density : float          of the water, > 0 [kg/m3]
+
+    Returns
+    -------
+    SectionTable
+
+    Raises
+    ------
+    InputError               what `radiation_table` refuses
+
+    Notes
+    -----
+    Three-dimensional ends need the potentials at w = 0, which are solved beside those asked for.
+    Source: [Tasai61] or [Frank67] sections; [Morino74] ends.  Valid: as `radiation_table` and `end_effect`.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> from quartering.hull.offsets import wigley_hull
+    >>> hull = wigley_hull(100.0, 10.0, 6.25, 10.0)
+    >>> added = [t.a[0, :, 0] @ hull.weight for t in (
+    ...     hull_table(one, [0.5], 1025.0) for one in (hull, replace(hull, ends="three-dimensional")))]
+    >>> round(float(added[1] / added[0]), 2)
+    0.91
+    """
+    immersed = strips(hull)
+    if hull.ends == "strips":
+        return radiation_table(immersed, frequency, density, method=hull.section_method)
+    wanted = np.atleast_1d(np.asarray(frequency, dtype=float))
+    with_still = wanted if wanted.size and wanted[0] == 0.0 else np.append(0.0, wanted)
+    table = radiation_table(immersed, with_still, density, method=hull.section_method)
+    table = with_ends(table, immersed, end_effect(hull))
+    kept = slice(with_still.size - wanted.size, None)
+    return replace(table, frequency=table.frequency[kept], a=table.a[kept], b=table.b[kept], psi=table.psi[kept])
