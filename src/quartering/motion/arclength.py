@@ -14,7 +14,7 @@ Equations = Callable[[Floats], tuple[Floats, Floats]]
 
 _FIRST_STEP, _LONGEST_STEP, _SHORTEST_STEP = 0.02, 0.05, 1e-6
 _LARGEST_TURN = 0.98
-_NEWTON_STEP = 1e-10
+_NEWTON_STEP, _ROUNDING = 1e-10, 1e-13
 _POINTS_OF_A_LOOP = 8
 
 
@@ -82,7 +82,7 @@ def tangent_at(equations: Equations, point: Floats, along: Floats) -> Floats:
 
 def _newton(equations: Equations, guess: Floats, tangent: Floats) -> tuple[Floats, Floats] | None:
     """Point of `corrected`, and the derivative at the last iterate, a hair's breadth from it."""
-    point = guess.copy()
+    point, before = guess.copy(), 0.0
     for _ in range(12):
         value, derivative = equations(point)
         try:
@@ -93,8 +93,9 @@ def _newton(equations: Equations, guess: Floats, tangent: Floats) -> tuple[Float
         largest = np.abs(step).max()
         if not largest < 1e3:
             return None
-        if largest < _NEWTON_STEP:
+        if largest < _NEWTON_STEP or largest**2 < _ROUNDING * before:  # at this rate the next step is below rounding
             return point, derivative
+        before = largest
     return None
 
 
@@ -137,7 +138,8 @@ def follow(
 
     Notes
     -----
-    Steps go along the tangent, halved where the curve bends by more than 11 degrees.  Source: [Krack19].
+    Steps go along the tangent, bent as it last turned, and are halved where the curve bends by more than 11 degrees.
+    Source: [Krack19].
 
     Examples
     --------
@@ -148,9 +150,9 @@ def follow(
     (True, [1.0, 0.0])
     """
     tangent = tangent_at(equations, start, along)
-    found, tangents, length = [start], [tangent], min(_FIRST_STEP, longest)
+    found, tangents, length, bend = [start], [tangent], min(_FIRST_STEP, longest), np.zeros(start.size)
     while len(found) < points and length > _SHORTEST_STEP:
-        there = _newton(equations, found[-1] + length * tangent, tangent)
+        there = _newton(equations, found[-1] + length * (tangent + 0.5 * length * bend), tangent)
         if there is None:
             length *= 0.5
             continue
@@ -163,6 +165,7 @@ def follow(
             return Path(np.array([*found, start]), np.array([*tangents, tangents[0]]), True)
         found.append(point)
         tangents.append(turned)
+        bend = (turned - tangent) / np.linalg.norm(point - found[-2])
         tangent, length = turned, min(1.3 * length, longest)
         if not go_on(point):
             break
