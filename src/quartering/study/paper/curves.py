@@ -14,7 +14,7 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import wave_forces
 from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
-from quartering.study.grid import LOADING_AXES
+from quartering.study.loadings import LOADING_AXES
 from quartering.study.paper.conditions import FROUDE, HEADINGS, RATIOS, speed_of, wave_of
 from quartering.study.polar import polar
 from quartering.study.sweep import sweep

@@ -11,7 +11,7 @@ from quartering.hull.units import Kind as Quantity
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.stability.kind import Kind
 from quartering.study.branch import branch
-from quartering.study.grid import LOADING_AXES
+from quartering.study.loadings import LOADING_AXES
 from quartering.view.commands.conditions import checked_headings, condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write

@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.study.grid import loaded
+from quartering.study.loadings import loaded
 from quartering.view.explorer.fleet import Fleet
 from quartering.view.explorer.state import LOADING
 
