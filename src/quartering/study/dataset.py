@@ -172,6 +172,8 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
         "ship_draught": hull.draught,
         "loading": f"GM {loading.gm:.4g} m, KG {loading.kg:.4g} m, k_xx {loading.gyradius_roll:.4g} m,"
         f" k_zz {loading.gyradius_yaw:.4g} m, added roll damping {ship.roll_damping_words}",
+        "autopilot": "none" if ship.autopilot is None else ship.autopilot.words,
+        "righting_curve": ship.righting,
         "natural_roll_frequency": c.roll_frequency,
         "provenance": "; ".join(f"{key}: {text}" for key, text in ship.provenance.items()),
         "coefficient_sources": "; ".join(f"{e.name}: {e.source}" for e in c.table()),

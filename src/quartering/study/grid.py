@@ -16,7 +16,7 @@ from quartering.digest import fingerprint
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import STEEPEST, Wave
-from quartering.study.loadings import loaded
+from quartering.study.loadings import base_of, loaded
 
 Floats = NDArray[np.float64]
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
@@ -202,8 +202,7 @@ def grid(
     extra = {name: axis(name, values) for name, values in axes.items()}
     if "gm" in extra and "kg" in extra:
         raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
-    if "roll_damping" in extra and ship.roll_method != "fraction":  # every loading replaces the method, so say so
-        ship = ship.with_(roll_damping=float(extra["roll_damping"][0]))
+    ship = base_of(ship, extra)
     combined = np.array(list(product(*extra.values())), dtype=float).reshape(
         int(np.prod([v.size for v in extra.values()])), len(extra)
     )

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+from numpy.typing import NDArray
+
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 
@@ -64,6 +67,31 @@ def _keels(ship: Ship, given: Mapping[str, float]) -> tuple[float, float]:
         raise InputError(f"{ship.name} has no bilge keels of its own: give {missing[0]} too; try {try_:.2g} m")
     length, breadth = ({**own, **given}[name] for name in KEEL_AXES)
     return (0.0, 0.0) if 0.0 in (length, breadth) else (length, breadth)
+
+
+def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
+    """The ship a study of some loadings is recorded with: where they replace the way of its roll damping, the new way.
+
+    Parameters
+    ----------
+    ship : Ship
+    loadings : mapping of str to (l,) float    values of loading l by name, as for `loaded`
+
+    Returns
+    -------
+    Ship                                       with the first damping, or the first keels; else as it is
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> keels = {"bilge_keel_length": np.full(2, 40.0), "bilge_keel_breadth": np.array([0.0, 0.4])}
+    >>> base_of(ship("s175"), keels).roll_damping_words
+    'component method of Ikeda on the lines, no bilge keels'
+    """
+    names = [name for name in ("roll_damping", *KEEL_AXES) if name in loadings]
+    if names == ["roll_damping"] and ship.roll_method == "fraction":  # the same way with another number
+        return ship
+    return loaded(ship, {name: float(loadings[name][0]) for name in names})
 
 
 def own_value(ship: Ship, name: str) -> float:

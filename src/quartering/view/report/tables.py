@@ -51,6 +51,10 @@ def loading_table(ship: Ship) -> Table:
     for key, words, unit in LOADING:
         origin = ship.provenance.get(key, "given")
         rows.append(Row((words, f"{getattr(ship.loading, key):.5g}", unit, origin), origin.startswith("assumed")))
+    if ship.autopilot is not None:
+        rows.append(Row(("autopilot", ship.autopilot.words, "", "given")))
+    if ship.righting == "spline":
+        rows.append(Row(("righting curve", "spline through the curve", "", "given")))
     return Table(("quantity", "value", "unit", "where it comes from"), rows, (1,))
 
 
