@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -66,6 +67,7 @@ class FreeRoll(NamedTuple):
     inertia: float
 
 
+@lru_cache(maxsize=128)  # of one ship it is asked for every block of a map, and several times in each
 def free_roll(ship: Ship) -> FreeRoll:
     """Natural roll frequency of a ship as loaded, and the inertia about G at that frequency.
 

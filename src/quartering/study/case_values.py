@@ -144,10 +144,10 @@ def steepness(given: float | str, what: str) -> float:
     >>> steepness("1/50", "--steepness"), steepness("2%", "--steepness")
     (0.02, 0.02)
     """
-    typed = given if isinstance(given, str) else f"{given:g}"
-    parts = typed.split("/")
+    parts = given.split("/") if isinstance(given, str) else [given]
     numbers = [quantity(part, "ratio", what=what) for part in parts]
     found = numbers[0] / numbers[1] if len(numbers) == 2 and numbers[1] else numbers[0]
     if len(numbers) > 2 or 0 in numbers[1:] or not 0 < found <= STEEPEST:
+        typed = given if isinstance(given, str) else f"{given:g}"
         raise InputError(f'{what} "{typed}": wave height over wave length, above 0 and at most 1/7; try 1/50')
     return found

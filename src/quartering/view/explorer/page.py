@@ -19,6 +19,7 @@ from quartering.view.explorer import downloads
 from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting, scene, verdict
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.controls import Controls
+from quartering.view.explorer.damping_dials import damping_hint
 from quartering.view.explorer.fleet import Fleet, Known
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.map_panel import MapPanel
@@ -27,6 +28,14 @@ from quartering.view.explorer.turns import Turns
 from quartering.view.explorer.upload_dialog import UploadDialog
 
 _THEMES = {None: ("contrast", "as the system"), True: ("dark_mode", "dark"), False: ("light_mode", "light")}
+
+
+_COPY = """return (async () => {{
+  const link = location.origin + location.pathname + {query};
+  history.replaceState({{}}, '', link);
+  try {{ await navigator.clipboard.writeText(link); return true; }} catch {{ return false; }}
+}})()"""
+"""Copies the link; a browser may refuse, and does where the page comes neither by https nor from this machine."""
 
 
 class Page:
@@ -89,12 +98,19 @@ class Page:
             for words, work in self._files().items():
                 ui.menu_item(words, on_click=work)
         dark = ui.dark_mode(None)
-        theme = ui.button(icon=_THEMES[None][0], color=None).props('flat dense aria-label="light or dark"')
+        theme = ui.button(color=None).props("flat dense").mark("theme")
+
+        def show() -> None:
+            icon, words = _THEMES[dark.value]
+            theme.set_icon(icon)
+            theme.props(f'aria-label="light or dark: {words}" title="light or dark: {words}"')
 
         def turn() -> None:
             order = list(_THEMES)
             dark.value = order[(order.index(dark.value) + 1) % len(order)]
-            theme.set_icon(_THEMES[dark.value][0])
+            show()
+
+        show()
 
         theme.on_click(turn)
 
@@ -147,9 +163,16 @@ class Page:
     def _stop_map(self) -> None:
         self._stopped = True
 
-    def _copy(self) -> None:
-        self._client.run_javascript("navigator.clipboard.writeText(location.href)")
-        ui.notify("The link to exactly this view is copied.", position="top")
+    async def _copy(self) -> None:
+        query = json.dumps(f"?{self.state.query()}")
+        copied = await self._client.run_javascript(_COPY.format(query=query), timeout=10.0)
+        with self._client:
+            if copied:
+                ui.notify("The link to exactly this view is copied.", position="top")
+            else:
+                ui.notify(
+                    "The browser does not let a page copy here: take the link from its address line.", position="top"
+                )
 
     def _files(self) -> dict[str, Callable[[], Awaitable[None]]]:
         """What can be downloaded."""
@@ -206,11 +229,11 @@ class Page:
         except InputError as error:  # ship and sea are as they should be; in this condition there is no motion
             self._say(NO_MOTION, [])
             self._say_wrong(str(error))
-            self._show_scene(state, of)
+            await self._show_scene(state, of)
             await self._fill_map(state, of)
             return
         self._say(headline(found), [*notes, *beyond(found)])
-        self._show_scene(state, of)
+        await self._show_scene(state, of)
         for step in (self._fill_panel, self._fill_map, self._fill_cures):
             if self.state is not state:
                 return
@@ -221,10 +244,11 @@ class Page:
         self._heal.set_content("")
         self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in notes))
 
-    def _show_scene(self, state: State, of: Scene) -> None:
+    async def _show_scene(self, state: State, of: Scene) -> None:
+        damping, _ = await self._take(lambda: damping_hint(of))
         if self.state is not state:  # a dial in motion is not turned back
             return
-        self._controls.show(of, state)
+        self._controls.show(of, state, damping)
         self._map.place(of)
         self._panel.front(state)
         link = json.dumps(f"?{state.query()}")
