@@ -8,6 +8,7 @@ import io
 import json
 import tempfile
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
 import xarray as xr
@@ -17,6 +18,25 @@ from quartering.view.explorer.fleet import Known
 from quartering.view.explorer.state import LOADING, State
 
 _REPORT = "quartering.view.report"
+
+
+File = Callable[[State, Scene], tuple[str, bytes]]
+"""Makes a file of a state and its scene: name and content."""
+
+
+def files() -> dict[str, File]:
+    """What can be taken home, by the words of the menu."""
+
+    def of_map(ending: str, made: Callable[[Scene], bytes]) -> File:
+        return lambda _, of: (f"{stem(of.known)}-polar.{ending}", made(of))
+
+    made = {
+        "Case file that gives this view": case_file,
+        "Map, PNG": of_map("png", lambda of: picture(of, "png")),
+        "Map, SVG": of_map("svg", lambda of: picture(of, "svg")),
+        "Map, netCDF": of_map("nc", netcdf),
+    }
+    return made | ({"Report, HTML": of_map("html", report)} if has_report() else {})
 
 
 def map_dataset(of: Scene) -> xr.Dataset:

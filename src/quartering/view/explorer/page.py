@@ -5,7 +5,8 @@ from __future__ import annotations
 import asyncio
 import html
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import xarray as xr
@@ -95,8 +96,8 @@ class Page:
         ui.element("span").classes("push")
         ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
-            for words, work in self._files().items():
-                ui.menu_item(words, on_click=work)
+            for words, make in downloads.files().items():
+                ui.menu_item(words, on_click=partial(self._send, make))
         dark = ui.dark_mode(None)
         theme = ui.button(color=None).props("flat dense").mark("theme")
 
@@ -174,34 +175,10 @@ class Page:
                     "The browser does not let a page copy here: take the link from its address line.", position="top"
                 )
 
-    def _files(self) -> dict[str, Callable[[], Awaitable[None]]]:
-        """What can be downloaded."""
+    async def _send(self, make: downloads.File) -> None:
+        def made() -> tuple[str, bytes]:
+            return make(self.state, scene(self.state, self._fleet.known(self.state.ship)))
 
-        def file(ending: str, work: Callable[[Scene], bytes]) -> Callable[[], Awaitable[None]]:
-            async def send() -> None:
-                def made() -> tuple[str, bytes]:
-                    of = scene(self.state, self._fleet.known(self.state.ship))
-                    return f"{downloads.stem(of.known)}-polar.{ending}", work(of)
-
-                await self._send(made)
-
-            return send
-
-        async def case() -> None:
-            def made() -> tuple[str, bytes]:
-                return downloads.case_file(self.state, scene(self.state, self._fleet.known(self.state.ship)))
-
-            await self._send(made)
-
-        files = {
-            "Case file that gives this view": case,
-            "Map, PNG": file("png", lambda of: downloads.picture(of, "png")),
-            "Map, SVG": file("svg", lambda of: downloads.picture(of, "svg")),
-            "Map, netCDF": file("nc", downloads.netcdf),
-        }
-        return files | ({"Report, HTML": file("html", downloads.report)} if downloads.has_report() else {})
-
-    async def _send(self, made: Callable[[], tuple[str, bytes]]) -> None:
         try:
             (name, content), _ = await self._turns.take(self._client.id, noting(made))
         except InputError as error:
@@ -267,20 +244,28 @@ class Page:
         self._map_of = None
         frequency, _notes = await self._take(lambda: coefficients(of.ship, 0.0, 0.0).roll_frequency)
         self._map.lines(of, float(frequency))
+        self._stop.set_visibility(True)
+        try:
+            if await self._fill_blocks(state, of):
+                self._map_of = asked
+        finally:
+            self._stop.set_visibility(False)
+
+    async def _fill_blocks(self, state: State, of: Scene) -> bool:
+        """Every block of a map, in turn; False when it is stopped, or the state moves on."""
         done = 0
         for block in map_blocks(of):
             part: xr.Dataset
             part, _notes = await self._take(block)
             if self.state is not state:
-                return
+                return False
             self._map.show(part, fresh=done == 0)
             done += part.sizes["heading"]
-            self._stop.set_visibility(done < HEADINGS.size and not self._stopped)
             self._progress.set_text(f"{done} of {HEADINGS.size} headings" if done < HEADINGS.size else "")
-            if self._stopped:
+            if self._stopped and done < HEADINGS.size:
                 self._progress.set_text(f"stopped at {done} of {HEADINGS.size} headings; any change begins again")
-                return
-        self._map_of = asked
+                return False
+        return True
 
     async def _fill_cures(self, state: State, _: Scene, found: Examined) -> None:
         if found.verdict.stable or not found.motion.status.ok:
