@@ -219,3 +219,19 @@ def test_it_fits_a_phone_and_follows_the_dark(visit):
     light, dark = (sum(map(int, re.findall(r"\d+", colour)[:3])) for colour in (ink, paper))
     assert light > 600 > 120 > dark
     assert page.wrong == []
+
+
+def test_on_a_phone_verdict_and_refusal_stay_in_sight_of_the_dials(visit):
+    page = visit(STABLE, width=390, height=844)
+    page.locator("#number-gm").scroll_into_view_if_needed()
+    page.evaluate("document.querySelector('.dials').scrollIntoView()")
+
+    def in_sight(selector):
+        box = page.locator(selector).bounding_box()
+        return box["y"] >= 0 and box["y"] + box["height"] <= 844
+
+    assert in_sight(".says h1")
+    page.locator("#number-wave_height").fill("40")
+    page.wait_for_selector(".wrong")
+    assert in_sight(".wrong")
+    assert page.evaluate("document.documentElement.scrollWidth") <= 390

@@ -63,13 +63,7 @@ def describe_hull(name: str, output: str | None, as_json: bool) -> None:
 def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:
     rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in HYDROSTATICS.items()]
     show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
-    load = one.loading
-    value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
-    loading = [
-        (words, value.get(key, f"{getattr(load, key):.5g}"), unit, one.provenance.get(key, "given"))
-        for key, words, unit in LOADING
-    ]
-    show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading, (1,)))
+    show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading_rows(one), (1,)))
     terms = " ".join(f"{c:+.4g} phi^{n}" for n, c in ((1, fit.gm), (3, fit.gz3), (5, fit.gz5), (7, fit.gz7)) if c)
     show(
         f"Righting arm GZ = {terms} m (phi in rad), within {fit.residual:.1%} of the largest up to {fit.max_angle:g} deg."
@@ -82,6 +76,15 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
         )
     rows = [(speed_words(u, one.hull.length), exponents_words(z), _course(z)) for u, z in calm.items()]
     show(table("Small motions in calm water, rudder amidships: exponents", ("speed", "1/s", "verdict"), rows))
+
+
+def loading_rows(one: Ship) -> list[tuple[str, str, str, str]]:
+    """Each value of the loading: what it is, how much, its unit, where it comes from."""
+    value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
+    return [
+        (words, value.get(key, f"{getattr(one.loading, key):.5g}"), unit, one.provenance.get(key, "given"))
+        for key, words, unit in LOADING
+    ]
 
 
 def _course(exponents: np.ndarray) -> str:
