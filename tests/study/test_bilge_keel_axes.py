@@ -32,6 +32,22 @@ def test_a_case_file_takes_keels_in_lengths_and_breadths_of_the_ship(tmp_path):
     assert [made.loaded(i).roll_method for i in (0, 1)] == ["ikeda", "ikeda"]
 
 
+@pytest.mark.parametrize(
+    ("keels", "message"),
+    [
+        ("bilge_keel_breadth: 0.3", "line 7: bilge_keel_breadth is given, .*give bilge_keel_length too"),
+        ("bilge_keel_length: 30\n  bilge_keel_breadth: 9 m", "line 7: .*below B/4"),
+        ("bilge_keel_length: 30\n  bilge_keel_breadth: 0.3\n  roll_damping: 5 %", "line 7: .*leave out the one"),
+    ],
+)
+def test_keels_that_cannot_be_are_refused_with_their_line(tmp_path, keels, message):
+    (tmp_path / "case.yaml").write_text(
+        f"ship: series60-cb60\nspeed: 7.5\nheading: 60\nwave_length: 150\nsteepness: 1/50\nloading:\n  {keels}\n"
+    )
+    with pytest.raises(qt.InputError, match=message):
+        case_grid(tmp_path / "case.yaml")
+
+
 def test_keels_of_the_ship_stand_for_the_size_not_given():
     own = SHIP.with_(roll_damping="ikeda-simplified", bilge_keels=(30.0, 0.3))
     wider = loaded(own, {"bilge_keel_breadth": 0.5})

@@ -255,6 +255,8 @@ def _ship(name: str, path: Path, place: _Place) -> Ship:
 
 def _blamed(message: str, place: _Place) -> tuple[str, ...]:
     """Key of the file a message of another room is about."""
+    if "bilge_keels" in message:  # what a ship calls the two sizes
+        return ("loading", "bilge_keel_length")
     for path in sorted(place.lines, key=len, reverse=True):
         if path[-1] in message:
             return path

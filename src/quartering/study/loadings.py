@@ -63,8 +63,11 @@ def _keels(ship: Ship, given: Mapping[str, float]) -> tuple[float, float]:
     own = dict(zip(KEEL_AXES, ship.bilge_keels, strict=True)) if ship.bilge_keels else {}
     missing = [name for name in KEEL_AXES if name not in given and name not in own]
     if missing:
-        try_ = 0.25 * ship.hull.length if missing[0] == KEEL_AXES[0] else 0.02 * ship.hull.beam
-        raise InputError(f"{ship.name} has no bilge keels of its own: give {missing[0]} too; try {try_:.2g} m")
+        usual = 0.25 * ship.hull.length if missing[0] == KEEL_AXES[0] else 0.02 * ship.hull.beam
+        raise InputError(
+            f"{', '.join(given)} is given, and {ship.name} has no bilge keels of its own: give {missing[0]} too;"
+            f" try {usual:.2g} m"
+        )
     length, breadth = ({**own, **given}[name] for name in KEEL_AXES)
     return (0.0, 0.0) if 0.0 in (length, breadth) else (length, breadth)
 
