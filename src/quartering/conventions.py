@@ -54,10 +54,13 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "kg": Symbol("KG", "m", "height of the centre of gravity over the keel"),
     "gyradius_roll": Symbol("k_xx", "m", "radius of gyration in roll, without added mass"),
     "gyradius_yaw": Symbol("k_zz", "m", "radius of gyration in yaw, without added mass"),
+    "bilge_keel_length": Symbol("l_BK", "m", "length of one bilge keel of the pair"),
+    "bilge_keel_breadth": Symbol("b_BK", "m", "breadth of one bilge keel of the pair"),
     "speed": Symbol("U", "m/s", "forward speed"),
     "heading": Symbol("mu", "deg", "heading to the waves: " + HEADING_CONVENTION),
     "wave_length": Symbol("lambda", "m", "wave length"),
     "wave_height": Symbol("H", "m", "wave height, crest to trough"),
+    "steepness": Symbol("H/lambda", "1", "wave steepness, height over length"),
     "frequency": Symbol("omega", "rad/s", "frequency of encounter"),
     "wave_frequency": Symbol("sigma", "rad/s", "wave frequency seen from a fixed point"),
     "encounter_frequency": Symbol(

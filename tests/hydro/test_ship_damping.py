@@ -8,6 +8,7 @@ from quartering.hydro.dampingforms import LINEAR_OF_QUADRATIC
 from quartering.hydro.freeroll import free_roll
 from quartering.hydro.measured_ship import measured_parts
 from quartering.hydro.rolldamping import roll_damping
+from quartering.hydro.ship_damping import equivalent_fraction
 from quartering.study.cure import cures
 from quartering.study.grid import grid
 from quartering.study.uncertainty import uncertain
@@ -106,6 +107,16 @@ def test_of_a_measured_roll_damping_and_the_components_the_larger_counts():
     assert less < measured < more
     assert at_ten_degrees(bare) == alone
     assert at_ten_degrees(wide) == pytest.approx(alone + more - measured, rel=0.03)
+
+
+@pytest.mark.parametrize("speed", [0.0, 7.5])
+def test_the_fraction_of_critical_is_what_the_components_add_at_ten_degrees(speed):
+    """[Himeno81]: zeta = B_e/(2 n2 I), here of what is added to the strips at rest."""
+    ship = by_components()
+    roll = free_roll(ship)
+    added = roll_damping(ship, speed, roll.frequency, 10.0).added
+    expected = added / (2 * roll.frequency * roll.inertia)
+    assert equivalent_fraction(ship, speed) == pytest.approx(expected, rel=0.03)  # misfit of the form
 
 
 def test_a_number_takes_the_place_of_the_method():

@@ -1,12 +1,14 @@
-"""An explorer for the tests that need one: a real server in a process of its own."""
+"""An explorer for the tests that need one, a real server in a process of its own, and a browser to visit it with."""
 
 import os
+import shutil
 import socket
 import subprocess
 import sys
 import time
 import urllib.error
 import urllib.request
+from urllib.parse import urlparse
 
 import pytest
 
@@ -56,3 +58,60 @@ def _await(running, server):
         except (urllib.error.URLError, ConnectionError, TimeoutError):
             time.sleep(0.2)
     raise TimeoutError(running.written())
+
+
+FLAGS = (
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync",
+)  # fmt: skip
+SLOW = 60_000
+"""How long a step may take on a machine that others use too [ms]."""
+
+
+def _chromium():
+    """The browser of this machine; a machine of CI must have one."""
+    found = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+    if found is None and os.environ.get("CI") == "true":
+        pytest.fail("no chromium on this machine, and CI must have one: `make browser` installs it", pytrace=False)
+    if found is None:
+        pytest.skip("no chromium on this machine; `make browser` installs it")
+    return found
+
+
+@pytest.fixture(scope="module")
+def context():
+    """One browser whose files are loaded once; every page in it is a visitor of its own."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="browser tests need playwright (extra `dev`)")
+    chromium = _chromium()
+    with playwright.sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=chromium, args=list(FLAGS))
+        yield browser.new_context()
+        browser.close()
+
+
+@pytest.fixture
+def visit(context, explorer):
+    """Open the page with a query. Errors, and requests to anywhere but this machine, are kept."""
+    pages = []
+
+    def open_page(query="", width=1440, height=1000, scheme="light"):
+        page = context.new_page()
+        pages.append(page)
+        page.set_viewport_size({"width": width, "height": height})
+        page.emulate_media(color_scheme=scheme)
+        page.set_default_timeout(SLOW)
+        page.wrong, page.elsewhere = [], []
+        page.on("pageerror", lambda error: page.wrong.append(str(error)))
+        page.on("console", lambda said: page.wrong.append(said.text) if said.type == "error" else None)
+        page.on("request", lambda asked: page.elsewhere.append(asked.url) if _far(asked.url) else None)
+        page.goto(f"{explorer.address}/?{query}")
+        page.wait_for_selector(".says h1 b")
+        return page
+
+    yield open_page
+    for page in pages:
+        page.close()
+
+
+def _far(url):
+    return urlparse(url).scheme in ("http", "https", "ws") and urlparse(url).hostname != "127.0.0.1"

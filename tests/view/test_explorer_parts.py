@@ -10,15 +10,16 @@ import pytest
 import xarray as xr
 from hypothesis import given
 from hypothesis import strategies as st
+from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import InputError
-from quartering.study.case import case_grid
-from quartering.study.sweep import sweep
+from quartering.study.result import open_result
+from quartering.view.cli import app
 
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
-from quartering.view.explorer.answers import map_blocks, noting, scene
+from quartering.view.explorer.answers import noting, scene
 from quartering.view.explorer.downloads import case_file, map_dataset, netcdf, picture, report
 from quartering.view.explorer.fleet import Fleet
 from quartering.view.explorer.state import STARTING, State
@@ -38,12 +39,14 @@ def lengths(low, high):
     speed=st.none() | st.floats(0.0, 30.0),
     heading=st.floats(0.0, 180.0),
     wave_length=lengths(0.0, 900.0),
+    damping=st.fixed_dictionaries({"roll_damping": lengths(0.0, 1.0)})
+    | st.fixed_dictionaries({"bilge_keel_length": st.floats(1.0, 99.0), "bilge_keel_breadth": st.floats(0.0, 3.0)}),
     sea=st.tuples(st.sampled_from(["wave_height", "steepness"]), st.floats(1e-3, 0.14)),
     harmonics=st.sampled_from([1, 3, 5]),
     panel=st.sampled_from(["motion", "stability", "curve", "causes", "hull"]),
 )
-def test_a_link_carries_the_whole_state(sea, **values):
-    state = State(**values, **dict([sea]))
+def test_a_link_carries_the_whole_state(sea, damping, **values):
+    state = State(**values, **damping, **dict([sea]))
     back = State.of_query(dict(parse_qsl(state.query())))
     for name, value in state:
         other = getattr(back, name)
@@ -60,6 +63,9 @@ def test_a_link_carries_the_whole_state(sea, **values):
         ({"haeding": "30"}, "unknown"),
         ({"harmonics": "2"}, "harmonics"),
         ({"speed": "inf"}, "speed"),
+        ({"bilge_keel_length": "30"}, "give both"),
+        ({"bilge_keel_length": "30", "bilge_keel_breadth": "0.3", "roll_damping": "0.05"}, "not both"),
+        ({"bilge_keel_length": "30", "bilge_keel_breadth": "-0.3"}, "bilge_keel_breadth"),
     ],
 )
 def test_a_link_that_cannot_be_is_refused_with_the_reason(query, reason):
@@ -150,21 +156,30 @@ def test_an_error_in_a_turn_reaches_its_own_waiter_only():
     assert fine == 7
 
 
-def test_the_case_file_gives_the_map_again(tmp_path):
-    state = STARTING.changed(steepness=None, wave_height=3.0, gm=0.8, heading=52.0)
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"steepness": None, "wave_height": 3.0, "gm": 0.8},
+        {"steepness": 0.02, "gm": 0.8},
+        {"steepness": 1 / 30, "bilge_keel_length": 36.0, "bilge_keel_breadth": 0.4, "harmonics": 3},
+    ],
+)
+def test_the_case_file_gives_the_map_again_by_the_command_line(tmp_path, changes):
+    state = STARTING.changed(heading=52.0, **changes)
     of = scene(state, Fleet().known(state.ship))
     name, content = case_file(state, of)
-    path = tmp_path / name
-    path.write_bytes(content)
-    grid = case_grid(path)
-    rerun = sweep(grid.ship, **grid.axes, **grid.loadings, harmonics=grid.harmonics).isel(loading=0, wave_height=0)
-    shown = map_dataset(of)
+    (tmp_path / name).write_bytes(content)
+    made = CliRunner().invoke(app, ["sweep", str(tmp_path / name), "-o", str(tmp_path / "result")])
+    assert made.exit_code == 0, made.output
+    rerun = open_result(tmp_path / "result").load().squeeze(drop=True)
+    shown, _ = noting(lambda: map_dataset(of))()
     again = rerun.sel(heading=shown["heading"], wave_length=shown["wave_length"])
     for variable in ("roll", "exponent", "k2"):
         # The forces are the same; the two paths put them together in another order of operations.
-        np.testing.assert_allclose(again[variable].values, shown[variable].values, rtol=1e-9, atol=1e-12)
-    assert (again["verdict"].values == shown["verdict"].values).all()
+        np.testing.assert_allclose(again[variable].values, shown[variable].values[0], rtol=1e-9, atol=1e-12)
+    assert (again["verdict"].values == shown["verdict"].values[0]).all()
     assert 52.0 in rerun["heading"].values
+    assert of.wave.length in rerun["wave_length"].values
 
 
 def test_the_map_goes_home_as_picture_and_as_dataset(tmp_path):
@@ -189,6 +204,6 @@ def test_waves_that_break_are_left_out_of_the_map():
     state = State(ship="wigley", wave_height=8.0, wave_length=100.0)
     of = scene(state, Fleet().known("wigley"))
     assert all(wave.steepness <= 1 / 7 for wave in of.waves)
-    block, notes = noting(map_blocks(of)[0])()
-    assert block["roll"].sizes["wave_length"] == len(of.waves) < 20
+    shown, notes = noting(lambda: map_dataset(of))()
+    assert shown["roll"].sizes["wave_length"] == len(of.waves) < 20
     assert "extrapolated" in notes[0]

@@ -62,9 +62,20 @@ def test_polar_is_that_of_the_library(explorer):
     assert ask(explorer, "/api/polar", query=MAP)[1]["roll"] == served["roll"]
 
 
+def test_bilge_keels_can_be_asked_for(explorer):
+    keels = {"bilge_keel_length": 30.0, "bilge_keel_breadth": 0.3}
+    served = ask(explorer, "/api/polar", MAP | keels)[1]
+    waves = [qt.Wave(length, 0.02 * length) for length in MAP["wave_length"]]
+    fitted = qt.ship("series60-cb60").with_(gm=0.9, roll_damping="ikeda", bilge_keels=(30.0, 0.3))
+    ds = qt.polar(fitted, waves, MAP["speed"], MAP["heading"])
+    np.testing.assert_allclose(np.array(served["roll"], dtype=float), ds["roll"].values, rtol=1e-12)
+
+
 @pytest.mark.parametrize(
     ("path", "content", "reason"),
     [
+        ("/api/verdict", CONDITION | {"bilge_keel_length": 30}, "give both"),
+        ("/api/verdict", CONDITION | {"bilge_keel_length": 30, "bilge_keel_breadth": 9}, "below B/4"),
         ("/api/verdict", CONDITION | {"speed": float("nan")}, "speed: .*finite"),
         ("/api/verdict", CONDITION | {"wave_height": float("inf")}, "wave_height: .*"),
         ("/api/verdict", CONDITION | {"wave_height": 100}, "breaks"),

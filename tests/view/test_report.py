@@ -217,6 +217,37 @@ def test_report_of_a_ship_file_and_of_a_sweep(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
+    ("keys", "says"),
+    [
+        ("autopilot: {gain: 1.0, rate_gain: 8 s}", "autopilot none, there gain 1, rate gain 8 s, lag 0 s"),
+        ("righting: spline", "righting curve polynomial, there spline"),
+    ],
+)
+def test_a_map_is_reported_with_its_own_autopilot_and_righting_curve_only(tmp_path, monkeypatch, keys, says):
+    """The two change the motion and stand in no other line of the record."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "plain.yaml").write_text("base: wigley\nname: Mine\n")
+    (tmp_path / "mine.yaml").write_text(f"base: wigley\nname: Mine\n{keys}\n")
+    mine = ship("mine.yaml")
+    qt.polar(mine, qt.Wave(100.0, 1.0), [5.0], [60.0, 90.0]).to_netcdf("map.nc")
+    with pytest.raises(qt.InputError, match=f"plain.yaml.* is not the one of .*{says}"):
+        report_source("map.nc", "plain.yaml", "report")
+    source = report_source("map.nc", "mine.yaml", "report")
+    assert (source.ship.autopilot, source.ship.righting) == (mine.autopilot, mine.righting)
+    assert says.partition("there ")[2] in words(report_html(mine, source.result))
+
+
+def test_a_sweep_that_replaces_the_roll_damping_is_reported_with_the_ship_it_began_from(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    qt.sweep(SHIP, 5.0, [60.0], 100.0, 1.0, bilge_keel_length=[30.0], bilge_keel_breadth=[0.3], store="keels")
+    source = report_source("keels", None, "report")
+    assert source.ship.name == SHIP.name
+    assert "K_p|p|" in source.result.attrs["estimated_coefficients"]
+    text = words(report_html(source.ship, source.result))
+    assert "bilge_keel_breadth 0.3" in text
+
+
+@pytest.mark.parametrize(
     ("arguments", "says"),
     [
         (["nothing.nc"], "there is no"),

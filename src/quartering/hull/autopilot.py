@@ -43,6 +43,11 @@ class Autopilot:
     rate_gain: float = 0.0
     lag: float = 0.0
 
+    @property
+    def words(self) -> str:
+        """The three numbers with their units."""
+        return f"gain {self.gain:.4g}, rate gain {self.rate_gain:.4g} s, lag {self.lag:.4g} s"
+
     def __post_init__(self) -> None:
         _checked(self, "autopilot", {"gain": 1.0, "rate_gain": 10.0, "lag": 2.0}, least=True)
 

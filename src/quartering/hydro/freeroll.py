@@ -69,7 +69,7 @@ class FreeRoll(NamedTuple):
     inertia: float
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=128)  # of one ship it is asked for every block of a map, and several times in each
 def free_roll(ship: Ship) -> FreeRoll:
     """Natural roll frequency of a ship as loaded, and the inertia about G at that frequency.
 

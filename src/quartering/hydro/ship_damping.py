@@ -76,6 +76,38 @@ def added_damping(ship: Ship, speed: Floats, roll: FreeRoll) -> AddedDamping:
     return AddedDamping(forms[:, 0], forms[:, 1], forms[:, 0] + LINEAR_OF_QUADRATIC * rate * forms[:, 1])
 
 
+def equivalent_fraction(ship: Ship, speed: float) -> float:
+    """Added roll damping of a ship at one speed, as the fraction of critical that loses as much at 10 deg of roll.
+
+    Parameters
+    ----------
+    ship : Ship
+    speed : float    U >= 0 [m/s]
+
+    Returns
+    -------
+    float            [1]; of a ship that says a fraction, that fraction
+
+    Warns
+    -----
+    RangeWarning     what `roll_damping` warns of, once for a ship and speed
+
+    Notes
+    -----
+    Over 2 n2 (I_x + a44). By components it holds the lift too, which with a fraction is the regression's, in K_p.
+    Source: [Himeno81].
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> round(equivalent_fraction(ship("series60-cb60").with_(roll_damping=0.08), 7.5), 6)
+    0.08
+    """
+    roll = free_roll(ship)
+    equivalent = float(added_damping(ship, np.array([speed]), roll).equivalent[0])
+    return equivalent / fraction_of_critical(1.0, roll.frequency, roll.inertia)
+
+
 def damping_references(ship: Ship) -> tuple[str, ...]:
     """Keys of the papers behind a ship's added roll damping.
 

@@ -41,18 +41,18 @@ def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int])
     file.counts = json.dumps(counts)
     file.Conventions = "CF-1.8"
     sizes = {"loading": block.loadings.stop - block.loadings.start, "point": u.size}
-    sizes["wave_height"] = grid.axes["wave_height"].size
+    sizes[grid.sea] = grid.sea_count
     for name, extra in EXTRA_DIMS.items():
         sizes[extra[0]] = RESULTS[name][0]
     for name, size in sizes.items():
         file.createDimension(name, size)
     for name, values in own.items():
         _variable(file, name, ("point",), values)
-    _variable(file, "wave_height", ("wave_height",), grid.axes["wave_height"])
+    _variable(file, grid.sea, (grid.sea,), grid.axes[grid.sea])
     for name, column in grid.loadings.items():
         _variable(file, name, ("loading",), column[block.loadings])
     for name in RESULTS:
-        _variable(file, name, ("loading", "point", "wave_height", *EXTRA_DIMS.get(name, ())), found[name])
+        _variable(file, name, ("loading", "point", grid.sea, *EXTRA_DIMS.get(name, ())), found[name])
     _variable(file, "encounter_frequency", ("point",), found["encounter_frequency"])
     file.flush()
     data = buffer.getvalue()

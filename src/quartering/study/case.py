@@ -8,61 +8,26 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 import numpy as np
 import yaml
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import ValidationError
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
-from quartering.loads.forces import Form
 from quartering.names import checked_values
-from quartering.study.case_values import range_values, single_value
-from quartering.study.grid import CONDITION_AXES, Grid, grid
+from quartering.study.case_keys import Case, LoadingAxes, Values
+from quartering.study.case_values import range_values, single_value, steepness
+from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid, grid
 
 _KINDS: Final[dict[str, Kind]] = {
-    "speed": "speed", "heading": "angle", "wave_length": "length", "wave_height": "length",
+    "speed": "speed", "heading": "angle", "wave_length": "length", "wave_height": "length", STEEPNESS: "ratio",
     "gm": "length", "kg": "length", "gyradius_roll": "length", "gyradius_yaw": "length", "draught": "length",
-    "roll_damping": "ratio",
+    "roll_damping": "ratio", "bilge_keel_length": "length", "bilge_keel_breadth": "length",
 }  # fmt: skip
-Values = Annotated[
-    float | str | list[float | str],
-    Field(description='a value "8 kn", a list [0, 4, 8], or a range "0..18 kn step 1" or "0.4..2.3 L count 20"'),
-]
-
-
-class _Strict(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
-
-
-class LoadingAxes(_Strict):
-    """Values of the loading; every combination is computed."""
-
-    gm: Values | None = Field(default=None, description="metacentric height [m, B]; gm or kg, not both")
-    kg: Values | None = Field(default=None, description="height of G over the keel [m, B]")
-    gyradius_roll: Values | None = Field(default=None, description="k_xx [m, B]")
-    gyradius_yaw: Values | None = Field(default=None, description="k_zz [m, L]")
-    roll_damping: Values | None = Field(default=None, description="added roll damping, fraction of critical [1, %]")
-    draught: Values | None = Field(default=None, description="[m, T]")
-
-
-class Case(_Strict):
-    """A study: a ship and every combination of conditions and loadings."""
-
-    ship: str = Field(description="name of a built-in ship, or path of a ship file beside this one")
-    speed: Values = Field(description="forward speed [m/s, kn, Fn], from 0")
-    heading: Values = Field(description="0 following, 90 beam, 180 head sea [deg]")
-    wave_length: Values = Field(description="[m, L]")
-    wave_height: Values = Field(description="crest to trough [m]; at most a seventh of the wave length")
-    loading: LoadingAxes = Field(default=LoadingAxes(), description="values of the loading to vary")
-    coefficients: dict[str, Values] = Field(
-        default={}, description="multipliers of coefficients by name, such as K_ppp"
-    )
-    harmonics: int = Field(default=1, ge=1, description="of the steady motion: 1 is the paper's method, else odd")
-    form: Form = Field(default="stf", description="of the diffraction force")
 
 
 @dataclass(frozen=True)
@@ -134,7 +99,7 @@ def case_grid(path: str | Path) -> Grid:
     """
     case, place, text = _read(path)
     own = _ship(case.ship, Path(path), place)
-    axes = {name: _values(place, (name,), getattr(case, name), _KINDS[name], own) for name in CONDITION_AXES}
+    axes = {name: _values(place, (name,), getattr(case, name), _KINDS[name], own) for name in _conditions(case, place)}
     loading = {
         name: _values(place, ("loading", name), value, _KINDS[name], own)
         for name, value in case.loading
@@ -159,6 +124,18 @@ def case_grid(path: str | Path) -> Grid:
     return Grid(made.ship, made.axes, made.loadings, made.harmonics, made.form, text)
 
 
+def _conditions(case: Case, place: _Place) -> list[str]:
+    """Keys of the conditions: speed, heading, wave length, and wave height or steepness."""
+    sea = [name for name in ("wave_height", STEEPNESS) if getattr(case, name) is not None]
+    if not sea:
+        raise place.says(
+            (), "key `wave_height` is missing; give it, or steepness: height over length, alike for all lengths"
+        )
+    if len(sea) > 1:
+        raise place.says((STEEPNESS,), "wave_height and steepness are two ways to say one thing; leave one out")
+    return [*CONDITION_AXES[:3], *sea]
+
+
 def case_schema() -> str:
     """JSON schema of the case file, as shipped for editors.
 
@@ -169,7 +146,7 @@ def case_schema() -> str:
     Examples
     --------
     >>> json.loads(case_schema())["required"]
-    ['ship', 'speed', 'heading', 'wave_length', 'wave_height']
+    ['ship', 'speed', 'heading', 'wave_length']
     """
     return json.dumps(Case.model_json_schema(), indent=1, sort_keys=True) + "\n"
 
@@ -250,9 +227,7 @@ def _allowed_everywhere() -> set[str]:
     return {*Case.model_fields, *LoadingAxes.model_fields}
 
 
-def _values(
-    place: _Place, path: tuple[str, ...], given: float | str | list[float | str], kind: Kind, own: Ship
-) -> NDArray[np.float64]:
+def _values(place: _Place, path: tuple[str, ...], given: Values, kind: Kind, own: Ship) -> NDArray[np.float64]:
     """Values of one axis in SI, degrees or 1."""
     items = given if isinstance(given, list) else [given]
     if not items:
@@ -263,7 +238,7 @@ def _values(
             found += (
                 range_values(item, kind, own, path[-1])
                 if isinstance(item, str) and ".." in item
-                else [single_value(item, kind, own, path[-1])]
+                else [steepness(item, STEEPNESS) if path == (STEEPNESS,) else single_value(item, kind, own, path[-1])]
             )
         except InputError as error:
             raise place.says(path, str(error)) from None
@@ -280,6 +255,8 @@ def _ship(name: str, path: Path, place: _Place) -> Ship:
 
 def _blamed(message: str, place: _Place) -> tuple[str, ...]:
     """Key of the file a message of another room is about."""
+    if "bilge_keels" in message:  # what a ship calls the two sizes
+        return ("loading", "bilge_keel_length")
     for path in sorted(place.lines, key=len, reverse=True):
         if path[-1] in message:
             return path

@@ -11,6 +11,7 @@ import numpy as np
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.hull.units import Kind, quantity, split_quantity
+from quartering.loads.waves import STEEPEST
 
 MOST_VALUES: Final = 100_000
 """Largest number of values one range may stand for."""
@@ -116,3 +117,37 @@ def range_values(item: str, kind: Kind, own: Ship, what: str) -> list[float]:
     if count > MOST_VALUES:
         raise InputError(f'{what}: "{item}" stands for more than {MOST_VALUES:,} values; take a larger step')
     return [float(v) for v in np.linspace(first, last, count)]
+
+
+def steepness(given: float | str, what: str) -> float:
+    """Wave height over wave length, as a fraction or a number.
+
+    Parameters
+    ----------
+    given : float or str    "1/50", 0.02 or "2%"
+    what : str              named in the message
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    InputError    not a number, not above 0 or above 1/7
+
+    Notes
+    -----
+    Source: the format of the case file.
+
+    Examples
+    --------
+    >>> steepness("1/50", "--steepness"), steepness("2%", "--steepness")
+    (0.02, 0.02)
+    """
+    parts = given.split("/") if isinstance(given, str) else [given]
+    numbers = [quantity(part, "ratio", what=what) for part in parts]
+    found = numbers[0] / numbers[1] if len(numbers) == 2 and numbers[1] else numbers[0]
+    if len(numbers) > 2 or 0 in numbers[1:] or not 0 < found <= STEEPEST:
+        typed = given if isinstance(given, str) else f"{given:g}"
+        raise InputError(f'{what} "{typed}": wave height over wave length, above 0 and at most 1/7; try 1/50')
+    return found

@@ -139,19 +139,18 @@ def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
     block = grid.blocks[index]
     u, mu, length = grid.points(block.points)
     ships = [grid.loaded(i) for i in range(block.loadings.start, block.loadings.stop)]
-    height = grid.axes["wave_height"]
-    shape = (len(ships), u.size, height.size)
+    height = grid.heights(block.points)
+    shape = (len(ships), *height.shape)
     results: dict[str, NDArray[np.generic]] = {
         name: np.empty((*shape, *s), np.int8 if name in FLAGS else np.float64) for name, s in RESULTS.items()
     }
-    rows, beyond = max(1, BLOCK // height.size), 0
+    rows, beyond = max(1, BLOCK // height.shape[1]), 0
     for i, equations in enumerate(systems(ships, 2 * np.pi / length, u, mu, grid.form)):
         limit = vanishing_angle(ships[i])
         fitted = np.inf if ships[i].righting == "spline" else righting_polynomial(ships[i]).max_angle
         for start in range(0, u.size, rows):
             part = slice(start, min(start + rows, u.size))
-            heights = np.broadcast_to(height, (part.stop - start, height.size))
-            for name, values in judged(part_of(equations, part), heights, grid.harmonics, limit).items():
+            for name, values in judged(part_of(equations, part), height[part], grid.harmonics, limit).items():
                 results[name][i, part] = values.reshape(results[name][i, part].shape)
         beyond += int((np.nan_to_num(results["roll_peak"][i].astype(float)) > fitted).sum())
         results["encounter_frequency"] = equations.encounter_frequency

@@ -13,7 +13,7 @@ from quartering.conventions import InputError, RangeWarning, in_unit, written
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
 from quartering.study.conditions import evaluate
-from quartering.study.grid import LOADING_AXES, loaded
+from quartering.study.loadings import LOADING_AXES, loaded, own_value
 
 CURES = ("roll_damping", "gm", "gyradius_roll", "speed", "wave_height", "K_ppp", "K_prr")
 """Values tried when none are named: loading, condition, and the coefficients the paper finds decisive (as multipliers)."""
@@ -135,9 +135,8 @@ def _handle(
         return speed, "m/s", lambda value: exponent(ship, value, wave.height)
     if name == "wave_height":
         return wave.height, "m", lambda value: exponent(ship, speed, value)
-    of_loading = name in LOADING_AXES
-    now = float(getattr(ship.hull if name == "draught" else ship.loading, name)) if of_loading else 1.0
-    unit = "m" if of_loading and name != "roll_damping" else "1"
+    now = own_value(ship, name)
+    unit = "m" if name in LOADING_AXES and name != "roll_damping" else "1"
     return now, unit, lambda value: exponent(loaded(ship, {name: value}), speed, wave.height)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from importlib.metadata import version
 from typing import Any
 
@@ -161,6 +162,11 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
     >>> heading_of(ship("wigley"), form="stf", harmonics=1)["steady_motion"]
     'modified Struble method'
     """
+    return dict(_heading(ship, form, harmonics))
+
+
+@lru_cache(maxsize=16)  # the blocks of one map say the same
+def _heading(ship: Ship, form: Form, harmonics: int) -> Mapping[str, object]:
     c = coefficients(ship, 0.5, 0.0)
     estimated = [entry.name for entry in c.table() if entry.kind in ("regression", "cross-flow", "estimated")]
     hull, loading = ship.hull, ship.loading
@@ -172,6 +178,8 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
         "ship_draught": hull.draught,
         "loading": f"GM {loading.gm:.4g} m, KG {loading.kg:.4g} m, k_xx {loading.gyradius_roll:.4g} m,"
         f" k_zz {loading.gyradius_yaw:.4g} m, added roll damping {ship.roll_damping_words}",
+        "autopilot": "none" if ship.autopilot is None else ship.autopilot.words,
+        "righting_curve": ship.righting,
         "natural_roll_frequency": c.roll_frequency,
         "provenance": "; ".join(f"{key}: {text}" for key, text in ship.provenance.items()),
         "coefficient_sources": "; ".join(f"{e.name}: {e.source}" for e in c.table()),

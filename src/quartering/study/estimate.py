@@ -202,7 +202,7 @@ def _sampled(grid: Grid, most: int) -> Grid:
         kept = _thinned(grid.loading_count, 3)
         loadings = {name: column[kept] for name, column in loadings.items()}
     left = most // max(1, min(grid.loading_count, 3))
-    for name, few in (("wave_height", 10), ("speed", 3), ("wave_length", 4), ("heading", 6)):
+    for name, few in ((grid.sea, 10), ("speed", 3), ("wave_length", 4), ("heading", 6)):
         kept = _thinned(axes[name].size, min(few, max(1, left)))
         axes[name] = axes[name][kept]
         left //= max(1, len(kept))

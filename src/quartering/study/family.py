@@ -20,7 +20,8 @@ from quartering.motion.equations import PER_CONDITION, Floats, Model, System
 from quartering.motion.of_ship import equations, ship_system
 from quartering.motion.terms import parse
 from quartering.study.dataset import attributes
-from quartering.study.grid import CONDITION_AXES, LOADING_AXES, loaded
+from quartering.study.grid import CONDITION_AXES
+from quartering.study.loadings import LOADING_AXES, loaded, own_value
 
 _NODES, _NODES_OF_LOADING = 65, 17
 _UNITS = {"frequency": "rad/s", "excitation": "1"}
@@ -76,8 +77,7 @@ def parameters(
             raise InputError("a ship needs a wave here: wave=Wave(length=.., height=..), speed=.., heading=..")
         model, of_ship = equations(ship_or_model, wave, speed, heading), True
         own = {"speed": speed, "heading": heading, "wave_length": wave.length, "wave_height": wave.height}
-        own |= {name: getattr(ship_or_model.loading, name, np.nan) for name in LOADING_AXES}
-        own["draught"] = ship_or_model.hull.draught
+        own |= {name: own_value(ship_or_model, name) for name in LOADING_AXES}
     own |= {"frequency": model.frequency, "excitation": 1.0}
     ends = []
     for name, pair in zip(over, limits, strict=True):

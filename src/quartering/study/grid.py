@@ -15,11 +15,14 @@ from quartering.conventions import InputError
 from quartering.digest import fingerprint
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.loads.waves import Wave
+from quartering.loads.waves import STEEPEST, Wave
+from quartering.study.loadings import base_of, loaded
 
 Floats = NDArray[np.float64]
-LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught")
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
+STEEPNESS = "steepness"
+"""Axis that may stand in the place of wave_height: H/lambda, the same for all wave lengths."""
+
 LARGEST_BLOCK, SMALLEST_BLOCK = 16_384, 512
 _BLOCKS_WANTED = 64
 _POINTS_WANTED = 512
@@ -28,7 +31,7 @@ _SHIPS_KEPT = 4096
 
 
 class Block(NamedTuple):
-    """One part of a grid: all wave heights at some loadings and some points (speed, heading, wave length)."""
+    """One part of a grid: all wave heights, or steepnesses, at some loadings and some points (speed, heading, wave length)."""
 
     loadings: slice
     points: slice
@@ -41,7 +44,8 @@ class Grid:
     Parameters
     ----------
     ship : Ship
-    axes : mapping of str to (n,) float        speed [m/s], heading [deg], wave_length, wave_height [m]
+    axes : mapping of str to (n,) float        speed [m/s], heading [deg], wave_length, wave_height [m]; or steepness, H/lambda,
+                                               in the place of wave_height
     loadings : mapping of str to (l,) float    values of loading l, by name; empty for the ship as it is
     harmonics : int                            of the steady motion
     form : str                                 of the diffraction force
@@ -68,14 +72,19 @@ class Grid:
         return next(iter(self.loadings.values())).size if self.loadings else 1
 
     @property
-    def dims(self) -> tuple[str, ...]:
-        """Dimensions of a result over the whole grid."""
-        return (("loading",) if self.loadings else ()) + CONDITION_AXES
+    def shape(self) -> tuple[int, ...]:
+        """Sizes of a result over the whole grid: loadings where there are some, speed, heading, wave length, sea."""
+        return ((self.loading_count,) if self.loadings else ()) + tuple(values.size for values in self.axes.values())
 
     @property
-    def shape(self) -> tuple[int, ...]:
-        """Sizes of `dims`."""
-        return ((self.loading_count,) if self.loadings else ()) + tuple(self.axes[n].size for n in CONDITION_AXES)
+    def sea(self) -> str:
+        """The last axis: wave_height, or steepness."""
+        return tuple(self.axes)[-1]
+
+    @property
+    def sea_count(self) -> int:
+        """Number of wave heights, or of steepnesses."""
+        return int(self.axes[self.sea].size)
 
     @property
     def point_count(self) -> int:
@@ -85,7 +94,7 @@ class Grid:
     @property
     def count(self) -> int:
         """Number of conditions."""
-        return self.loading_count * self.point_count * self.axes["wave_height"].size
+        return self.loading_count * self.point_count * self.sea_count
 
     @property
     def usual_block_size(self) -> int:
@@ -95,7 +104,7 @@ class Grid:
     @cached_property
     def blocks(self) -> tuple[Block, ...]:
         """The parts the grid is computed in; the numbers do not depend on them."""
-        heights, loadings, points = self.axes["wave_height"].size, self.loading_count, self.point_count
+        heights, loadings, points = self.sea_count, self.loading_count, self.point_count
         size = self.block_size or self.usual_block_size
         together = min(max(size // (heights * min(points, _POINTS_WANTED)), 1), loadings)
         if "draught" in self.loadings:  # hulls of few draughts are kept at a time
@@ -132,6 +141,11 @@ class Grid:
         u, mu, length = (self.axes[name][i] for name, i in zip(CONDITION_AXES, where, strict=False))
         return u, mu, length
 
+    def heights(self, part: slice) -> Floats:
+        """Wave heights (points, heights) at some points [m]."""
+        length = self.points(part)[2][:, None]
+        return length * self.axes[STEEPNESS] if self.sea == STEEPNESS else length * 0 + self.axes["wave_height"]
+
     def loaded(self, index: int) -> Ship:
         """The ship in one of its loadings."""
         if index not in self._ships:
@@ -147,8 +161,9 @@ def grid(
     speed: ArrayLike,
     heading: ArrayLike,
     wave_length: ArrayLike,
-    wave_height: ArrayLike,
+    wave_height: ArrayLike | None = None,
     *,
+    steepness: ArrayLike | None = None,
     harmonics: int = 1,
     form: Form = "stf",
     **axes: ArrayLike,
@@ -159,6 +174,7 @@ def grid(
     ----------
     ship : Ship
     speed, heading, wave_length, wave_height : (n,) float    [m/s, deg, m, m]
+    steepness : (n,) float                                   H/lambda, in place of wave_height [1]
     harmonics, form                                          as in `sweep`
     **axes : (l,) float                                      loading values or multipliers of coefficients by name
 
@@ -168,7 +184,8 @@ def grid(
 
     Raises
     ------
-    InputError    an axis that is empty or not numbers, a wave that breaks, an unknown or impossible loading
+    InputError    an axis that is empty or not numbers, both or neither of wave_height and steepness, a wave that breaks, an
+                  unknown or impossible loading
 
     Examples
     --------
@@ -177,14 +194,15 @@ def grid(
     >>> some.count, some.shape, len(some.blocks)
     (8, (2, 1, 2, 1, 2), 1)
     """
-    conditions = dict(zip(CONDITION_AXES, (speed, heading, wave_length, wave_height), strict=True))
+    conditions = dict(zip(CONDITION_AXES[:3], (speed, heading, wave_length), strict=True)) | _sea(
+        wave_height, steepness
+    )
     own = {name: axis(name, values) for name, values in conditions.items()}
     _check_conditions(own)
     extra = {name: axis(name, values) for name, values in axes.items()}
     if "gm" in extra and "kg" in extra:
         raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
-    if "roll_damping" in extra and ship.roll_method != "fraction":  # every loading replaces the method, so say so
-        ship = ship.with_(roll_damping=float(extra["roll_damping"][0]))
+    ship = base_of(ship, extra)
     combined = np.array(list(product(*extra.values())), dtype=float).reshape(
         int(np.prod([v.size for v in extra.values()])), len(extra)
     )
@@ -192,32 +210,6 @@ def grid(
     for i in range(made.loading_count if extra else 0):
         made.loaded(i)
     return made
-
-
-def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
-    """The ship with loading values set and coefficients multiplied.
-
-    Parameters
-    ----------
-    ship : Ship
-    values : mapping of str to float    gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; the others multiply
-                                        the coefficient of that name
-
-    Returns
-    -------
-    Ship
-
-    Examples
-    --------
-    >>> from quartering.hull.ship import ship
-    >>> loaded(ship("wigley"), {"gm": 1.5, "K_ppp": 2.0}).loading.gm
-    1.5
-    """
-    if not values:
-        return ship
-    own = {name: value for name, value in values.items() if name in LOADING_AXES}
-    multipliers = {name: value for name, value in values.items() if name not in LOADING_AXES}
-    return ship.with_(**own, coefficients=multipliers)  # type: ignore[arg-type]
 
 
 def axis(name: str, values: ArrayLike) -> Floats:
@@ -252,10 +244,27 @@ def axis(name: str, values: ArrayLike) -> Floats:
     return array
 
 
+def _sea(wave_height: ArrayLike | None, steepness: ArrayLike | None) -> dict[str, ArrayLike]:
+    """The one of the two that is given."""
+    if wave_height is not None and steepness is not None:
+        raise InputError("wave_height and steepness are two ways to say one thing; leave one out")
+    if steepness is not None:
+        return {STEEPNESS: steepness}
+    if wave_height is not None:
+        return {"wave_height": wave_height}
+    raise InputError("wave_height or steepness is missing; give one of the two")
+
+
 def _check_conditions(axes: Mapping[str, Floats]) -> None:
     """Refuse waves that cannot be, by building the extreme ones, and speeds astern."""
     shortest = float(axes["wave_length"].min())
-    for height in (axes["wave_height"].max(), axes["wave_height"].min()):
+    wrong = [one for one in axes.get(STEEPNESS, ()) if not 0 <= one <= STEEPEST]
+    if wrong:
+        raise InputError(
+            f"steepness = {wrong[0]:.4g}; wave height over wave length is from 0 to 1/7 = 0.143, where a wave breaks; try 0.02"
+        )
+    heights = axes.get("wave_height", np.zeros(1))
+    for height in (heights.max(), heights.min()):
         Wave(length=shortest, height=float(height))
     if axes["speed"].min() < 0:
         raise InputError(

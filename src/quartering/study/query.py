@@ -13,6 +13,7 @@ import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError
 from quartering.stability.kind import Kind
+from quartering.study.grid import STEEPNESS
 
 Measure = Literal["roll", "margin"]
 _OF = {"roll": "roll_peak", "margin": "exponent"}
@@ -106,6 +107,27 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
     for name, (values, meaning) in shares.items():
         largest[name] = values.assign_attrs(units="1", long_name=meaning, symbol="")
     return largest
+
+
+def sea_of(result: xr.Dataset) -> str | None:
+    """The axis of a result that tells how high its waves are.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
+
+    Returns
+    -------
+    str or None                "wave_height" or "steepness"; None for one height at each wave length
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> sea_of(sweep(ship("wigley"), 5.0, 60.0, [80.0, 100.0], steepness=[0.01, 0.02]))
+    'steepness'
+    """
+    return next((name for name in ("wave_height", STEEPNESS) if name in result["verdict"].dims), None)
 
 
 def cut(result: xr.Dataset, **where: float) -> xr.Dataset:

@@ -17,7 +17,7 @@ from quartering.motion.status import Status
 from quartering.stability.kind import Kind
 from quartering.study.conditions import FLAGS, RESULTS
 from quartering.study.dataset import described
-from quartering.study.grid import CONDITION_AXES, Grid
+from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid
 from quartering.study.store import Store, read_block, read_store
 
 _UNKNOWN = {"verdict": int(Kind.NO_ANSWER), "status": int(Status.NOT_FINITE)}
@@ -63,9 +63,9 @@ def open_result(folder: str | Path, *, partial: bool = False) -> xr.Dataset:
             " sweep again, only those are computed (or open it with partial=True)"
         )
     case = store.content["case"]
-    axes = {name: np.array(case[name], dtype=float) for name in CONDITION_AXES}
+    axes = {name: np.array(case[name], dtype=float) for name in (*CONDITION_AXES, STEEPNESS) if name in case}
     loadings = {name: np.array(values, dtype=float) for name, values in case["loadings"].items()}
-    shape = tuple(axes[name].size for name in CONDITION_AXES)
+    shape = tuple(values.size for values in axes.values())
     several = next(iter(loadings.values())).size if loadings else 0
     results: dict[str, Any] = {
         name: _lazy(store, name, several, (*shape, *extra), missing) for name, extra in RESULTS.items()
@@ -110,7 +110,7 @@ def coordinates_of(
 
     Parameters
     ----------
-    axes : mapping        of the conditions
+    axes : mapping        of the conditions; with a steepness, wave_height goes along wave length and steepness
     loadings : mapping    columns by name, empty for one loading
 
     Returns
@@ -119,13 +119,15 @@ def coordinates_of(
 
     Examples
     --------
-    >>> coordinates_of({"speed": np.ones(2)}, {})[1]
-    ('speed', 'heading', 'wave_length', 'wave_height')
+    >>> coordinates_of({"speed": np.ones(2), "heading": np.ones(3)}, {"gm": np.ones(4)})[1]
+    ('loading', 'speed', 'heading')
     """
     coordinates: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]]
     coordinates = {name: ((name,), values) for name, values in axes.items()}
+    if STEEPNESS in axes:
+        coordinates["wave_height"] = (("wave_length", STEEPNESS), np.outer(axes["wave_length"], axes[STEEPNESS]))
     coordinates |= {name: (("loading",), column) for name, column in loadings.items()}
-    return coordinates, (("loading",) if loadings else ()) + CONDITION_AXES
+    return coordinates, (("loading",) if loadings else ()) + tuple(axes)
 
 
 def _lazy(store: Store, name: str, loadings: int, shape: tuple[int, ...], missing: set[int]) -> Any:

@@ -22,7 +22,7 @@ from quartering.stability.assessment import assess
 from quartering.stability.change import change_of_stability
 from quartering.stability.floquet import fastest_rate
 from quartering.stability.variation import variational_harmonics
-from quartering.study.grid import loaded
+from quartering.study.loadings import loaded
 from quartering.study.shared import systems
 
 _LOADING = {"gm": "m", "gyradius_roll": "m", "gyradius_yaw": "m", "roll_damping": "1"}

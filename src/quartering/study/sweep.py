@@ -18,7 +18,8 @@ from quartering.study.conditions import warn_outside_range
 from quartering.study.dataset import heading_of
 from quartering.study.estimate import timed_block_size
 from quartering.study.executor import computed
-from quartering.study.grid import LOADING_AXES, Grid, axis, grid
+from quartering.study.grid import Grid, axis, grid
+from quartering.study.loadings import LOADING_AXES
 from quartering.study.result import in_memory, open_result
 from quartering.study.store import begun_block_size, block_counts, open_store, write_block
 
@@ -30,8 +31,9 @@ def sweep(
     speed: ArrayLike,
     heading: ArrayLike,
     wave_length: ArrayLike,
-    wave_height: ArrayLike,
+    wave_height: ArrayLike | None = None,
     *,
+    steepness: ArrayLike | None = None,
     harmonics: int = 1,
     form: Form = "stf",
     progress: Callable[[int, int], None] | None = None,
@@ -48,24 +50,27 @@ def sweep(
     heading : (h,) float        [deg]
     wave_length : (w,) float    [m]
     wave_height : (a,) float    crest to trough [m]
+    steepness : (a,) float      H/lambda, in place of wave_height: the waves of all lengths are as steep [1]
     harmonics : int             of the steady motion: 1 is the paper's method
     form : str                  of the diffraction force
     progress : function(done, total), optional
     store : str or Path         folder the results are put in block by block, for studies larger than memory or longer than
                                 patience: a second call with the same case computes only what is missing
     cluster : str, optional     "local:4" or "tcp://host:8786": computed by worker processes; by default by threads
-    **axes : (l,) float         loading values (gm, kg, gyradius_roll, gyradius_yaw [m], roll_damping, draught) or
-                                multipliers of coefficients by name (K_ppp=[0.5, 1, 2]); every combination is one "loading"
+    **axes : (l,) float         loading values (gm, kg, gyradius_roll, gyradius_yaw [m], roll_damping, draught,
+                                bilge_keel_length, bilge_keel_breadth [m]) or multipliers of coefficients by name
+                                (K_ppp=[0.5, 1, 2]); every combination is one "loading"
 
     Returns
     -------
-    xarray.Dataset    dims (loading where axes are given) speed, heading, wave_length, wave_height; amplitudes ``sway`` [m],
+    xarray.Dataset    dims (loading where axes are given) speed, heading, wave_length, wave_height (or steepness, along which
+                      and along wave_length ``wave_height`` [m] then goes); amplitudes ``sway`` [m],
                       ``roll``, ``yaw`` [deg], ``roll_peak``, ``k2``, ``q``, ``exponent`` [1/s], ``verdict``, ``status``, ..
 
     Raises
     ------
-    InputError        an axis that is empty or not numbers, a wave that breaks, an unknown loading or coefficient, a store
-                      that holds another case or cannot be written
+    InputError        an axis that is empty or not numbers, both wave_height and steepness, a wave that breaks, an unknown
+                      loading or coefficient, a store that holds another case or cannot be written
 
     Notes
     -----
@@ -78,7 +83,9 @@ def sweep(
     >>> dict(ds.sizes)["loading"], ds["roll"].dims
     (2, ('loading', 'speed', 'heading', 'wave_length', 'wave_height'))
     """
-    wanted = grid(ship, speed, heading, wave_length, wave_height, harmonics=harmonics, form=form, **axes)
+    wanted = grid(
+        ship, speed, heading, wave_length, wave_height, steepness=steepness, harmonics=harmonics, form=form, **axes
+    )
 
     def told(done: int, _: Counter[str]) -> None:
         if progress is not None:

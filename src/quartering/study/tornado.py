@@ -20,7 +20,8 @@ from quartering.loads.waves import Wave
 from quartering.motion.of_ship import equations
 from quartering.names import canonical
 from quartering.study.dataset import attributes, heading_of
-from quartering.study.grid import LOADING_AXES, Grid, grid, loaded
+from quartering.study.grid import Grid, grid
+from quartering.study.loadings import LOADING_AXES, loaded, own_value
 from quartering.study.sweep import evaluated
 from quartering.study.vary import refined_flips
 
@@ -115,7 +116,7 @@ def _own_values(
     names = [name if name in LOADING_AXES else canonical(name) for name in parameters]
     if "draught" in names:
         raise InputError('"draught" is another hull in the water; vary it with quartering.vary')
-    own = {name: float(getattr(ship.loading, name)) if name in LOADING_AXES else 1.0 for name in names}
+    own = {name: own_value(ship, name) for name in names}
     return {name: value for name, value in own.items() if value != 0.0}
 
 

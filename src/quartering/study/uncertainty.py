@@ -17,7 +17,8 @@ from quartering.hull.units import quantity
 from quartering.stability.kind import Kind
 from quartering.study.dataset import attributes, heading_of, plain_attributes
 from quartering.study.executor import computed
-from quartering.study.grid import LOADING_AXES, Grid
+from quartering.study.grid import Grid
+from quartering.study.loadings import own_value
 from quartering.study.result import coordinates_of
 
 REPEATS = 8
@@ -74,7 +75,7 @@ def uncertain(
         raise InputError(f"draws = {draws}; take a multiple of {REPEATS} from {2 * REPEATS}, such as 256")
     factors = _factors(len(names), draws, seed, sigma)
     drawn = _drawn(grid, names, factors)
-    shape = (grid.loading_count, REPEATS, grid.point_count, grid.axes["wave_height"].size)
+    shape = (grid.loading_count, REPEATS, grid.point_count, grid.sea_count)
     unstable, unknown = np.zeros(shape), np.zeros(shape)
     repeat = np.arange(draws) // (draws // REPEATS)
 
@@ -134,9 +135,7 @@ def _drawn(grid: Grid, names: list[str], factors: NDArray[np.float64]) -> Grid:
     if ("kg" in columns and "gm" in names) or ("gm" in columns and "kg" in names):
         raise InputError("gm and kg cannot both be set; draw the one that is an axis")
     for i, name in enumerate(names):
-        own = getattr(grid.ship.loading, name) if name in LOADING_AXES and name != "draught" else 1.0
-        if name == "draught":
-            own = grid.ship.hull.draught
+        own = own_value(grid.ship, name)
         if own == 0.0:
             raise InputError(
                 f"{name} is 0 for {grid.ship.name}, so a relative error means nothing; name the coefficient instead"

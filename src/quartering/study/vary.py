@@ -16,7 +16,8 @@ from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.names import canonical
 from quartering.study.dataset import attributes
-from quartering.study.grid import CONDITION_AXES, LOADING_AXES, axis
+from quartering.study.grid import CONDITION_AXES, axis
+from quartering.study.loadings import LOADING_AXES, own_value
 from quartering.study.sweep import sweep
 
 Floats = NDArray[np.float64]
@@ -190,9 +191,7 @@ def _own_value(ship: Ship, conditions: Mapping[str, float], name: str) -> float:
     """Present value of a parameter; 1 for a coefficient."""
     if name in CONDITION_AXES:
         return float(conditions[name])
-    if name == "draught":
-        return ship.hull.draught
-    return float(getattr(ship.loading, name)) if name in LOADING_AXES else 1.0
+    return own_value(ship, name)
 
 
 def _flips(ds: xr.Dataset, name: str, at: Callable[[Floats], Ints]) -> dict[str, xr.Variable]:

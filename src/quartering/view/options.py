@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -109,30 +108,3 @@ def _spread(ends: Sequence[float], parts: Sequence[str], count: int, text: str, 
         raise InputError(f'{what} "{text}": a range is from:to or from:to:count, such as 0:180:37')
     first, last = ends
     return [first + (last - first) * i / (count - 1) for i in range(count)]
-
-
-def steepness(text: str) -> float:
-    """Wave height over wave length, as a fraction or a number.
-
-    Parameters
-    ----------
-    text : str    "1/50", "0.02" or "2%"
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InputError    not a number, or not above 0
-
-    Examples
-    --------
-    >>> steepness("1/50"), steepness("2%")
-    (0.02, 0.02)
-    """
-    parts = re.split(r"/", text)
-    numbers = [quantity(part, "ratio", what="--steepness") for part in parts]
-    if len(numbers) > 2 or any(number <= 0 for number in numbers):
-        raise InputError(f'--steepness "{text}": wave height over wave length, above 0 and at most 1/7; try 1/50')
-    return numbers[0] / numbers[1] if len(numbers) == 2 else numbers[0]

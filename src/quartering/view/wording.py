@@ -183,6 +183,17 @@ def wave_words(ds: xr.Dataset) -> str:
     return f"H = {height[0]:g} m" if np.ptp(height) == 0 else f"H = {height.min():.3g} to {height.max():.3g} m"
 
 
+def sea_words(sea: str, value: float) -> str:
+    """A wave height [m] or a steepness.
+
+    Examples
+    --------
+    >>> sea_words("wave_height", 3.0), sea_words("steepness", 0.02)
+    ('wave height 3 m', 'steepness 1/50')
+    """
+    return f"wave height {value:.3g} m" if sea == "wave_height" else f"steepness {steepness_words(value)}"
+
+
 def steepness_words(steepness: float) -> str:
     """A steepness as 1/n."""
     return f"1/{1 / steepness:.4g}" if steepness > 0 else "0"

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.study.grid import LOADING_AXES
+from quartering.study.loadings import LOADING_AXES
 from quartering.study.paper.conditions import FINE_HEADINGS, FROUDE, HEADINGS, RATIOS, speed_of, wave_of
 from quartering.study.polar import polar
 from quartering.study.sweep import sweep

@@ -12,7 +12,7 @@ from quartering.loads.waves import STEEPEST, Wave
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.branch import branch
-from quartering.study.grid import LOADING_AXES
+from quartering.study.loadings import LOADING_AXES
 from quartering.view.commands.conditions import checked_headings, condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write

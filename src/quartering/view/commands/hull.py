@@ -64,13 +64,7 @@ def describe_hull(name: str, output: str | None, as_json: bool) -> None:
 def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:
     rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in HYDROSTATICS.items()]
     show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
-    load = one.loading
-    value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
-    loading = [
-        (words, value.get(key, f"{getattr(load, key):.5g}"), unit, one.provenance.get(key, "given"))
-        for key, words, unit in LOADING
-    ]
-    show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading, (1,)))
+    show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading_rows(one), (1,)))
     powers = (("phi", fit.gm), ("phi^3", fit.gz3), ("phi^5", fit.gz5), ("phi^7", fit.gz7))
     terms = " ".join(f"{c:+.4g} {power}" for power, c in powers if c)
     show(
@@ -84,6 +78,15 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
         )
     rows = [(speed_words(u, one.hull.length), exponents_words(z), _course(z)) for u, z in calm.items()]
     show(table("Small motions in calm water, rudder amidships: exponents", ("speed", "1/s", "verdict"), rows))
+
+
+def loading_rows(one: Ship) -> list[tuple[str, str, str, str]]:
+    """Each value of the loading: what it is, how much, its unit, where it comes from."""
+    value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
+    return [
+        (words, value.get(key, f"{getattr(one.loading, key):.5g}"), unit, one.provenance.get(key, "given"))
+        for key, words, unit in LOADING
+    ]
 
 
 def _course(exponents: np.ndarray) -> str:

@@ -17,9 +17,10 @@ from quartering.loads.waves import Wave
 from quartering.motion.status import Status
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
+from quartering.study.case_values import steepness
 from quartering.study.polar import polar
 from quartering.view.commands.conditions import checked_headings, sizes
-from quartering.view.options import steepness, value, values
+from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
@@ -84,7 +85,7 @@ def _waves(one: Ship, typed: tuple[str, str | None, str | None]) -> list[Wave]:
     if typed[2] is not None:
         height = value(typed[2], "length", sizes(one), "--wave-height")
         return [Wave(length, height) for length in lengths]
-    slope = steepness(typed[1] or _STEEPNESS)
+    slope = steepness(typed[1] or _STEEPNESS, "--steepness")
     return [Wave(length, slope * length) for length in lengths]
 
 

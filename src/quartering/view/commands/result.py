@@ -10,7 +10,7 @@ import xarray as xr
 
 from quartering.conventions import InputError, headed
 from quartering.stability.kind import Kind
-from quartering.study.query import Measure, cut, worst, worst_by, write_csv
+from quartering.study.query import Measure, cut, sea_of, worst, worst_by, write_csv
 from quartering.study.result import open_result
 from quartering.study.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
@@ -66,7 +66,11 @@ def show_result(
         title += "; at " + ", ".join(f"{_head(name, part)} {value:.4g}" for name, value in taken.items())
     show(table(title, ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, (0, 1, 2, 3, 4, 5)))
     show(*(f"Wrote {path}" for path in files.values() if path))
-    names = [n for n in ("wave_height", *_loading_names(ds)) if n in ds.coords and ds[n].dims in ((n,), ("loading",))]
+    names = [
+        n
+        for n in ("wave_height", "steepness", *_loading_names(ds))
+        if n in ds.coords and ds[n].dims in ((n,), ("loading",))
+    ]
     example = "".join(f" --at {name}={float(ds[name][0]):.4g}" for name in names)
     show(next_steps(f"quartering worst {result}", f"quartering show {result}{example} -o map.png --csv slice.csv"))
 
@@ -133,17 +137,14 @@ def map_of(part: xr.Dataset) -> xr.Dataset:
     several = ""
     if "loading" in part.dims:
         several, part = f" (loading 1 of {part.sizes['loading']})", part.isel(loading=0)
-    if "wave_height" in part["verdict"].dims:
-        part = part.isel(wave_height=-1)
+    sea = sea_of(part)
+    if sea:
+        part = part.isel({sea: -1})
     for dim in ("speed", "heading", "wave_length"):
         if dim not in part["verdict"].dims:
             raise InputError(f"a map needs all values of {dim}; leave out --at {dim}")
-    if part["wave_height"].ndim == 1:
-        return part.load()
-    height = float(part["wave_height"])
-    flat = part.drop_vars("wave_height").assign_coords(
-        wave_height=("wave_length", np.full(part.sizes["wave_length"], height), part["wave_height"].attrs)
-    )
+    height = part["wave_height"].values * np.ones(part.sizes["wave_length"])
+    flat = part.drop_vars("wave_height").assign_coords(wave_height=("wave_length", height, part["wave_height"].attrs))
     if own := ", ".join(f"{name} {float(flat[name]):.4g}" for name in _loading_names(flat)):
         flat = flat.assign_attrs(
             loading=f"{own}{several}; the rest as the ship's own", natural_roll_frequency=small_roll_frequency(flat)
@@ -161,14 +162,16 @@ def small_roll_frequency(ds: xr.Dataset) -> float:
 
 def _loading_names(ds: xr.Dataset) -> list[str]:
     """Coordinates that tell one loading from another."""
-    usual = {"speed", "heading", "wave_length", "wave_height", "resonance", "rank"}
+    usual = {"speed", "heading", "wave_length", "wave_height", "steepness", "resonance", "rank"}
     return [str(name) for name in ds.coords if name not in usual]
 
 
 def _sizes(ds: xr.Dataset) -> str:
-    return ", ".join(
-        f"{size} {str(name).replace('_', ' ')}{'s' * (size != 1)}" for name, size in ds["verdict"].sizes.items()
-    )
+    def words(name: str) -> str:
+        return name.replace("_", " ") + ("es" if name.endswith("s") else "s")
+
+    sizes = ds["verdict"].sizes.items()
+    return ", ".join(f"{size} {words(str(name)) if size != 1 else str(name).replace('_', ' ')}" for name, size in sizes)
 
 
 def _head(name: str, ds: xr.Dataset) -> str:

@@ -16,6 +16,7 @@ from quartering.hull.units import quantity
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.simulate import simulate
 from quartering.study.branch import branch
+from quartering.study.loadings import loaded
 from quartering.study.polar import polar
 from quartering.study.sensitivity import sensitivity
 from quartering.view.commands.verdict import Examined, examine
@@ -26,7 +27,7 @@ HEADINGS = np.linspace(0.0, 180.0, 37)
 RATIOS = np.round(np.linspace(0.4, 2.3, 20), 10)
 """Headings [deg] and wave lengths over the ship's length of the map."""
 
-_HEADINGS_AT_ONCE = 10
+_HEADINGS_AT_ONCE = 5
 _CYCLES, _PUSH, _START = 12, math.radians(1.0), math.radians(5.0)
 
 Answer = TypeVar("Answer")
@@ -53,7 +54,6 @@ def scene(state: State, known: Known) -> Scene:
     """
     own = known.ship
     changes = {name: value for name in LOADING if (value := getattr(state, name)) is not None}
-    loaded = own.with_(**changes) if changes else own
     length = own.hull.length
     speed = quantity("0.25 Fn", "speed", length=length) if state.speed is None else state.speed
     at = length if state.wave_length is None else state.wave_length
@@ -63,7 +63,7 @@ def scene(state: State, known: Known) -> Scene:
 
     lengths = [float(ratio) * length for ratio in RATIOS]
     waves = tuple(Wave(one, height(one)) for one in lengths if height(one) <= STEEPEST * one)
-    return Scene(known, loaded, Wave(at, height(at)), speed, state.heading, state.harmonics, waves)
+    return Scene(known, loaded(own, changes), Wave(at, height(at)), speed, state.heading, state.harmonics, waves)
 
 
 def verdict(of: Scene) -> Examined:

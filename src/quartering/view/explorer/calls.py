@@ -8,9 +8,9 @@ from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.study.grid import loaded
+from quartering.study.loadings import loaded
 from quartering.view.explorer.fleet import Fleet
-from quartering.view.explorer.state import LOADING
+from quartering.view.explorer.state import LOADING, check_keels
 
 MOST_CELLS = 20_000
 """Largest map of one call."""
@@ -31,8 +31,19 @@ class Call(BaseModel):
     gyradius_roll: float | None = Field(default=None, gt=0, description="radius of gyration in roll [m]")
     gyradius_yaw: float | None = Field(default=None, gt=0, description="radius of gyration in yaw [m]")
     roll_damping: float | None = Field(default=None, ge=0, le=1, description="added roll damping, fraction of critical")
+    bilge_keel_length: float | None = Field(
+        default=None, gt=0, description="of one of the pair [m]; goes with bilge_keel_breadth, in place of roll_damping"
+    )
+    bilge_keel_breadth: float | None = Field(
+        default=None, ge=0, description="[m]; roll damping then is by Ikeda's components; 0 is the hull without keels"
+    )
     harmonics: int = Field(default=1, ge=1, le=9, description="of the steady motion: 1 is the paper's method, else odd")
     form: Form = Field(default="stf", description="of the diffraction force")
+
+    @model_validator(mode="after")
+    def _one_roll_damping(self) -> Any:
+        check_keels(self.roll_damping, self.bilge_keel_length, self.bilge_keel_breadth)
+        return self
 
     def loaded(self, fleet: Fleet) -> Ship:
         """The ship of this call with its loading."""

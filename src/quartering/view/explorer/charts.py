@@ -176,8 +176,8 @@ def tornado(found: xr.Dataset, of: str) -> Chart:
 def _named(parameter: str) -> str:
     """A design value in words, a coefficient by its name."""
     words = {
-        "gm": "GM", "gyradius_roll": "roll gyradius", "gyradius_yaw": "yaw gyradius", "roll_damping": "roll damping",
-        "speed": "speed", "wave_height": "wave height",
+        "gm": "GM", "kg": "KG", "gyradius_roll": "roll gyradius", "gyradius_yaw": "yaw gyradius",
+        "roll_damping": "roll damping", "speed": "speed", "wave_height": "wave height",
     }  # fmt: skip
     return words.get(parameter, parameter)
 

@@ -10,8 +10,9 @@ from nicegui import ui
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.units import quantity
 from quartering.view.explorer.answers import Scene
+from quartering.view.explorer.damping_dials import DampingDials
 from quartering.view.explorer.dials import Dial, Scale, plain
-from quartering.view.explorer.state import State
+from quartering.view.explorer.state import LOADING, State
 
 _METHODS = {1: "the paper's method", 3: "balance of 3 harmonics", 5: "balance of 5", 7: "balance of 7"}
 Change = Callable[..., None]
@@ -33,16 +34,10 @@ class Controls:
         self._gm = Dial("gm", lambda value, _: change(gm=value))
         self._roll = Dial("gyradius_roll", lambda value, _: change(gyradius_roll=value))
         self._yaw = Dial("gyradius_yaw", lambda value, _: change(gyradius_yaw=value))
-        self._damping = Dial("roll_damping", lambda value, _: change(roll_damping=value))
-        ui.label("of critical; stands for viscosity and bilge keels").classes("hint")
-        self._own = (
-            ui.button(
-                "the ship's own loading",
-                on_click=lambda: change(gm=None, gyradius_roll=None, gyradius_yaw=None, roll_damping=None),
-            )
-            .props("flat dense no-caps")
-            .classes("dial-unit")
-        )
+        ui.label("Roll damping").classes("group")
+        self._damping = DampingDials(change)
+        self._own = ui.button("the ship's own loading", on_click=lambda: change(**dict.fromkeys(LOADING)))
+        self._own.props("flat dense no-caps").classes("dial-unit")
         ui.label("Steady motion").classes("group")
         self._method = ui.select(_METHODS, value=1, on_change=lambda event: change(harmonics=event.value))
         self._method.props('dense options-dense borderless aria-label="steady motion by"')
@@ -53,8 +48,8 @@ class Controls:
             return {"wave_height": height, "steepness": None}
         return {"steepness": height / self._wave, "wave_height": None}
 
-    def show(self, of: Scene, state: State) -> None:
-        """Set every dial to a scene."""
+    def show(self, of: Scene, state: State, damping: str) -> None:
+        """Set every dial to a scene; `damping` says what the roll damping amounts to."""
         hull, load = of.ship.hull, of.ship.loading
         length, beam, km = hull.length, hull.beam, hydrostatics(hull).km
         self._wave = of.wave.length
@@ -79,10 +74,8 @@ class Controls:
             plain("yaw gyradius", "m", 0.15 * length, 0.35 * length, 0.1),
             plain("yaw gyradius", "L", 0.15, 0.35, 0.005, 1 / length),
         ])  # fmt: skip
-        self._damping.show(load.roll_damping, [plain("roll damping", "%", 0, 20, 0.5, 100.0)])
-        self._own.set_visibility(
-            any(getattr(state, n) is not None for n in ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping"))
-        )
+        self._damping.show(of, state, damping)
+        self._own.set_visibility(any(getattr(state, name) is not None for name in LOADING))
         self._method.set_value(state.harmonics)
 
 

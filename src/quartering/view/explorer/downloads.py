@@ -8,6 +8,7 @@ import io
 import json
 import tempfile
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 
 import xarray as xr
@@ -17,7 +18,25 @@ from quartering.view.explorer.fleet import Known
 from quartering.view.explorer.state import LOADING, State
 
 _REPORT = "quartering.view.report"
-_UNITS = {"gm": " m", "gyradius_roll": " m", "gyradius_yaw": " m", "roll_damping": ""}
+
+
+File = Callable[[State, Scene], tuple[str, bytes]]
+"""Makes a file of a state and its scene: name and content."""
+
+
+def files() -> dict[str, File]:
+    """What can be taken home, by the words of the menu."""
+
+    def of_map(ending: str, made: Callable[[Scene], bytes]) -> File:
+        return lambda _, of: (f"{stem(of.known)}-polar.{ending}", made(of))
+
+    made = {
+        "Case file that gives this view": case_file,
+        "Map, PNG": of_map("png", lambda of: picture(of, "png")),
+        "Map, SVG": of_map("svg", lambda of: picture(of, "svg")),
+        "Map, netCDF": of_map("nc", netcdf),
+    }
+    return made | ({"Report, HTML": of_map("html", report)} if has_report() else {})
 
 
 def map_dataset(of: Scene) -> xr.Dataset:
@@ -58,31 +77,22 @@ def case_file(state: State, of: Scene) -> tuple[str, bytes]:
 
 
 def case_text(state: State, of: Scene, ship: str) -> str:
-    """Case file with the chosen condition, and the map where its waves share one height.
-
-    A case holds every combination of its values, so waves of one steepness cannot stand in it together: the chosen length
-    does, at all headings.
-    """
+    """Case file with the map and the chosen condition."""
     heading = sorted({*HEADINGS.tolist(), of.heading})
-    if state.wave_height is None:
-        lengths, what = [of.wave.length], "all headings in the chosen wave (the map's other waves have other heights)"
-    else:
-        lengths, what = (
-            sorted({*(wave.length for wave in of.waves), of.wave.length}),
-            "the map, and the chosen condition",
-        )
+    lengths = sorted({*(wave.length for wave in of.waves), of.wave.length})
+    sea = f"steepness: {state.steepness!r}" if state.wave_height is None else f"wave_height: {state.wave_height!r}"
     own = {name: getattr(state, name) for name in LOADING if getattr(state, name) is not None}
     lines = [
-        f"# From the explorer: {what}.",
+        "# From the explorer: the map, and the chosen condition.",
         "# Run it:  quartering sweep <this file> -o result    then    quartering worst result",
         f"# Chosen: heading {of.heading!r} deg, wave length {of.wave.length!r} m.",
         f"ship: {json.dumps(ship)}",
         f"speed: {of.speed!r}                # m/s",
         f"heading: {json.dumps(heading)}     # deg",
         f"wave_length: {json.dumps(lengths)} # m",
-        f"wave_height: {of.wave.height!r}    # m",
+        sea + ("    # height over length" if state.wave_height is None else "    # m"),
         *(["loading:"] if own else []),
-        *(f'  {name}: "{value!r}{_UNITS[name]}"' for name, value in own.items()),
+        *(f'  {name}: "{value!r}{"" if name == "roll_damping" else " m"}"' for name, value in own.items()),
         f"harmonics: {of.harmonics}",
     ]
     return "\n".join(lines) + "\n"

@@ -13,6 +13,8 @@ NO_MOTION = "<h1><b class='unstable'>No periodic motion here</b></h1>"
 
 def beyond(found: Examined) -> list[str]:
     """A note where the motion leaves the range of the righting arm's polynomial."""
+    if found.ship.righting == "spline":
+        return []
     fitted = righting_polynomial(found.ship).max_angle
     peak = math.degrees(found.motion.peak[1]) if found.motion.status.ok else 0.0
     if peak <= fitted:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import asyncio
 import html
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import xarray as xr
@@ -19,6 +20,7 @@ from quartering.view.explorer import downloads
 from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting, scene, verdict
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.controls import Controls
+from quartering.view.explorer.damping_dials import damping_hint
 from quartering.view.explorer.fleet import Fleet, Known
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.map_panel import MapPanel
@@ -27,6 +29,14 @@ from quartering.view.explorer.turns import Turns
 from quartering.view.explorer.upload_dialog import UploadDialog
 
 _THEMES = {None: ("contrast", "as the system"), True: ("dark_mode", "dark"), False: ("light_mode", "light")}
+
+
+_COPY = """return (async () => {{
+  const link = location.origin + location.pathname + {query};
+  history.replaceState({{}}, '', link);
+  try {{ await navigator.clipboard.writeText(link); return true; }} catch {{ return false; }}
+}})()"""
+"""Copies the link; a browser may refuse, and does where the page comes neither by https nor from this machine."""
 
 
 class Page:
@@ -86,15 +96,22 @@ class Page:
         ui.element("span").classes("push")
         ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
-            for words, work in self._files().items():
-                ui.menu_item(words, on_click=work)
+            for words, make in downloads.files().items():
+                ui.menu_item(words, on_click=partial(self._send, make))
         dark = ui.dark_mode(None)
-        theme = ui.button(icon=_THEMES[None][0], color=None).props('flat dense aria-label="light or dark"')
+        theme = ui.button(color=None).props("flat dense").mark("theme")
+
+        def show() -> None:
+            icon, words = _THEMES[dark.value]
+            theme.set_icon(icon)
+            theme.props(f'aria-label="light or dark: {words}" title="light or dark: {words}"')
 
         def turn() -> None:
             order = list(_THEMES)
             dark.value = order[(order.index(dark.value) + 1) % len(order)]
-            theme.set_icon(_THEMES[dark.value][0])
+            show()
+
+        show()
 
         theme.on_click(turn)
 
@@ -147,38 +164,21 @@ class Page:
     def _stop_map(self) -> None:
         self._stopped = True
 
-    def _copy(self) -> None:
-        self._client.run_javascript("navigator.clipboard.writeText(location.href)")
-        ui.notify("The link to exactly this view is copied.", position="top")
+    async def _copy(self) -> None:
+        query = json.dumps(f"?{self.state.query()}")
+        copied = await self._client.run_javascript(_COPY.format(query=query), timeout=10.0)
+        with self._client:
+            if copied:
+                ui.notify("The link to exactly this view is copied.", position="top")
+            else:
+                ui.notify(
+                    "The browser does not let a page copy here: take the link from its address line.", position="top"
+                )
 
-    def _files(self) -> dict[str, Callable[[], Awaitable[None]]]:
-        """What can be downloaded."""
+    async def _send(self, make: downloads.File) -> None:
+        def made() -> tuple[str, bytes]:
+            return make(self.state, scene(self.state, self._fleet.known(self.state.ship)))
 
-        def file(ending: str, work: Callable[[Scene], bytes]) -> Callable[[], Awaitable[None]]:
-            async def send() -> None:
-                def made() -> tuple[str, bytes]:
-                    of = scene(self.state, self._fleet.known(self.state.ship))
-                    return f"{downloads.stem(of.known)}-polar.{ending}", work(of)
-
-                await self._send(made)
-
-            return send
-
-        async def case() -> None:
-            def made() -> tuple[str, bytes]:
-                return downloads.case_file(self.state, scene(self.state, self._fleet.known(self.state.ship)))
-
-            await self._send(made)
-
-        files = {
-            "Case file that gives this view": case,
-            "Map, PNG": file("png", lambda of: downloads.picture(of, "png")),
-            "Map, SVG": file("svg", lambda of: downloads.picture(of, "svg")),
-            "Map, netCDF": file("nc", downloads.netcdf),
-        }
-        return files | ({"Report, HTML": file("html", downloads.report)} if downloads.has_report() else {})
-
-    async def _send(self, made: Callable[[], tuple[str, bytes]]) -> None:
         try:
             (name, content), _ = await self._turns.take(self._client.id, noting(made))
         except InputError as error:
@@ -206,11 +206,11 @@ class Page:
         except InputError as error:  # ship and sea are as they should be; in this condition there is no motion
             self._say(NO_MOTION, [])
             self._say_wrong(str(error))
-            self._show_scene(state, of)
+            await self._show_scene(state, of)
             await self._fill_map(state, of)
             return
         self._say(headline(found), [*notes, *beyond(found)])
-        self._show_scene(state, of)
+        await self._show_scene(state, of)
         for step in (self._fill_panel, self._fill_map, self._fill_cures):
             if self.state is not state:
                 return
@@ -221,10 +221,11 @@ class Page:
         self._heal.set_content("")
         self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in notes))
 
-    def _show_scene(self, state: State, of: Scene) -> None:
+    async def _show_scene(self, state: State, of: Scene) -> None:
+        damping, _ = await self._take(lambda: damping_hint(of))
         if self.state is not state:  # a dial in motion is not turned back
             return
-        self._controls.show(of, state)
+        self._controls.show(of, state, damping)
         self._map.place(of)
         self._panel.front(state)
         link = json.dumps(f"?{state.query()}")
@@ -243,20 +244,28 @@ class Page:
         self._map_of = None
         frequency, _notes = await self._take(lambda: coefficients(of.ship, 0.0, 0.0).roll_frequency)
         self._map.lines(of, float(frequency))
+        self._stop.set_visibility(True)
+        try:
+            if await self._fill_blocks(state, of):
+                self._map_of = asked
+        finally:
+            self._stop.set_visibility(False)
+
+    async def _fill_blocks(self, state: State, of: Scene) -> bool:
+        """Every block of a map, in turn; False when it is stopped, or the state moves on."""
         done = 0
         for block in map_blocks(of):
             part: xr.Dataset
             part, _notes = await self._take(block)
             if self.state is not state:
-                return
+                return False
             self._map.show(part, fresh=done == 0)
             done += part.sizes["heading"]
-            self._stop.set_visibility(done < HEADINGS.size and not self._stopped)
             self._progress.set_text(f"{done} of {HEADINGS.size} headings" if done < HEADINGS.size else "")
-            if self._stopped:
+            if self._stopped and done < HEADINGS.size:
                 self._progress.set_text(f"stopped at {done} of {HEADINGS.size} headings; any change begins again")
-                return
-        self._map_of = asked
+                return False
+        return True
 
     async def _fill_cures(self, state: State, _: Scene, found: Examined) -> None:
         if found.verdict.stable or not found.motion.status.ok:

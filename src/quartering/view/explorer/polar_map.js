@@ -9,7 +9,7 @@ export default {
     <div class="q-map">
       <svg ref="svg" viewBox="-128 -121 256 242" tabindex="0" role="application" :aria-label="label"
            @keydown="key" @click="click" @mousemove="hover" @mouseleave="told = ''"></svg>
-      <div class="q-map-told" aria-hidden="true">{{ told || words(at) }}</div>
+      <div class="q-map-told" aria-hidden="true">{{ told || 'cell ' + words(at) }}</div>
     </div>`,
   props: {
     headings: Array, radii: Array, roll: Array, kind: Array, kinds: Object, top: Number,
@@ -127,7 +127,7 @@ export default {
       const size = roll === null || roll === undefined ? "" : `roll ${roll.toFixed(1)}°, `;
       return `${this.headings[i]}°, λ = ${this.radii[j].toFixed(1)} L: ${size}${kind}`;
     },
-    hover(event) { const at = this.cell(event); this.told = at ? this.words(at) : ""; },
+    hover(event) { const at = this.cell(event); this.told = at ? 'cell ' + this.words(at) : ""; },
     choose(i, j) {
       if (i < 0 || j < 0 || i >= this.headings.length || j >= this.radii.length) return;
       this.told = "";

@@ -9,6 +9,7 @@ from urllib.parse import urlencode
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from quartering.conventions import InputError
+from quartering.study.loadings import KEEL_AXES
 
 Panel = Literal["motion", "stability", "curve", "causes", "hull"]
 """What the right side of the page shows."""
@@ -16,8 +17,21 @@ Panel = Literal["motion", "stability", "curve", "causes", "hull"]
 Over = Literal["wave_height", "wave_length", "speed", "frequency"]
 """What the response curve is drawn over."""
 
-LOADING = ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping")
+LOADING = ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping", *KEEL_AXES)
 """Loading values a page can change; None keeps the ship's own."""
+
+
+def check_keels(roll_damping: float | None, length: float | None, breadth: float | None) -> None:
+    """Refuse one size of the keels without the other, and keels beside a fraction of critical, which stands for them.
+
+    Raises
+    ------
+    ValueError
+    """
+    if (length is None) != (breadth is None):
+        raise ValueError("bilge_keel_length and bilge_keel_breadth go together; give both, or leave both out")
+    if length is not None and roll_damping is not None:
+        raise ValueError("roll_damping stands for the bilge keels too; give it or the two sizes of the keels, not both")
 
 
 class State(BaseModel):
@@ -28,6 +42,7 @@ class State(BaseModel):
     ship : str                              name the server knows it by
     gm, gyradius_roll, gyradius_yaw : float    [m]; None: the ship's own
     roll_damping : float                    fraction of critical; None: the ship's own
+    bilge_keel_length, bilge_keel_breadth : float    of one of the pair, in place of roll_damping [m]; a breadth of 0: none
     speed : float                           [m/s]; None: Fn 0.25
     heading : float                         0 following, 180 head [deg]
     wave_length : float                     [m]; None: the ship's length
@@ -50,6 +65,8 @@ class State(BaseModel):
     gyradius_roll: float | None = Field(default=None, gt=0, le=1e3)
     gyradius_yaw: float | None = Field(default=None, gt=0, le=1e4)
     roll_damping: float | None = Field(default=None, ge=0, le=1)
+    bilge_keel_length: float | None = Field(default=None, gt=0, le=1e3)
+    bilge_keel_breadth: float | None = Field(default=None, ge=0, le=1e2)
     speed: float | None = Field(default=None, ge=0, le=100)
     heading: float = Field(default=60.0, ge=0, le=180)
     wave_length: float | None = Field(default=None, gt=0, le=1e4)
@@ -69,6 +86,12 @@ class State(BaseModel):
         if height is not None and steepness is not None:
             raise ValueError("wave_height and steepness are both given; leave one out")
         return given if height is not None or steepness is not None else {**given, "steepness": 1 / 30}
+
+    @model_validator(mode="after")
+    def _one_roll_damping(self) -> State:
+        """A fraction of critical or a pair of keels."""
+        check_keels(self.roll_damping, self.bilge_keel_length, self.bilge_keel_breadth)
+        return self
 
     @model_validator(mode="before")
     @classmethod

@@ -11,7 +11,7 @@ import xarray as xr
 from quartering.conventions import SYMBOLS, InputError, RangeWarning, in_unit, written
 from quartering.loads.waves import Wave
 from quartering.stability.kind import Kind
-from quartering.study.grid import loaded
+from quartering.study.loadings import loaded
 from quartering.study.query import Measure, worst
 from quartering.study.sensitivity import sensitivity
 from quartering.view.commands.verdict import Examined, examine, helps
@@ -19,7 +19,7 @@ from quartering.view.report.source import Source
 from quartering.view.wording import speed_words
 
 _COUNT, _PARAMETERS = 8, 12
-_USUAL = {"speed", "heading", "wave_length", "wave_height", "rank", "resonance"}
+_USUAL = {"speed", "heading", "wave_length", "wave_height", "steepness", "rank", "resonance"}
 
 
 class Condition(NamedTuple):

@@ -12,10 +12,12 @@ from quartering.conventions import InputError
 from quartering.hull.righting import vanishing_angle
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
+from quartering.study.query import sea_of
 from quartering.view.plots.guidance import Diagram, guidance_picture
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source
 from quartering.view.report.tables import Row, Table
+from quartering.view.wording import sea_words
 
 ROLL_LIMIT: Final = 40.0
 """Largest roll angle that is no failure event, whatever the ship [deg]; MSC.1/Circ.1627."""
@@ -112,7 +114,7 @@ def _limits(vanishing: float, openings: float | None) -> list[str]:
 
 
 def _waves(result: xr.Dataset) -> list[tuple[str, list[tuple[str, xr.Dataset]]]]:
-    """Wave heights, and for each its wave lengths with their part of the result."""
+    """Wave heights or steepnesses, and for each its wave lengths with their part of the result."""
 
     def lengths(cut: xr.Dataset, height: bool) -> list[tuple[str, xr.Dataset]]:
         made = []
@@ -122,9 +124,10 @@ def _waves(result: xr.Dataset) -> list[tuple[str, list[tuple[str, xr.Dataset]]]]
             made.append((words + (f", height {float(one['wave_height']):.3g} m" if height else ""), one))
         return made
 
-    if "wave_height" in result["verdict"].dims:
-        heights = result["wave_height"].values
-        return [(f"wave height {h:.3g} m", lengths(result.sel(wave_height=h), False)) for h in heights]
+    sea = sea_of(result)
+    if sea:
+        parts = [result.isel({sea: i}) for i in range(result.sizes[sea])]
+        return [(sea_words(sea, float(part[sea])), lengths(part, sea != "wave_height")) for part in parts]
     height, length = result["wave_height"].values, result["wave_length"].values
     if np.ptp(height) == 0:
         return [(f"wave height {height[0]:.3g} m", lengths(result, False))]
@@ -145,7 +148,7 @@ def _spread(count: int, most: int) -> list[int]:
 
 
 def _diagram(cut: xr.Dataset, failure: xr.DataArray, title: str) -> Diagram:
-    where = {name: cut[name] for name in ("wave_length", "wave_height") if name in failure.dims}
+    where = {name: cut[name] for name in ("wave_length", "wave_height", "steepness") if name in failure.dims}
     order = ("speed", "heading")
     return Diagram(
         title,

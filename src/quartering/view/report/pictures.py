@@ -15,11 +15,13 @@ from matplotlib.figure import Figure
 from quartering.conventions import RangeWarning
 from quartering.hull.righting import righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
+from quartering.study.query import sea_of
 from quartering.view.commands.result import map_of
 from quartering.view.plots import style
 from quartering.view.plots.hull import hull_picture
 from quartering.view.plots.polar_map import polar_map
 from quartering.view.plots.response import response_picture
+from quartering.view.wording import sea_words
 
 _FEWEST_RINGS, _MOST_HEIGHTS, _MOST_PAIRED = 3, 4, 4
 
@@ -54,14 +56,13 @@ def hull_svg(ship: Ship) -> Markup:
 
 
 def map_svgs(result: xr.Dataset) -> list[Markup]:
-    """Maps of a result: one, or one for each of up to four wave heights."""
-    heights = result["wave_height"].values if "wave_height" in result["verdict"].dims else [None]
-    chosen = sorted({int(i) for i in np.linspace(0, len(heights) - 1, _MOST_HEIGHTS)})
+    """Maps of a result: one, or one for each of up to four wave heights or steepnesses."""
+    sea = sea_of(result)
+    count = result.sizes[sea] if sea else 1
     made = []
-    for i in chosen:
-        cut = result if heights[i] is None else result.sel(wave_height=heights[i])
-        flat = map_of(cut)
-        words = "Map of roll and stability" + ("" if heights[i] is None else f", wave height {heights[i]:g} m")
+    for i in sorted({int(i) for i in np.linspace(0, count - 1, _MOST_HEIGHTS)}):
+        flat = map_of(result.isel({sea: i}) if sea else result)
+        words = "Map of roll and stability" + (f", {sea_words(sea, float(result[sea][i]))}" if sea else "")
         several = flat.sizes["wave_length"] >= _FEWEST_RINGS
         made.append(inline_svg(_map(flat) if several else response_picture(flat, columns=2), words))
     return made

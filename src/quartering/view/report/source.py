@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+import math
 from pathlib import Path
 from typing import NamedTuple, cast
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.digest import fingerprint
@@ -18,13 +19,17 @@ from quartering.hull.units import quantity
 from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
+from quartering.study.loadings import base_of
 from quartering.study.polar import polar
 from quartering.study.store import read_store
 from quartering.study.sweep import sweep
 from quartering.view.commands.result import opened
 from quartering.view.progress import bar
 
-_SAME = ("ship", "ship_length", "ship_beam", "ship_draught", "loading", "provenance", "coefficient_sources")
+_SAME = (
+    "ship", "ship_length", "ship_beam", "ship_draught", "loading", "autopilot", "righting_curve", "provenance",
+    "coefficient_sources",
+)  # fmt: skip
 """Attributes of a result that must be those of the ship it is reported with."""
 
 _FROUDE_NUMBERS = {"report": (0.15, 0.2, 0.25), "guidance": (0.05, 0.1, 0.15, 0.2, 0.25)}
@@ -92,10 +97,10 @@ def report_source(what: str, ship_given: str | None, kind: str) -> Source:
     one = _ship_of(result, what, ship_given)
     if not path.is_dir():
         return Source(one, result, what, hashlib.sha256(path.read_bytes()).hexdigest())
-    case = read_store(path).content
-    if case["case"]["ship"]["digest"] != fingerprint(one):
+    content = read_store(path).content
+    if content["case"]["ship"]["digest"] != fingerprint(base_of(one, _loadings(result))):
         raise InputError(f'"{what}" is of another "{one.name}" than the one at hand; give that ship with --ship')
-    return Source(one, result, what, str(case["hash"]))
+    return Source(one, result, what, str(content["hash"]))
 
 
 def digest_of(one: Ship, result: xr.Dataset) -> str:
@@ -110,13 +115,13 @@ def _ship_of(result: xr.Dataset, what: str, given: str | None) -> Ship:
     named = given or str(result.attrs.get("ship_argument", ""))
     if named and (given or Path(named).is_file() or named in {entry.name for entry in available_ships()}):
         one = ship(named)
-        wrong = _difference(one, result.attrs)
+        wrong = _difference(one, result)
         if wrong:
             raise InputError(f'ship "{named}" is not the one of "{what}": {wrong}; give that ship with --ship')
         return one
     for entry in available_ships():
         one = ship(entry.name)
-        if one.name == result.attrs["ship"] and not _difference(one, result.attrs):
+        if one.name == result.attrs["ship"] and not _difference(one, result):
             return one
     raise InputError(
         f'"{what}" is of "{result.attrs["ship"]}" with {result.attrs["loading"]}; no built-in ship is that; '
@@ -124,14 +129,21 @@ def _ship_of(result: xr.Dataset, what: str, given: str | None) -> Ship:
     )
 
 
-def _difference(one: Ship, recorded: Mapping[str, object]) -> str:
+def _difference(one: Ship, result: xr.Dataset) -> str:
     """First value in which a ship is not the one of a result; empty when it is that one."""
-    own = heading_of(one, form="stf", harmonics=1)
+    own, recorded = heading_of(base_of(one, _loadings(result)), form="stf", harmonics=1), result.attrs
     for key in _SAME:
-        if str(own[key]) != str(recorded.get(key)):
+        there = recorded.get(key, "not said")
+        if str(own[key]) != str(there):
             name = key.replace("_", " ")
-            return name if "source" in key or key == "provenance" else f"{name} {own[key]}, there {recorded.get(key)}"
-    return ""
+            return name if "source" in key or key == "provenance" else f"{name} {own[key]}, there {there}"
+    n2, there = (float(str(each["natural_roll_frequency"])) for each in (own, recorded))
+    return "" if math.isclose(n2, there, rel_tol=1e-6) else f"natural roll frequency {n2:.6g} rad/s, there {there:.6g}"
+
+
+def _loadings(result: xr.Dataset) -> dict[str, NDArray[np.float64]]:
+    """Values of the loadings of a result, by name."""
+    return {str(name): values.values for name, values in result.coords.items() if values.dims == ("loading",)}
 
 
 def _speeds(one: Ship, kind: str) -> list[float]:

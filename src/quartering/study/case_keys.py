@@ -1,0 +1,56 @@
+"""The keys a case file may have."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from quartering.loads.forces import Form
+
+Values = Annotated[
+    float | str | list[float | str],
+    Field(description='a value "8 kn", a list [0, 4, 8], or a range "0..18 kn step 1" or "0.4..2.3 L count 20"'),
+]
+
+
+class _Strict(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+
+class LoadingAxes(_Strict):
+    """Values of the loading; every combination is computed."""
+
+    gm: Values | None = Field(default=None, description="metacentric height [m, B]; gm or kg, not both")
+    kg: Values | None = Field(default=None, description="height of G over the keel [m, B]")
+    gyradius_roll: Values | None = Field(default=None, description="k_xx [m, B]")
+    gyradius_yaw: Values | None = Field(default=None, description="k_zz [m, L]")
+    roll_damping: Values | None = Field(default=None, description="added roll damping, fraction of critical [1, %]")
+    draught: Values | None = Field(default=None, description="[m, T]")
+    bilge_keel_length: Values | None = Field(
+        default=None,
+        description="of one of the pair [m, L]; in place of roll_damping: with keels it is by Ikeda's components",
+    )
+    bilge_keel_breadth: Values | None = Field(default=None, description="of one of the pair [m, B]; 0 is no keel")
+
+
+class Case(_Strict):
+    """A study: a ship and every combination of conditions and loadings."""
+
+    ship: str = Field(description="name of a built-in ship, or path of a ship file beside this one")
+    speed: Values = Field(description="forward speed [m/s, kn, Fn], from 0")
+    heading: Values = Field(description="0 following, 90 beam, 180 head sea [deg]")
+    wave_length: Values = Field(description="[m, L]")
+    wave_height: Values | None = Field(
+        default=None, description="crest to trough [m]; at most a seventh of the wave length; or give steepness"
+    )
+    steepness: Values | None = Field(
+        default=None,
+        description="wave height over wave length, 0.02, 2 % or 1/50, for all lengths alike; or give wave_height",
+    )
+    loading: LoadingAxes = Field(default=LoadingAxes(), description="values of the loading to vary")
+    coefficients: dict[str, Values] = Field(
+        default={}, description="multipliers of coefficients by name, such as K_ppp"
+    )
+    harmonics: int = Field(default=1, ge=1, description="of the steady motion: 1 is the paper's method, else odd")
+    form: Form = Field(default="stf", description="of the diffraction force")

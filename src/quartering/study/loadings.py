@@ -1,0 +1,122 @@
+"""The values of a ship a study may vary: loading, draught, bilge keels and multipliers of coefficients."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.conventions import InputError
+from quartering.hull.ship import Ship
+
+KEEL_AXES = ("bilge_keel_length", "bilge_keel_breadth")
+LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught", *KEEL_AXES)
+
+
+def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
+    """The ship with loading values set and coefficients multiplied.
+
+    Parameters
+    ----------
+    ship : Ship
+    values : mapping of str to float    gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; bilge_keel_length,
+                                        bilge_keel_breadth [m], which a ship without keels needs both of, 0 for none; the others
+                                        multiply the coefficient of that name
+
+    Returns
+    -------
+    Ship                                with bilge keels: its roll damping by components, "ikeda" where it said a fraction
+
+    Raises
+    ------
+    InputError                          what `Ship.with_` refuses, one size of keels the ship does not have, keels beside a
+                                        roll_damping
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> loaded(ship("wigley"), {"gm": 1.5, "K_ppp": 2.0}).loading.gm
+    1.5
+    >>> loaded(ship("s175"), {"bilge_keel_length": 44.0, "bilge_keel_breadth": 0.4}).roll_damping_words
+    'component method of Ikeda on the lines, bilge keels 44 x 0.4 m'
+    """
+    if not values:
+        return ship
+    own = {name: value for name, value in values.items() if name in LOADING_AXES and name not in KEEL_AXES}
+    multipliers = {name: value for name, value in values.items() if name not in LOADING_AXES}
+    keels = {name: values[name] for name in KEEL_AXES if name in values}
+    if not keels:
+        return ship.with_(**own, coefficients=multipliers)  # type: ignore[arg-type]
+    if "roll_damping" in own:
+        raise InputError(
+            "roll_damping as a fraction of critical stands for the bilge keels too, and bilge_keel_length and "
+            "bilge_keel_breadth are given beside it; leave out the one or the others"
+        )
+    method = "ikeda" if ship.roll_method == "fraction" else ship.roll_method
+    sizes = _keels(ship, keels)
+    return ship.with_(**own, roll_damping=method, bilge_keels=sizes, coefficients=multipliers)  # type: ignore[arg-type]
+
+
+def _keels(ship: Ship, given: Mapping[str, float]) -> tuple[float, float]:
+    """Length and breadth of one keel; (0, 0) for none."""
+    own = dict(zip(KEEL_AXES, ship.bilge_keels, strict=True)) if ship.bilge_keels else {}
+    missing = [name for name in KEEL_AXES if name not in given and name not in own]
+    if missing:
+        usual = 0.25 * ship.hull.length if missing[0] == KEEL_AXES[0] else 0.02 * ship.hull.beam
+        raise InputError(
+            f"{', '.join(given)} is given, and {ship.name} has no bilge keels of its own: give {missing[0]} too;"
+            f" try {usual:.2g} m"
+        )
+    length, breadth = ({**own, **given}[name] for name in KEEL_AXES)
+    return (0.0, 0.0) if 0.0 in (length, breadth) else (length, breadth)
+
+
+def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
+    """The ship a study of some loadings is recorded with: where they replace the way of its roll damping, the new way.
+
+    Parameters
+    ----------
+    ship : Ship
+    loadings : mapping of str to (l,) float    values of loading l by name, as for `loaded`
+
+    Returns
+    -------
+    Ship                                       with the first damping, or the first keels; else as it is
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> keels = {"bilge_keel_length": np.full(2, 40.0), "bilge_keel_breadth": np.array([0.0, 0.4])}
+    >>> base_of(ship("s175"), keels).roll_damping_words
+    'component method of Ikeda on the lines, no bilge keels'
+    """
+    names = [name for name in ("roll_damping", *KEEL_AXES) if name in loadings]
+    if names == ["roll_damping"] and ship.roll_method == "fraction":  # the same way with another number
+        return ship
+    return loaded(ship, {name: float(loadings[name][0]) for name in names})
+
+
+def own_value(ship: Ship, name: str) -> float:
+    """Present value of what a study may vary.
+
+    Parameters
+    ----------
+    ship : Ship
+    name : str    one of `LOADING_AXES`, or a coefficient
+
+    Returns
+    -------
+    float         [m], or a fraction of critical; 0 for keels a ship does not have; 1 for a coefficient
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> own_value(ship("wigley"), "draught"), own_value(ship("wigley"), "K_ppp")
+    (6.25, 1.0)
+    """
+    if name == "draught":
+        return ship.hull.draught
+    if name in KEEL_AXES:
+        return (ship.bilge_keels or (0.0, 0.0))[KEEL_AXES.index(name)]
+    return float(getattr(ship.loading, name)) if name in LOADING_AXES else 1.0

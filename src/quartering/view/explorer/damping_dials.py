@@ -1,0 +1,102 @@
+"""The dials of roll damping: a fraction of critical, or bilge keels and what Ikeda's components make of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from nicegui import ui
+
+from quartering.hull.ship import Ship
+from quartering.hydro.ship_damping import AMPLITUDE, equivalent_fraction
+from quartering.study.loadings import KEEL_AXES, own_value
+from quartering.view.explorer.answers import Scene
+from quartering.view.explorer.dials import Dial, plain
+from quartering.view.explorer.state import State
+
+_WAYS = {"fraction": "per cent of critical", "components": "bilge keels, by Ikeda"}
+_USUAL_LENGTH, _USUAL_BREADTH, _USUAL_FRACTION = 0.25, 0.02, 0.05
+_HINTS = {
+    "fraction": "of critical; stands for viscosity and bilge keels",
+    "ikeda": "Ikeda's components of the hull and a pair of keels at round bilges: {percent:.3g} % of critical at {amplitude:g}°"
+    " of roll and this speed, within 30 %",
+    "ikeda-simplified": "regression on Ikeda's components, a pair of keels at round bilges: {percent:.3g} % of critical at"
+    " {amplitude:g}° of roll and this speed, within 30 %",
+}
+
+
+class DampingDials:
+    """The choice between the two ways, and the dials of the one chosen."""
+
+    def __init__(self, change: Callable[..., None]) -> None:
+        self._change = change
+        self._own: Ship | None = None
+        self._keels = (1.0, 0.0)
+        self._quiet = False
+        self._way = ui.select(_WAYS, value="fraction", on_change=lambda event: self._choose(event.value))
+        self._way.props('dense options-dense borderless aria-label="roll damping as"').classes("choice").mark("damping")
+        with ui.element("div") as self._of_fraction:
+            self._fraction = Dial("roll_damping", lambda value, _: change(roll_damping=value))
+        with ui.element("div") as self._of_keels:
+            self._length = Dial("bilge_keel_length", lambda value, _: self._fit(value, self._keels[1]))
+            self._breadth = Dial("bilge_keel_breadth", lambda value, _: self._fit(self._keels[0], value))
+        self._hint = ui.label("").classes("hint").mark("damping-hint")
+
+    def _fit(self, length: float, breadth: float) -> None:
+        self._keels = (length, breadth)
+        self._change(roll_damping=None, **dict(zip(KEEL_AXES, self._keels, strict=True)))
+
+    def _choose(self, way: str) -> None:
+        """The ship's own values where it has that way itself, else the usual ones."""
+        own = self._own
+        if self._quiet or own is None:
+            return
+        values: dict[str, Any] = dict.fromkeys(("roll_damping", *KEEL_AXES))
+        if way == "fraction" and own.roll_method != "fraction":
+            values["roll_damping"] = _USUAL_FRACTION
+        elif way == "components" and own.roll_method == "fraction":
+            values |= dict(zip(KEEL_AXES, _sizes(own), strict=True))
+        self._change(**values)
+
+    def show(self, of: Scene, state: State, hint: str) -> None:
+        """Set the choice and the dials to a scene."""
+        ship, self._own = of.ship, of.known.ship
+        length, beam = ship.hull.length, ship.hull.beam
+        by_fraction = ship.roll_method == "fraction"
+        self._quiet = True
+        self._way.set_value("fraction" if by_fraction else "components")
+        self._quiet = False
+        self._of_fraction.set_visibility(by_fraction)
+        self._of_keels.set_visibility(not by_fraction)
+        self._hint.set_text(hint)
+        if by_fraction:
+            self._fraction.show(ship.loading.roll_damping, [plain("roll damping", "%", 0, 20, 0.5, 100.0)])
+            return
+        given = state.bilge_keel_length, state.bilge_keel_breadth
+        self._keels = _shown(ship) if None in given else given  # type: ignore[assignment]
+        self._length.show(self._keels[0], [
+            plain("keel length", "m", 0.05 * length, 0.6 * length, 0.1),
+            plain("keel length", "L", 0.05, 0.6, 0.01, 1 / length),
+        ])  # fmt: skip
+        self._breadth.show(self._keels[1], [
+            plain("keel breadth", "m", 0, 0.06 * beam, 0.01), plain("keel breadth", "B", 0, 0.06, 0.001, 1 / beam),
+        ])  # fmt: skip
+
+
+def damping_hint(of: Scene) -> str:
+    """What the numbers of the roll damping mean, and what the components amount to."""
+    words = _HINTS[of.ship.roll_method]
+    if of.ship.roll_method == "fraction":
+        return words
+    said = words.format(percent=100 * equivalent_fraction(of.ship, of.speed), amplitude=AMPLITUDE)
+    return said if of.ship.measured is None else f"{said}; of this and what the measured set has, the larger counts"
+
+
+def _sizes(ship: Ship) -> tuple[float, float]:
+    """Keels of the ship, else usual ones [m]."""
+    return ship.bilge_keels or (_USUAL_LENGTH * ship.hull.length, _USUAL_BREADTH * ship.hull.beam)
+
+
+def _shown(ship: Ship) -> tuple[float, float]:
+    """Keels of a ship that goes by components already: of none, the length to begin from."""
+    return _sizes(ship)[0], own_value(ship, KEEL_AXES[1])

@@ -1,0 +1,25 @@
+"""What the browser tests do on a page of the explorer again and again."""
+
+from urllib.parse import parse_qs, urlparse
+
+STABLE = "ship=series60-cb60&speed=7.5&heading=30&wave_length=150&wave_height=4"
+
+
+def filled(page):
+    """Wait until every cell of the map is known."""
+    page.wait_for_function(
+        "document.querySelectorAll('.q-cell').length === 740 && !document.querySelector('.q-awaited')"
+    )
+
+
+def sentence(page):
+    return page.inner_text(".says h1")
+
+
+def link(page):
+    return {key: values[0] for key, values in parse_qs(urlparse(page.url).query).items()}
+
+
+def slider(key):
+    """Selector of the thumb of a dial's slider, which takes the arrow keys."""
+    return f"#slider-{key}[tabindex], #slider-{key} [tabindex]"
