@@ -16,6 +16,7 @@ from quartering.hull.lines import hull_of
 from quartering.hull.loading_entries import loading_entries, loading_of
 from quartering.hull.offsets import Hull
 from quartering.hull.own_database import Database, database_of
+from quartering.hull.own_measured import MeasuredFile, measured_source
 from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.schema import Entry, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, Ship
@@ -193,14 +194,14 @@ def _bilge_keels(where: str, keys: ShipKeys, base: Ship | None, hull: Hull) -> B
     return checked_bilge_keels(where, hull.length, hull.beam, (one, other))
 
 
-def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:
+def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | MeasuredFile | None:
     """Measured set of a ship: a name, or a file seen from the folder of the ship file."""
     if keys.measured is None:
         return base.measured if base else None
     if keys.measured == "none":
         return None
     beside = Path(where).parent / keys.measured
-    return str(beside) if beside.is_file() else keys.measured
+    return measured_source(beside) if beside.is_file() else keys.measured
 
 
 def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:
