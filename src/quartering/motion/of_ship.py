@@ -27,12 +27,14 @@ class ShipSystem:
     system : System                  with the excitation of a wave of 1 m amplitude, at the frequency |omega|
     encounter_frequency : (m,)       omega, negative where the ship overtakes the wave [rad/s]
     slow : (m,) bool                 the ship keeps pace with the wave: no periodic motion
+    outside : (m,) bool              the ship's own database does not hold the condition: its equations are NaN
     coefficients : Coefficients      with their sources
     """
 
     system: System
     encounter_frequency: Floats
     slow: NDArray[np.bool_]
+    outside: NDArray[np.bool_]
     coefficients: Coefficients
 
     def at_amplitude(self, amplitude: Floats) -> System:
@@ -189,7 +191,7 @@ def ship_system(
     frequency = np.where(slow, np.nan, np.abs(omega))
     steering = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
     system = canonical(c.inertia, table, frequency, force.real, -force.imag, linear=linear, **steering)  # type: ignore[arg-type]
-    return ShipSystem(system, omega, slow, c)
+    return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
 
 
 def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form = "stf") -> Model:

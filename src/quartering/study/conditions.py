@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from quartering.conventions import RangeWarning
 from quartering.hull.righting import righting_polynomial, vanishing_angle, warn_of_polynomial
 from quartering.hull.ship import Ship
+from quartering.hydro.own_moments import own_database
 from quartering.loads.forces import Form
-from quartering.motion.of_ship import ShipSystem, ship_system
+from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks, steady_motions
 from quartering.stability.assessment import assess
@@ -90,7 +91,7 @@ def evaluate(
     parts = [slice(start, min(start + rows, m)) for start in range(0, m, rows)]
 
     def block(part: slice) -> dict[str, NDArray[np.generic]]:
-        equations = ship_system(ship, 2 * np.pi / wave_length[part], speed[part], heading[part], form=form)
+        equations = next(systems([ship], 2 * np.pi / wave_length[part], speed[part], heading[part], form))
         found = judged(equations, wave_height[part], harmonics, limit)
         return found | {"encounter_frequency": equations.encounter_frequency}
 
@@ -103,6 +104,7 @@ def evaluate(
             progress(done, m * heights)
     peaks = np.nan_to_num(results["roll_peak"].astype(float))
     warn_of_polynomial(ship, float(peaks.max(initial=0.0)))
+    warn_outside_database(ship, int((results["status"] == Status.OUTSIDE_DATABASE).sum()), m * heights)
     if ship.righting == "spline":
         return results
     fitted = righting_polynomial(ship).max_angle
@@ -174,6 +176,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     u, orders, status, _ = steady_motions(system, harmonics, start="rest")
     largest = np.degrees(roll_peaks(u, orders))
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
+    status = np.where(np.repeat(equations.outside, height.shape[1]), Status.OUTSIDE_DATABASE, status)
     status = np.where(largest > limit, Status.BEYOND_VANISHING_ANGLE, status).astype(np.int8)
     u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
     result = assess(system, u, orders, ACCURACY, detail="map")
@@ -204,6 +207,28 @@ def warn_outside_range(name: str, beyond: int, fitted: float) -> None:
         warnings.warn(
             f"{name}: {beyond} conditions roll beyond {fitted:g} deg, where the fit of the righting arm ends;"
             " their size and verdict are extrapolated",
+            RangeWarning,
+            stacklevel=3,
+        )
+
+
+def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
+    """Say that some conditions have no answer because the ship's own database does not hold them.
+
+    Parameters
+    ----------
+    ship : Ship
+    outside : int    number of such conditions; nothing is said of none
+    total : int      of all conditions
+    """
+    if outside and ship.database is not None:
+        own = own_database(ship.database, ship.loading.density)
+        frequency, heading = own.frequency, own.at.heading
+        headings = f" and headings {heading[0]:g} to {heading[-1]:g} deg" if heading.size else ""
+        warnings.warn(
+            f"{ship.name}: {outside:,} of {total:,} conditions have no answer, outside {ship.database.name}, which holds "
+            f"{frequency[0]:.4g} to {frequency[-1]:.4g} rad/s{headings}; compute it further, or ask for longer waves, less "
+            "speed or other headings",
             RangeWarning,
             stacklevel=3,
         )

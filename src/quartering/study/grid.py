@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import InputError
 from quartering.digest import fingerprint
 from quartering.hull.ship import Ship
+from quartering.hydro.freeroll import free_roll
+from quartering.hydro.own_moments import check_frequencies
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 
@@ -207,6 +209,10 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     -------
     Ship
 
+    Raises
+    ------
+    InputError                          what `Ship.with_` refuses; a roll frequency the ship's own database does not hold
+
     Examples
     --------
     >>> from quartering.hull.ship import ship
@@ -217,7 +223,10 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
         return ship
     own = {name: value for name, value in values.items() if name in LOADING_AXES}
     multipliers = {name: value for name, value in values.items() if name not in LOADING_AXES}
-    return ship.with_(**own, coefficients=multipliers)  # type: ignore[arg-type]
+    made = ship.with_(**own, coefficients=multipliers)  # type: ignore[arg-type]
+    if made.database is not None:
+        check_frequencies(made, np.array([free_roll(made).frequency]))
+    return made
 
 
 def axis(name: str, values: ArrayLike) -> Floats:

@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.motion.status import Status
 from quartering.study.block_file import counted
-from quartering.study.conditions import warn_outside_range
+from quartering.study.conditions import warn_outside_database, warn_outside_range
 from quartering.study.dataset import heading_of
 from quartering.study.estimate import timed_block_size
 from quartering.study.executor import computed
@@ -86,7 +87,7 @@ def sweep(
 
     if store is not None:
         counts = fill(wanted, store, cluster=cluster, told=told)
-        _warn(wanted, counts["beyond"])
+        _warn(wanted, counts)
         return open_result(store)
     return evaluated(wanted, cluster=cluster, told=told)
 
@@ -125,7 +126,7 @@ def evaluated(
         total.update(counts_of_block)
         if told is not None:
             told(conditions_of(total), total)
-    _warn(wanted, total["beyond"])
+    _warn(wanted, total)
     return in_memory(wanted, found, heading_of(wanted.ship, form=wanted.form, harmonics=wanted.harmonics))
 
 
@@ -230,5 +231,6 @@ def conditions_of(counts: Counter[str]) -> int:
     return sum(number for key, number in counts.items() if key.startswith("status "))
 
 
-def _warn(wanted: Grid, beyond: int) -> None:
-    warn_outside_range(wanted.ship.name, beyond, righting_polynomial(wanted.ship).max_angle)
+def _warn(wanted: Grid, counts: Counter[str]) -> None:
+    warn_outside_database(wanted.ship, counts[f"status {int(Status.OUTSIDE_DATABASE)}"], wanted.count)
+    warn_outside_range(wanted.ship.name, counts["beyond"], righting_polynomial(wanted.ship).max_angle)

@@ -143,7 +143,8 @@ def _drawn(grid: Grid, names: list[str], factors: NDArray[np.float64]) -> Grid:
             )
         columns[name] = columns.get(name, np.full(loadings * count, own)) * np.tile(factors[:, i], loadings)
     drawn = replace(grid, loadings=columns)
-    drawn.loaded(0)
+    for i in range(drawn.loading_count):  # a draw that no ship can have is told before the work
+        drawn.loaded(i)
     return drawn
 
 
