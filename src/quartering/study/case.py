@@ -19,6 +19,7 @@ from quartering.conventions import InputError
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
 from quartering.loads.forces import Form
+from quartering.motion.harmonic import checked_harmonics
 from quartering.names import checked_values
 from quartering.study.case_values import range_values, single_value
 from quartering.study.grid import CONDITION_AXES, Grid, grid
@@ -150,8 +151,10 @@ def case_grid(path: str | Path) -> Grid:
             checked_values(own.name, {name: float(values[0])})
         except InputError as error:
             raise place.says(("coefficients", name), str(error)) from None
-    if case.harmonics % 2 == 0:
-        raise place.says(("harmonics",), f"harmonics: {case.harmonics} is given; allowed: 1, 3, 5, 7, ..")
+    try:
+        checked_harmonics(case.harmonics)
+    except InputError as error:
+        raise place.says(("harmonics",), str(error)) from None
     try:
         made = grid(own, **axes, harmonics=case.harmonics, form=case.form, **loading, **factors)
     except InputError as error:

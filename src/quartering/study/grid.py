@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,8 +16,9 @@ from quartering.digest import fingerprint
 from quartering.hull.ship import Ship
 from quartering.hydro.freeroll import free_roll
 from quartering.hydro.own_moments import check_frequencies
-from quartering.loads.forces import Form
+from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import Wave
+from quartering.motion.harmonic import checked_harmonics
 
 Floats = NDArray[np.float64]
 LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught")
@@ -170,7 +171,8 @@ def grid(
 
     Raises
     ------
-    InputError    an axis that is empty or not numbers, a wave that breaks, an unknown or impossible loading
+    InputError    an axis that is empty or not numbers, a wave that breaks, an unknown or impossible loading, an unknown form,
+                  harmonics that cannot be
 
     Examples
     --------
@@ -182,6 +184,9 @@ def grid(
     conditions = dict(zip(CONDITION_AXES, (speed, heading, wave_length, wave_height), strict=True))
     own = {name: axis(name, values) for name, values in conditions.items()}
     _check_conditions(own)
+    checked_harmonics(harmonics)
+    if form not in get_args(Form):
+        raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
     extra = {name: axis(name, values) for name, values in axes.items()}
     if "gm" in extra and "kg" in extra:
         raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
