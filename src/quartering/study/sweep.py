@@ -18,10 +18,10 @@ from quartering.study.block_file import counted
 from quartering.study.conditions import warn_outside_database, warn_outside_range
 from quartering.study.dataset import heading_of
 from quartering.study.estimate import timed_block_size
-from quartering.study.executor import computed
+from quartering.study.executor import check_cluster, computed, reached
 from quartering.study.grid import LOADING_AXES, Grid, axis, grid
 from quartering.study.result import in_memory, open_result
-from quartering.study.store import begun_block_size, block_counts, open_store, write_block
+from quartering.study.store import Store, begun_block_size, block_counts, open_store, write_block
 
 __all__ = ["LOADING_AXES", "axis", "evaluated", "fill", "sweep"]
 
@@ -122,10 +122,11 @@ def evaluated(
         return counted(block)
 
     total: Counter[str] = Counter()
-    for _, counts_of_block in computed(wanted, range(len(wanted.blocks)), keep, cluster):
-        total.update(counts_of_block)
-        if told is not None:
-            told(conditions_of(total), total)
+    with reached(cluster) as client:
+        for _, counts_of_block in computed(wanted, range(len(wanted.blocks)), keep, client):
+            total.update(counts_of_block)
+            if told is not None:
+                told(conditions_of(total), total)
     _warn(wanted, total)
     return in_memory(wanted, found, heading_of(wanted.ship, form=wanted.form, harmonics=wanted.harmonics))
 
@@ -152,7 +153,7 @@ def fill(
 
     Raises
     ------
-    InputError        what `open_store` and `write_block` refuse
+    InputError        what `reached`, `open_store` and `write_block` refuse
 
     Notes
     -----
@@ -160,8 +161,14 @@ def fill(
     by the time a condition takes here, and stays with it: the numbers do not depend on it.  Memory holds the blocks being
     worked on and nothing else.
     """
+    check_cluster(cluster)
     wanted = sized(wanted, folder)
-    store = open_store(folder, wanted)
+    with reached(cluster) as client:  # before anything is written
+        return _filled(wanted, open_store(folder, wanted), client, told)
+
+
+def _filled(wanted: Grid, store: Store, client: Any, told: Callable[[int, Counter[str]], None] | None) -> Counter[str]:
+    """Counts of a store's conditions after the missing blocks are computed."""
     missing = store.missing()
     todo = set(missing)
     total: Counter[str] = Counter()
@@ -174,7 +181,7 @@ def fill(
     def keep(index: int, found: dict[str, Any]) -> dict[str, int]:
         return write_block(store, index, found, wanted)
 
-    for _, counts in computed(wanted, _in_turn(wanted, missing), keep, cluster):
+    for _, counts in computed(wanted, _in_turn(wanted, missing), keep, client):
         total.update(counts)
         if told is not None:
             told(conditions_of(total), total)

@@ -16,7 +16,7 @@ from quartering.conventions import InputError
 from quartering.hull.units import quantity
 from quartering.stability.kind import Kind
 from quartering.study.dataset import attributes, heading_of, plain_attributes
-from quartering.study.executor import computed
+from quartering.study.executor import computed, reached
 from quartering.study.grid import LOADING_AXES, Grid
 from quartering.study.result import coordinates_of
 
@@ -91,14 +91,15 @@ def uncertain(
 
     results: list[tuple[slice, Any, Any]] = []
     done = 0
-    for _, counts in computed(drawn, range(len(drawn.blocks)), keep, cluster):
-        while results:
-            points, some_unstable, some_unknown = results.pop()
-            unstable[:, :, points] += some_unstable
-            unknown[:, :, points] += some_unknown
-        done += counts["status 0"]
-        if progress is not None:
-            progress(done, drawn.count)
+    with reached(cluster) as client:
+        for _, counts in computed(drawn, range(len(drawn.blocks)), keep, client):
+            while results:
+                points, some_unstable, some_unknown = results.pop()
+                unstable[:, :, points] += some_unstable
+                unknown[:, :, points] += some_unknown
+            done += counts["status 0"]
+            if progress is not None:
+                progress(done, drawn.count)
     return _dataset(grid, unstable, unknown, draws, dict(zip(names, sigma, strict=True)), seed)
 
 
