@@ -8,8 +8,6 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
-import yaml
-
 from quartering.conventions import InputError
 from quartering.hull.autopilot import ASPECT, Autopilot, Rudder
 from quartering.hull.lines import hull_of
@@ -21,10 +19,10 @@ from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_da
 from quartering.hull.schema import Entry, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, Ship
 from quartering.hull.units import Kind, quantity
+from quartering.hull.yaml_text import read_yaml
 from quartering.names import checked_values
 
 LIBRARY = Path(__file__).parent / "library"
-_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 class ShipEntry(NamedTuple):
@@ -87,7 +85,11 @@ def read_ship(name_or_path: str | Path) -> Ship:
     if text in names:
         return _built_in(text)
     path = Path(text)
-    if not path.is_file():
+    try:
+        there = path.is_file()
+    except OSError:  # no name a file could have
+        there = False
+    if not there:
         raise InputError(f'"{text}" is neither a file nor a built-in ship; {_nearest(text, names)}')
     return _assembled(str(path), _keys(path))
 
@@ -107,18 +109,7 @@ def _built_in(name: str) -> Ship:
 
 
 def _keys(path: Path) -> ShipKeys:
-    try:
-        data = yaml.load(path.read_text(encoding="utf-8"), Loader=_LOADER)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        line = f", line {mark.line + 1}" if mark else ""
-        problem = getattr(error, "problem", None) or "the text is not YAML"
-        raise InputError(f"{path}{line}: {problem}; write `key: value`, indented with spaces") from None
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; give a file you may read") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: not a text file; a ship file is YAML text in UTF-8") from None
-    return checked_keys(str(path), data)
+    return checked_keys(str(path), read_yaml(path))
 
 
 def _assembled(where: str, keys: ShipKeys) -> Ship:

@@ -11,10 +11,9 @@ import math
 from functools import lru_cache
 from pathlib import Path
 
-import yaml
-
 from quartering.conventions import InputError
 from quartering.hull.own_measured import MeasuredFile, file_digest
+from quartering.hull.yaml_text import read_yaml
 from quartering.hydro.manoeuvring import to_si
 from quartering.hydro.measured_file import MeasuredSet, MeasuredTerm, assembled_set, taylor_factor
 from quartering.hydro.term_transfer import moved_terms
@@ -33,8 +32,6 @@ __all__ = [
 LIBRARY = Path(__file__).parent / "library"
 LEAST_FROUDE_NUMBER = 0.1
 """Below this U/sqrt(g L) terms divided by U keep the value they have there: drift angles in waves leave what was tested."""
-
-_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def available_sets() -> tuple[str, ...]:
@@ -100,11 +97,11 @@ def _read_set(file: MeasuredFile) -> MeasuredSet:
     path = Path(file.source)
     if not path.is_file() or file_digest(path) != file.digest:
         raise InputError(f"measured: {path} has changed or gone since the ship was read; read the ship again")
+    data = read_yaml(path)
+    if not isinstance(data, dict):
+        raise InputError(f"{path}: a measured set is a list of keys with values; see the built-in sets for the form")
     try:
-        data = yaml.load(path.read_text(encoding="utf-8"), Loader=_LOADER)
         return assembled_set(path.stem, data)
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: not a YAML text file ({type(error).__name__}); see the built-in sets") from None
     except (KeyError, TypeError, AttributeError, ValueError) as error:
         reason = f"key {error} is missing" if isinstance(error, KeyError) else str(error)
         raise InputError(f"{path}: {reason}; see the built-in sets for the form") from None

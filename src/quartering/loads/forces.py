@@ -27,6 +27,7 @@ from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.relative_motion import relative_motion_diffraction
 from quartering.loads.stations import Stations, stations
+from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Floats, Phasors, Wave, encounter_frequency, folded
 
 if TYPE_CHECKING:
@@ -227,6 +228,10 @@ def wave_forces(
     ------
     InputError    unknown form, negative speed, anything not a number
 
+    Warns
+    -----
+    RangeWarning  what `warn_of_conditions` finds
+
     Notes
     -----
     Time zero is when the surface at G passes its mean level on the way down. Where omega is negative (the ship
@@ -245,6 +250,7 @@ def wave_forces(
         raise InputError(
             f"speed of shape {U.shape} and heading of shape {mu.shape} given; each may be a number or a list"
         )
+    warn_of_conditions(ship, U, wave.length)
     grid_speed, grid_heading = (part.ravel() for part in np.meshgrid(U, mu, indexing="ij"))
     k = np.full(grid_speed.shape, wave.wavenumber)
     pressure, scattered, omega = ship_force_phasors(ship, k, grid_speed, grid_heading, form)

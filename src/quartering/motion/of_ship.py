@@ -12,6 +12,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
+from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table, with_spline
@@ -213,6 +214,10 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
     ------
     InputError    the ship keeps pace with the wave; bad speed or heading
 
+    Warns
+    -----
+    RangeWarning  what `warn_of_conditions` finds
+
     Notes
     -----
     Source: [H71] eqs. (1)-(3), Appendix B.  Valid: deep water, constant speed and coefficients, roll below the vanishing
@@ -225,6 +230,7 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
     >>> round(model.frequency, 3)
     0.369
     """
+    warn_of_conditions(ship, speed, wave.length)
     one = (np.array([wave.wavenumber]), np.array([float(speed)]), np.array([float(heading)]))
     at = ship_system(ship, *one, form=form)
     if at.slow[0]:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from quartering.conventions import InputError
+from quartering.hull.schema import quoted
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
 from quartering.loads.forces import Form
@@ -244,9 +245,11 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
         )
         return place.says(
             keys,
-            f"{path[0]}: {problem['input']!r} is given; did you mean {near[0]!r}? Allowed: {problem['ctx']['expected']}",
+            f"{path[0]}: {quoted(problem['input'])} is given; did you mean {near[0]!r}? Allowed: {problem['ctx']['expected']}",
         )
-    return place.says(keys, f"{', '.join(keys) or 'case'}: {problem['input']!r} is given; {problem['msg'].lower()}")
+    return place.says(
+        keys, f"{', '.join(keys) or 'case'}: {quoted(problem['input'])} is given; {problem['msg'].lower()}"
+    )
 
 
 def _allowed_everywhere() -> set[str]:

@@ -13,6 +13,7 @@ from quartering.hull.righting import righting_polynomial, vanishing_angle, warn_
 from quartering.hull.ship import Ship
 from quartering.hydro.own_moments import own_database
 from quartering.loads.forces import Form
+from quartering.loads.validity import warn_of_conditions
 from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks, steady_motions
@@ -102,6 +103,7 @@ def evaluate(
         done += (parts[i].stop - parts[i].start) * heights
         if progress is not None:
             progress(done, m * heights)
+    warn_of_conditions(ship, speed, wave_length)
     peaks = np.nan_to_num(results["roll_peak"].astype(float))
     warn_of_polynomial(ship, float(peaks.max(initial=0.0)))
     warn_outside_database(ship, int((results["status"] == Status.OUTSIDE_DATABASE).sum()), m * heights)

@@ -130,7 +130,7 @@ def check_cluster(cluster: str | None) -> None:
         return
     _distributed(cluster)
     kind, _, rest = cluster.partition(":")
-    local = kind == "local" and rest.isdigit() and int(rest) > 0
+    local = kind == "local" and rest.isdecimal() and int(rest) > 0
     if not local and not (kind in ("tcp", "tls", "ws", "wss") and rest.startswith("//")):
         raise InputError(
             f'cluster "{cluster}" is not known; give "local:4" or the address of a scheduler, "tcp://host:8786"'

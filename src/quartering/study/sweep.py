@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.loads.validity import warn_of_conditions
 from quartering.motion.status import Status
 from quartering.study.block_file import counted
 from quartering.study.conditions import warn_outside_database, warn_outside_range
@@ -239,5 +240,6 @@ def conditions_of(counts: Counter[str]) -> int:
 
 
 def _warn(wanted: Grid, counts: Counter[str]) -> None:
+    warn_of_conditions(wanted.ship, wanted.axes["speed"], wanted.axes["wave_length"])
     warn_outside_database(wanted.ship, counts[f"status {int(Status.OUTSIDE_DATABASE)}"], wanted.count)
     warn_outside_range(wanted.ship.name, counts["beyond"], righting_polynomial(wanted.ship).max_angle)

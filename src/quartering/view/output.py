@@ -31,14 +31,16 @@ def claim(path: str | Path, endings: Sequence[str]) -> Path:
     target = Path(path)
     if target.suffix.lower() not in endings:
         raise InputError(
-            f'output "{target}": its name must end in {" or ".join(endings)}; try "{target.stem}{endings[0]}"'
+            f'output "{path}": its name must end in {" or ".join(endings)}; try "{target.stem or "my"}{endings[0]}"'
         )
-    if target.is_dir():
-        raise InputError(f'output "{target}" is a folder; give the name of a file in it')
-    if not target.parent.is_dir():
-        raise InputError(f'output "{target}": there is no folder "{target.parent}"; make it first, or write elsewhere')
-    trial = _part(target)
     try:
+        if target.is_dir():
+            raise InputError(f'output "{target}" is a folder; give the name of a file in it')
+        if not target.parent.is_dir():
+            raise InputError(
+                f'output "{target}": there is no folder "{target.parent}"; make it first, or write elsewhere'
+            )
+        trial = _part(target)
         trial.touch()
         trial.unlink()
     except OSError as error:

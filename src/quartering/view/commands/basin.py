@@ -31,7 +31,7 @@ def erode(
 ) -> None:
     """Integrate from a grid of starts in each wave, print what is left of the basin, draw it where asked."""
     one, wave, speed, heading = condition(name, typed)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     limit = min(vanishing_angle(one), 90.0)
     rate = coefficients(one, 0.0, 0.0).roll_frequency * limit
     roll, rates = np.linspace(-limit, limit, _ANGLES), np.linspace(-rate, rate, _RATES)

@@ -47,7 +47,7 @@ def follow_motions(
 ) -> None:
     """Follow the branches, print what happens along them, draw them where asked."""
     one, wave, speed, heading = condition(name, typed)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     ends = _limits(one, wave, over, limits)
     announce_compilation()
     with working("following the motions"):

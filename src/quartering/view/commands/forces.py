@@ -29,7 +29,7 @@ def compare_forms(
     """Print and draw force amplitudes per metre of wave amplitude, and how far the forms are apart."""
     one = ship(name)
     chosen = _chosen(forms, one)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     u = value(speed, "speed", sizes(one), "--speed")
     lengths = values([wave_lengths], "length", sizes(one), "--wave-lengths", 5)
     if PANELS in chosen and u != 0:

@@ -17,7 +17,7 @@ def print_scoreboard(output: str | None, as_json: bool) -> None:
     output : str       page to write (.md), or None
     as_json : bool
     """
-    path = claim_path(output, (".md",)) if output else None
+    path = claim_path(output, (".md",)) if output is not None else None
     announce_compilation()
     with bar("claims", len(CLAIMS)) as report:
         found = scoreboard(report)

@@ -48,7 +48,7 @@ def draw_variation(
 ) -> None:
     """Vary one or two values, print what happens, draw or store it where asked."""
     one = ship(name)
-    path = claim(output, (*PICTURES, ".nc")) if output else None
+    path = claim(output, (*PICTURES, ".nc")) if output is not None else None
     fixed, parameters = _parameters(one, typed, ranges, coefficients)
     chosen: Form = form  # type: ignore[assignment]  # vary refuses an unknown one
     announce_compilation()
