@@ -1,4 +1,4 @@
-"""Where speeds and waves leave what the theory describes: one warning for all conditions of a study."""
+"""Where speeds and waves leave what the theory or a database describes: one warning for all conditions of a study."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import GRAVITY, RangeWarning
+from quartering.hydro.own_moments import own_database
 from quartering.hydro.table import FREQUENCY_RANGE
 
 if TYPE_CHECKING:
@@ -49,15 +50,50 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike, *, 
     if froude > FASTEST:
         warnings.warn(
             f"{ship.name}: a speed of {np.max(speed):g} m/s is Froude number {froude:.3g}; strip theory describes a hull up "
-            f"to about {FASTEST:g} ({FASTEST * np.sqrt(GRAVITY * length):.3g} m/s); is the unit right? 15kn and 0.25Fn are understood",
+            f"to about {FASTEST:g} ({FASTEST * np.sqrt(GRAVITY * length):.3g} m/s); is the unit right? Try 15kn or 0.25Fn",
             RangeWarning,
             stacklevel=stacklevel,
         )
     shortest = float(np.min(wave_length, initial=np.inf))
     if shortest < SHORTEST * beam:
         warnings.warn(
-            f"{ship.name}: a wave of {shortest:.3g} m is shorter than {SHORTEST:.2g} B = {SHORTEST * beam:.3g} m, beyond the "
-            "frequencies of the section coefficients, which keep their last value there; is the unit right? 1L is understood",
+            f"{ship.name}: a wave of {shortest:.3g} m is shorter than {SHORTEST:.3g} B = {SHORTEST * beam:.3g} m, beyond the "
+            "frequencies of the section coefficients, which keep their last value there; is the unit right? Try 1L",
             RangeWarning,
             stacklevel=stacklevel,
+        )
+
+
+def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
+    """Say that some conditions have no answer because the ship's own database does not hold them.
+
+    Parameters
+    ----------
+    ship : Ship
+    outside : int    number of such conditions; nothing is said of none
+    total : int      of all conditions
+
+    Warns
+    -----
+    RangeWarning     how many, and what the database holds
+
+    Notes
+    -----
+    Source: none; a check.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> warn_outside_database(ship("wigley"), 0, 10)
+    """
+    if outside and ship.database is not None:
+        own = own_database(ship.database, ship.loading.density)
+        frequency, heading = own.frequency, own.at.heading
+        headings = f" and headings {heading[0]:g} to {heading[-1]:g} deg" if heading.size else ""
+        warnings.warn(
+            f"{ship.name}: {outside:,} of {total:,} conditions have no answer, outside {ship.database.name}, which holds "
+            f"{frequency[0]:.4g} to {frequency[-1]:.4g} rad/s{headings}; compute it further, or ask for longer waves, less "
+            "speed or other headings",
+            RangeWarning,
+            stacklevel=3,
         )

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Final
 import numpy as np
 import yaml
 from numpy.typing import NDArray
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from quartering.conventions import InputError
 from quartering.hull.schema import quoted
@@ -22,7 +22,7 @@ from quartering.hull.units import Kind
 from quartering.loads.forces import Form
 from quartering.motion.harmonic import checked_harmonics
 from quartering.names import checked_values
-from quartering.study.case_values import range_values, single_value
+from quartering.study.case_values import checked_headings, range_values, single_value
 from quartering.study.grid import CONDITION_AXES, Grid, grid
 
 _KINDS: Final[dict[str, Kind]] = {
@@ -30,8 +30,18 @@ _KINDS: Final[dict[str, Kind]] = {
     "gm": "length", "kg": "length", "gyradius_roll": "length", "gyradius_yaw": "length", "draught": "length",
     "roll_damping": "ratio",
 }  # fmt: skip
+
+
+def _no_switch(given: Any) -> Any:
+    """What was given, refused where YAML reads a word such as yes or off as a switch."""
+    if any(isinstance(item, bool) for item in (given if isinstance(given, list) else [given])):
+        raise ValueError("a number or a text with a unit is wanted, no switch")
+    return given
+
+
 Values = Annotated[
     float | str | list[float | str],
+    BeforeValidator(_no_switch),
     Field(description='a value "8 kn", a list [0, 4, 8], or a range "0..18 kn step 1" or "0.4..2.3 L count 20"'),
 ]
 
@@ -137,6 +147,10 @@ def case_grid(path: str | Path) -> Grid:
     case, place, text = _read(path)
     own = _ship(case.ship, Path(path), place)
     axes = {name: _values(place, (name,), getattr(case, name), _KINDS[name], own) for name in CONDITION_AXES}
+    try:
+        checked_headings(axes["heading"].tolist(), "heading")
+    except InputError as error:
+        raise place.says(("heading",), str(error)) from None
     loading = {
         name: _values(place, ("loading", name), value, _KINDS[name], own)
         for name, value in case.loading

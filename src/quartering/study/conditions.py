@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from quartering.conventions import RangeWarning
 from quartering.hull.righting import righting_polynomial, vanishing_angle, warn_of_polynomial
 from quartering.hull.ship import Ship
-from quartering.hydro.own_moments import own_database
 from quartering.loads.forces import Form
-from quartering.loads.validity import warn_of_conditions
+from quartering.loads.validity import warn_of_conditions, warn_outside_database
 from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks, steady_motions
@@ -209,28 +208,6 @@ def warn_outside_range(name: str, beyond: int, fitted: float) -> None:
         warnings.warn(
             f"{name}: {beyond} conditions roll beyond {fitted:g} deg, where the fit of the righting arm ends;"
             " their size and verdict are extrapolated",
-            RangeWarning,
-            stacklevel=3,
-        )
-
-
-def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
-    """Say that some conditions have no answer because the ship's own database does not hold them.
-
-    Parameters
-    ----------
-    ship : Ship
-    outside : int    number of such conditions; nothing is said of none
-    total : int      of all conditions
-    """
-    if outside and ship.database is not None:
-        own = own_database(ship.database, ship.loading.density)
-        frequency, heading = own.frequency, own.at.heading
-        headings = f" and headings {heading[0]:g} to {heading[-1]:g} deg" if heading.size else ""
-        warnings.warn(
-            f"{ship.name}: {outside:,} of {total:,} conditions have no answer, outside {ship.database.name}, which holds "
-            f"{frequency[0]:.4g} to {frequency[-1]:.4g} rad/s{headings}; compute it further, or ask for longer waves, less "
-            "speed or other headings",
             RangeWarning,
             stacklevel=3,
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -23,6 +24,8 @@ from quartering.motion.harmonic import checked_harmonics
 Floats = NDArray[np.float64]
 LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught")
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
+MOST_CONDITIONS = 1_000_000_000
+"""Largest study: some 300 GB of results."""
 LARGEST_BLOCK, SMALLEST_BLOCK = 16_384, 512
 _BLOCKS_WANTED = 64
 _POINTS_WANTED = 512
@@ -172,7 +175,7 @@ def grid(
     Raises
     ------
     InputError    an axis that is empty or not numbers, a wave that breaks, an unknown or impossible loading, an unknown form,
-                  harmonics that cannot be
+                  harmonics that cannot be, more than `MOST_CONDITIONS`
 
     Examples
     --------
@@ -192,6 +195,7 @@ def grid(
         raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
     if "roll_damping" in extra and ship.roll_method != "fraction":  # every loading replaces the method, so say so
         ship = ship.with_(roll_damping=float(extra["roll_damping"][0]))
+    _check_count({**own, **extra})
     combined = np.array(list(product(*extra.values())), dtype=float).reshape(
         int(np.prod([v.size for v in extra.values()])), len(extra)
     )
@@ -264,6 +268,16 @@ def axis(name: str, values: ArrayLike) -> Floats:
     if not np.isfinite(array).all():
         raise InputError(f"{name} has a value that is not a finite number: {array[~np.isfinite(array)][0]}")
     return array
+
+
+def _check_count(axes: Mapping[str, Floats]) -> None:
+    """Refuse a study nobody can have meant, before memory goes on it."""
+    count = math.prod(values.size for values in axes.values())
+    if count > MOST_CONDITIONS:
+        sizes = ", ".join(f"{values.size:,} of {name}" for name, values in axes.items() if values.size > 1)
+        raise InputError(
+            f"{sizes} make {count:,} conditions; a study takes up to {MOST_CONDITIONS:,}: take fewer values on an axis"
+        )
 
 
 def _check_conditions(axes: Mapping[str, Floats]) -> None:

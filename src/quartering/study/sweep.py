@@ -13,10 +13,10 @@ from numpy.typing import ArrayLike
 from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.loads.validity import warn_of_conditions
+from quartering.loads.validity import warn_of_conditions, warn_outside_database
 from quartering.motion.status import Status
 from quartering.study.block_file import counted
-from quartering.study.conditions import warn_outside_database, warn_outside_range
+from quartering.study.conditions import warn_outside_range
 from quartering.study.dataset import heading_of
 from quartering.study.estimate import timed_block_size
 from quartering.study.executor import check_cluster, computed, reached

@@ -114,8 +114,8 @@ def _spread(ends: Sequence[float], parts: Sequence[str], count: int, text: str, 
         number = parts[2].strip()
         if not number.isdecimal() or not 2 <= int(number) <= MOST_VALUES:
             raise InputError(
-                f'{what} "{text}": the third part of a range is how many values it has, a whole number of 2 or more '
-                f"(from:to:count); {parts[2]!r} given"
+                f'{what} "{text}": the third part of a range is how many values it has, a whole number of 2 or more, '
+                f"up to {MOST_VALUES:,} (from:to:count); {parts[2]!r} given"
             )
         count = int(number)
     if len(parts) > 3:

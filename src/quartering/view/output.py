@@ -50,6 +50,31 @@ def claim(path: str | Path, endings: Sequence[str]) -> Path:
     return target
 
 
+def folder_named(path: str) -> Path:
+    """Path of a folder to write into.
+
+    Parameters
+    ----------
+    path : str
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InputError    an empty name
+
+    Examples
+    --------
+    >>> folder_named("figures").name
+    'figures'
+    """
+    if not path.strip():
+        raise InputError('output "" names no folder; give one, such as results')
+    return Path(path)
+
+
 def write(*files: tuple[Path, Callable[[Path], object]]) -> None:
     """Write files under another name beside their own, and name them only when all are complete.
 

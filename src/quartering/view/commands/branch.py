@@ -11,8 +11,9 @@ from quartering.hull.units import Kind as Quantity
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.stability.kind import Kind
 from quartering.study.branch import branch
+from quartering.study.case_values import checked_headings
 from quartering.study.grid import LOADING_AXES
-from quartering.view.commands.conditions import checked_headings, condition, sizes
+from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, working

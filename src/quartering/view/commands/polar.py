@@ -17,8 +17,9 @@ from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
+from quartering.study.case_values import checked_headings
 from quartering.study.polar import polar
-from quartering.view.commands.conditions import checked_headings, sizes
+from quartering.view.commands.conditions import sizes
 from quartering.view.options import steepness, value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import announce_compilation, bar
@@ -47,7 +48,7 @@ def draw_map(
     """Compute the map, write dataset and picture, print what stands out."""
     one = ship(name)
     units = sizes(one)
-    data = claim(output or f"{stem(name)}-polar.nc", (".nc",))
+    data = claim(f"{stem(name)}-polar.nc" if output is None else output, (".nc",))
     picture = claim(data.with_suffix(".png"), (".png",))
     speed = values(speeds, "speed", units, "--speed", 3)
     mu = checked_headings(values([headings], "angle", units, "--headings", 37), "--headings")

@@ -22,7 +22,7 @@ def print_scoreboard(output: str | None, as_json: bool) -> None:
     with bar("claims", len(CLAIMS)) as report:
         found = scoreboard(report)
     if path is not None:
-        write((path, lambda part: part.write_text(scoreboard_page(found))))
+        write((path, lambda part: part.write_text(scoreboard_page(found), encoding="utf-8")))
     if as_json:
         rows = [
             {"claim": claim.text, "where": claim.where, "answer": finding.answer, "evidence": finding.evidence}

@@ -20,7 +20,7 @@ from quartering.study.progress import failures, progress_line, summary
 from quartering.study.starting_case import starting_case
 from quartering.study.sweep import fill, sized
 from quartering.study.uncertainty import uncertain
-from quartering.view.output import claim, write
+from quartering.view.output import claim, folder_named, write
 from quartering.view.progress import announce_compilation, bar
 from quartering.view.terminal import next_steps, show, show_json, table
 
@@ -48,7 +48,7 @@ def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_
     """Compute what is missing of a case into its folder, and say what was found."""
     check_cluster(cluster)
     wanted = case_grid(case)
-    folder = Path(output or Path(case).with_suffix(""))
+    folder = Path(case).with_suffix("") if output is None else folder_named(output)
     announce_compilation()
     wanted = sized(wanted, folder)
     _before(wanted, folder, yes)
@@ -79,7 +79,7 @@ def run_uncertain(
     """Probability that each condition of a case is unstable, as a dataset."""
     check_cluster(cluster)
     wanted, spread = case_grid(case), uncertainties(typed)
-    target = claim(output or f"{Path(case).stem}-probability.nc", (".nc",))
+    target = claim(f"{Path(case).stem}-probability.nc" if output is None else output, (".nc",))
     announce_compilation()
     found = estimate(wanted)
     check_size(type(found)(wanted.count * draws, found.blocks, found.seconds * draws, 0.0, ()), yes=yes)

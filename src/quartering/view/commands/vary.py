@@ -16,9 +16,10 @@ from quartering.hull.units import Kind as Quantity
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.stability.kind import Kind
+from quartering.study.case_values import checked_headings
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.vary import varied, vary
-from quartering.view.commands.conditions import checked_headings, sizes
+from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import announce_compilation, bar
