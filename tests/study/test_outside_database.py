@@ -14,6 +14,7 @@ from quartering.study.grid import grid
 from quartering.study.progress import failures
 from quartering.study.sweep import fill
 from quartering.view.cli import app
+from quartering.view.plots.polar_map import polar_map
 from tests.loads.own_file import S60, of_strips
 
 HIGHEST, FIRST_HEADING = 1.3, 30.0
@@ -104,3 +105,24 @@ def test_a_map_without_any_answer_is_refused_and_a_speed_without_is_not(ship, tm
     words = ["--headings", "150,180", "--wave-lengths", "60", "--speed", "0,12", "-o", str(tmp_path / "m.nc"), "--json"]
     facts = json.loads(CliRunner().invoke(app, ["polar", str(ship), *words]).stdout)
     assert [speed["worst_roll"] is None for speed in facts["speeds"]] == [False, True]
+
+
+def test_forces_of_the_file_stand_beside_the_others_where_it_holds_them(ship, tmp_path):
+    words = ["--wave-lengths", "30,122", "--speed", "0", "-o", str(tmp_path / "f.png"), "--json"]
+    found = CliRunner().invoke(app, ["forces", str(ship), *words])
+    assert found.exit_code == 0, found.output
+    assert found.stderr.count("outside database narrow.nc") == 1
+    forms = json.loads(found.stdout)["forms"]
+    headings = np.arange(0.0, 181.0, 5.0)
+    short, long = (np.array(forms["database"]["sway"][i], dtype=float) for i in range(2))
+    assert np.isnan(short).all()
+    np.testing.assert_array_equal(np.isnan(long), headings < FIRST_HEADING)
+    assert np.isfinite(np.array(forms["stf"]["sway"], dtype=float)).all()
+    assert (tmp_path / "f.png").stat().st_size > 10_000
+
+
+def test_the_picture_says_why_cells_have_no_answer(ship):
+    with pytest.warns(RangeWarning, match="outside database"):
+        ds = qt.polar(qt.ship(ship), [qt.Wave(float(length), 0.5) for length in LENGTHS], [7.5], HEADINGS)
+    labels = [text.get_text() for text in polar_map(ds).legends[0].get_texts()]
+    assert "no answer: outside database" in labels
