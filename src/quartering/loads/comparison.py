@@ -169,9 +169,11 @@ def _dataset(
         "ratio": ("wave_length", length / ship.hull.length, {"units": "1", "long_name": "wave length over ship length"}),
         "meaning": ("form", [MEANINGS[name] for name in names]),
     }  # fmt: skip
+    references = ["H71", "STF70", *(["Ancellin19"] if PANELS in force else [])]
+    references += [ship.database.reference] if ship.database is not None else []
     return xr.Dataset(fields, coords=coords).assign_attrs(
         axes="body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         ship=ship.name, speed=float(speed), reference_point=REFERENCE_POINT, heading_convention=HEADING_CONVENTION,
         signal="cos cos(|omega| t) + sin sin(|omega| t); at t = 0 the surface at G passes its mean level going down",
-        references="H71, STF70" + (", Ancellin19" if PANELS in force else ""),
+        references=", ".join(dict.fromkeys(references)),
     )  # fmt: skip

@@ -52,7 +52,7 @@ def uncertain(
 
     Raises
     ------
-    InputError        no name, a spread that is not between 0 and 100 %, too few draws, an unknown name
+    InputError        no name, a spread that is not between 0 and 100 %, too few draws, an unknown name, a draw no ship can have
 
     Notes
     -----
@@ -144,8 +144,13 @@ def _drawn(grid: Grid, names: list[str], factors: NDArray[np.float64]) -> Grid:
             )
         columns[name] = columns.get(name, np.full(loadings * count, own)) * np.tile(factors[:, i], loadings)
     drawn = replace(grid, loadings=columns)
-    for i in range(drawn.loading_count):  # a draw that no ship can have is told before the work
-        drawn.loaded(i)
+    for i in range(drawn.loading_count):  # told before the work, not in the middle of it
+        try:
+            drawn.loaded(i)
+        except InputError as error:
+            raise InputError(
+                f"draw {i % count + 1} of {count} is no ship: {error}; or take a smaller uncertainty"
+            ) from None
     return drawn
 
 
