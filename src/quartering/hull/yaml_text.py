@@ -18,6 +18,8 @@ class _Loader(_FAST):  # type: ignore[misc]
     def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[str, Any]:
         lines: dict[str, int] = {}
         for key, _ in node.value:
+            if key.tag == "tag:yaml.org,2002:merge":  # `<<: *other` may stand for keys that are given again
+                continue
             word, line = self.construct_object(key, deep=True), key.start_mark.line + 1
             if not isinstance(word, str):
                 raise yaml.MarkedYAMLError(problem=f"the key {word!r} is no word", problem_mark=key.start_mark)

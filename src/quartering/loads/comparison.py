@@ -30,7 +30,7 @@ MEANINGS: Final[dict[str, str]] = {
 }
 """Form of the wave force -> what it is."""
 MOST_CONDITIONS: Final = 100_000
-"""Largest comparison, wave lengths times headings: some 3 GB at work."""
+"""Largest comparison, wave lengths times headings: some 1 GB at work."""
 
 
 def compare_forces(

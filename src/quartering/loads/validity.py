@@ -21,7 +21,7 @@ SHORTEST: Final = np.pi / FREQUENCY_RANGE[1] ** 2
 """Wave length over beam below which the waves are beyond the frequencies of the section coefficients [1]."""
 
 
-def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike, *, stacklevel: int = 3) -> None:
+def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> None:
     """Say that a speed or a wave of a study is beyond what strip theory describes.
 
     Parameters
@@ -29,7 +29,6 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike, *, 
     ship : Ship
     speed : (n,) float          U [m/s]
     wave_length : (n,) float    [m]
-    stacklevel : int            as in `warnings.warn`
 
     Warns
     -----
@@ -52,7 +51,7 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike, *, 
             f"{ship.name}: a speed of {np.max(speed):g} m/s is Froude number {froude:.3g}; strip theory describes a hull up "
             f"to about {FASTEST:g} ({FASTEST * np.sqrt(GRAVITY * length):.3g} m/s); is the unit right? Try 15kn or 0.25Fn",
             RangeWarning,
-            stacklevel=stacklevel,
+            stacklevel=3,
         )
     shortest = float(np.min(wave_length, initial=np.inf))
     if shortest < SHORTEST * beam:
@@ -60,7 +59,7 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike, *, 
             f"{ship.name}: a wave of {shortest:.3g} m is shorter than {SHORTEST:.3g} B = {SHORTEST * beam:.3g} m, beyond the "
             "frequencies of the section coefficients, which keep their last value there; is the unit right? Try 1L",
             RangeWarning,
-            stacklevel=stacklevel,
+            stacklevel=3,
         )
 
 

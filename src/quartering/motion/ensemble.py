@@ -103,8 +103,8 @@ def capsize_times(
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
     if not 1 <= periods <= MOST_PERIODS or steps < 4:
         raise InputError(
-            f"periods = {periods} and steps = {steps}: give 1 to {MOST_PERIODS:,} periods and at least 4 steps each; 16 periods"
-            " tell most captures from escapes"
+            f"periods = {periods} and steps = {steps}: give 1 to {MOST_PERIODS:,} periods and at least 4 steps each; most"
+            " capsizes come within 16 periods"
         )
     states = np.pad(states, ((0, 0), (0, model.system.states - 4)))
     linear, coefficients, powers, modulus, mean, cos, sin, _ = model.system.kernel_arrays()

@@ -272,7 +272,7 @@ def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") 
 
     Raises
     ------
-    InputError    `harmonics` even, not positive or above 99, `start` unknown
+    InputError    `harmonics` even, not positive or above 199, `start` unknown
 
     Notes
     -----
