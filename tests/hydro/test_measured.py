@@ -356,6 +356,17 @@ def test_a_ship_file_names_a_set_or_a_file_beside_it(tmp_path):
     assert ship(tmp_path / "other.yaml").measured is None
 
 
+def test_a_measured_file_that_changes_is_noticed_and_read_again_with_its_ship(tmp_path):
+    file, text = tmp_path / "mine.yaml", (LIBRARY / "son-nomoto-1982.yaml").read_text()
+    file.write_text(text)
+    first = ship("s175").with_(measured=file)
+    file.write_text(text.replace("Y_v: -0.0116", "Y_v: -0.0232"))
+    with pytest.raises(InputError, match="changed or gone since the ship was read"):
+        coefficients(first, 0.4, 9.0)
+    again = measured_set(ship("s175").with_(measured=file).measured)
+    assert again.printed["Y_v"] == measured_set(str(file)).printed["Y_v"] == -0.0232
+
+
 # Regressions beside the measured sets
 
 

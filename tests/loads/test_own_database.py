@@ -14,24 +14,7 @@ from quartering.hydro.own_moments import own_database
 from quartering.loads.comparison import compare_forces
 from quartering.loads.forces import ship_force_phasors
 from quartering.study.grid import grid
-
-S60 = qt.ship("series60-cb60")
-OMEGA = np.linspace(0.1, 2.2, 43)
-HEADINGS = np.arange(0.0, 181.0, 5.0)
-
-
-def of_strips(ship, omega=OMEGA, headings=HEADINGS, forces=True):
-    """Coefficients and zero-speed wave forces of a ship by strip theory, as a database to write."""
-    k = omega**2 / GRAVITY
-    grid_k, grid_mu = (v.ravel() for v in np.meshgrid(k, headings, indexing="ij"))
-    found = ship_force_phasors(ship, grid_k, np.zeros_like(grid_k), grid_mu)
-    shape = (omega.size, headings.size, 3)
-    parts = {
-        name: (("frequency", "heading", "part", "mode"), np.stack([p.real, -p.imag], axis=1).reshape(*shape[:2], 2, 3))
-        for name, p in zip(("froude_krylov", "diffraction"), found, strict=False)
-    }
-    dataset = qt.hydrodynamics(ship, omega)
-    return dataset.assign(parts).assign_coords(heading=headings, part=["cos", "sin"]) if forces else dataset
+from tests.loads.own_file import OMEGA, S60, of_strips
 
 
 @pytest.fixture(scope="module")

@@ -75,3 +75,19 @@ def test_one_singular_inertia_of_many_is_that_conditions_alone():
         canonical(inertia[1], table, [0.8], np.zeros(3), np.ones(3))
     with pytest.raises(qt.InputError, match="greater than zero"):
         qt.Model(np.eye(3), IDLE, 0.0, (0, 0, 0), (0, 0, 0))
+
+
+@pytest.mark.parametrize("harmonics", [0, -1, 2, 201, 1001, 3.0, True, "3"])
+def test_harmonics_that_cannot_be_are_refused_before_the_work(harmonics, tmp_path):
+    model, ship, wave = escape(0.1), qt.ship("wigley"), qt.Wave(100.0, 1.0)
+    asked = (
+        lambda: qt.steady_motion(model, harmonics),
+        lambda: qt.all_motions(model, harmonics),
+        lambda: qt.polar(ship, wave, [5.0], [60.0], harmonics=harmonics),
+        lambda: qt.sweep(ship, 5.0, 60.0, 100.0, 1.0, harmonics=harmonics, store=tmp_path / "s"),
+        lambda: qt.branch(model, "excitation", limits=(0.9, 1.1), harmonics=harmonics),
+    )
+    for ask in asked:
+        with pytest.raises(qt.InputError, match=r"odd number.* up to 199"):
+            ask()
+    assert list(tmp_path.iterdir()) == []

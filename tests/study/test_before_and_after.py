@@ -236,6 +236,7 @@ def test_what_is_certain_has_probability_zero_or_one():
         ({"K_pppp": 0.1}, 64, "K_ppp"),
         ({"gm": 0.1, "kg": 0.1}, 64, "one follows"),
         ({"gm": 0.1}, 10, "multiple of 8"),
+        ({"kg": "50%"}, 64, r"draw \d+ of 64 is no ship: .* above 0 .*smaller uncertainty"),
     ],
 )
 def test_bad_uncertainties_are_refused(spread, draws, message):

@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -15,13 +16,17 @@ import xarray as xr
 
 import quartering as qt
 from quartering import publish
+from quartering.hydro.database import write_capytaine
+from quartering.hydro.measured import LIBRARY
 from quartering.study import estimate as estimates
 from quartering.study import zarr_store
 from quartering.study.estimate import timed_block_size
 from quartering.study.grid import grid
 from quartering.study.result import open_result
+from quartering.study.store import open_store
 from quartering.study.sweep import fill
 from quartering.study.zarr_store import write_zarr
+from tests.loads.own_file import of_strips
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
@@ -205,6 +210,43 @@ def test_a_changed_case_is_not_mixed_in(stored, changes, message):
     with pytest.raises(qt.InputError, match="another case: ship"):
         qt.sweep(SHIP.with_(gyradius_roll=6.0), **CONDITIONS, store=stored)
     assert _blocks(stored) == before
+
+
+@pytest.mark.parametrize("key", ["measured", "lines", "database"])
+def test_a_file_the_ship_refers_to_counts_with_its_content(key, tmp_path):
+    """The same ship file, the same path beside it, other numbers in it: another case."""
+    (tmp_path / "ship.yaml").write_text(f"name: mine\n{OUTSIDE_FILES[key]}")
+    conditions = {"speed": 5.0, "heading": 60.0, "wave_length": 100.0, "wave_height": 1.0}
+
+    def begin(change):
+        _write_outside_file(key, tmp_path, change)
+        open_store(tmp_path / "s", grid(qt.ship(tmp_path / "ship.yaml"), **conditions))
+
+    begin(1.0)
+    begin(1.0)
+    with pytest.raises(qt.InputError, match="another case: ship there mine"):
+        begin(1.01)
+
+
+OUTSIDE_FILES = {
+    "measured": "base: s175\nmeasured: beside.yaml\n",
+    "database": "base: series60-cb60\ndatabase: beside.nc\n",
+    "lines": "length: 60 m\nbeam: 10 m\ndraught: 4 m\nlines: {file: beside.csv, midship: 0}\n",
+}
+
+
+def _write_outside_file(key, folder, change):
+    """The file a ship refers to, one of its numbers multiplied."""
+    if key == "measured":
+        text = (LIBRARY / "son-nomoto-1982.yaml").read_text()
+        printed = re.search(r"Y_v: *(-[0-9.e-]+)", text)
+        (folder / "beside.yaml").write_text(text.replace(printed[0], f"Y_v: {change * float(printed[1])!r}", 1))
+    elif key == "database":
+        strips = of_strips(SHIP, np.linspace(0.1, 2.0, 12), np.arange(0.0, 181.0, 30.0))
+        write_capytaine(strips.assign(damping=change * strips["damping"]), folder / "beside.nc", SHIP)
+    else:
+        rows = [f"{x},{4.9 * change * (1 - (x / 31) ** 2)},{z}" for x in range(-30, 31, 6) for z in (0, 2, 4, 6)]
+        (folder / "beside.csv").write_text("\n".join(["x,y,z", *rows]) + "\n")
 
 
 def test_another_version_and_a_foreign_or_broken_folder_are_refused(tmp_path):

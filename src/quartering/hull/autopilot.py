@@ -9,6 +9,8 @@ from quartering.conventions import InputError
 
 ASPECT = 1.8
 """Height over chord of a rudder of which nothing is known (assumed)."""
+MOST = {"gain": 100.0, "rate_gain": 1000.0, "lag": 1000.0}
+"""Largest values of an autopilot; those in use are a few units and tens of seconds [1, s, s]."""
 
 
 @dataclass(frozen=True)
@@ -27,7 +29,7 @@ class Autopilot:
 
     Raises
     ------
-    InputError    a value that is negative or not a finite number
+    InputError    a value that is negative, not a finite number, or above `MOST`
 
     Notes
     -----
@@ -50,6 +52,11 @@ class Autopilot:
 
     def __post_init__(self) -> None:
         _checked(self, "autopilot", {"gain": 1.0, "rate_gain": 10.0, "lag": 2.0}, least=True)
+        for key, most in MOST.items():
+            if getattr(self, key) > most:
+                raise InputError(
+                    f"autopilot: {key} = {getattr(self, key):g}; it is at most {most:g}; is the unit right?"
+                )
 
 
 @dataclass(frozen=True)

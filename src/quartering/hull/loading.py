@@ -13,6 +13,8 @@ from quartering.hull.units import quantity
 
 ROLL_DAMPING = 0.05
 """Added roll damping, fraction of critical, when none is given (assumed)."""
+LARGEST_RADIUS = 2.0
+"""Largest radius of gyration over the beam (roll) or the length (yaw): beyond it the mass would lie outside the ship [1]."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +65,8 @@ def reloaded(
 
     Raises
     ------
-    InputError    both gm and kg, GM or a radius not above 0, damping below 0 or above 1
+    InputError    both gm and kg, GM or a radius not above 0, G more than a draught below the keel, a radius above
+                  `LARGEST_RADIUS` of the beam (roll) or length (yaw), damping below 0 or above 1
 
     Notes
     -----
@@ -92,14 +95,20 @@ def reloaded(
             f"{name}: {source}gm = {gm:g} m; the metacentric height must be above 0 (an upright ship that floats stably); "
             f"try 0.05 B = {0.05 * hull.beam:.3g} m"
         )
+    if kg < -hull.draught:
+        raise InputError(
+            f"{name}: gm = {gm:g} m over KM = {km:.3f} m puts G {-kg:.4g} m below the keel, deeper than the ship's draught; is "
+            f"the unit right? try 0.05 B = {0.05 * hull.beam:.3g} m"
+        )
     radii = {
-        "gyradius_roll": (gyradius_roll, 0.35 * hull.beam, "0.35 B"),
-        "gyradius_yaw": (gyradius_yaw, 0.25 * hull.length, "0.25 L"),
+        "gyradius_roll": (gyradius_roll, hull.beam, 0.35, "B"),
+        "gyradius_yaw": (gyradius_yaw, hull.length, 0.25, "L"),
     }
-    for key, (radius, usual, words) in radii.items():
-        if radius is not None and not (math.isfinite(radius) and radius > 0):
+    for key, (radius, size, usual, letter) in radii.items():
+        if radius is not None and not 0 < radius <= LARGEST_RADIUS * size:
             raise InputError(
-                f"{name}: {key} = {radius:g} m; a radius of gyration is above 0; try {words} = {usual:.4g} m"
+                f"{name}: {key} = {radius:g} m; a radius of gyration is above 0 and at most {LARGEST_RADIUS:g} {letter} = "
+                f"{LARGEST_RADIUS * size:.4g} m; try {usual:g} {letter} = {usual * size:.4g} m"
             )
     if roll_damping is None:
         damping = loading.roll_damping

@@ -8,8 +8,6 @@ from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
-import yaml
-
 from quartering.conventions import InputError
 from quartering.hull.autopilot import ASPECT, Autopilot, Rudder
 from quartering.hull.choices import Ends, checked_ends
@@ -17,14 +15,15 @@ from quartering.hull.lines import hull_of
 from quartering.hull.loading_entries import loading_entries, loading_of
 from quartering.hull.offsets import Hull
 from quartering.hull.own_database import Database, database_of
+from quartering.hull.own_measured import MeasuredFile, measured_source
 from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.schema import Entry, ShipKeys, checked_keys
 from quartering.hull.ship import DRAG_COEFFICIENT, Ship
 from quartering.hull.units import Kind, quantity
+from quartering.hull.yaml_text import read_yaml
 from quartering.names import checked_values
 
 LIBRARY = Path(__file__).parent / "library"
-_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 class ShipEntry(NamedTuple):
@@ -87,7 +86,11 @@ def read_ship(name_or_path: str | Path) -> Ship:
     if text in names:
         return _built_in(text)
     path = Path(text)
-    if not path.is_file():
+    try:
+        there = path.is_file()
+    except OSError:  # no name a file could have
+        there = False
+    if not there:
         raise InputError(f'"{text}" is neither a file nor a built-in ship; {_nearest(text, names)}')
     return _assembled(str(path), _keys(path))
 
@@ -107,18 +110,7 @@ def _built_in(name: str) -> Ship:
 
 
 def _keys(path: Path) -> ShipKeys:
-    try:
-        data = yaml.load(path.read_text(encoding="utf-8"), Loader=_LOADER)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        line = f", line {mark.line + 1}" if mark else ""
-        problem = getattr(error, "problem", None) or "the text is not YAML"
-        raise InputError(f"{path}{line}: {problem}; write `key: value`, indented with spaces") from None
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; give a file you may read") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: not a text file; a ship file is YAML text in UTF-8") from None
-    return checked_keys(str(path), data)
+    return checked_keys(str(path), read_yaml(path))
 
 
 def _assembled(where: str, keys: ShipKeys) -> Ship:
@@ -205,14 +197,14 @@ def _bilge_keels(where: str, keys: ShipKeys, base: Ship | None, hull: Hull) -> B
     return checked_bilge_keels(where, hull.length, hull.beam, (one, other))
 
 
-def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | None:
+def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | MeasuredFile | None:
     """Measured set of a ship: a name, or a file seen from the folder of the ship file."""
     if keys.measured is None:
         return base.measured if base else None
     if keys.measured == "none":
         return None
     beside = Path(where).parent / keys.measured
-    return str(beside) if beside.is_file() else keys.measured
+    return measured_source(beside) if beside.is_file() else keys.measured
 
 
 def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:

@@ -20,6 +20,9 @@ _ALLOWED = {
 }
 
 
+_LONGEST_QUOTE = 60
+
+
 def _value(given: Any) -> Any:
     split_quantity(given, "")  # raises when it is not a number, with or without a unit
     return given
@@ -199,7 +202,7 @@ def checked_keys(where: str, data: Any) -> ShipKeys:
 def _sentence(problem: Any, data: dict[str, Any]) -> str:
     """One problem in words."""
     location = [part for part in problem["loc"] if not (isinstance(part, str) and "[" in part)]
-    key, given = _path(location, data), problem["input"]
+    key, given = _path(location, data), quoted(problem["input"])
     kind, context = problem["type"], problem.get("ctx", {})
     if kind == "extra_forbidden":
         allowed = _keys_at(location)
@@ -209,14 +212,26 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     if kind == "missing":
         return f"key `{key}` is missing; keys allowed here: {', '.join(_keys_at(location))}"
     if kind == "literal_error":
-        return f"{key}: {given!r} is given; allowed: {context['expected']}"
+        return f"{key}: {given} is given; allowed: {context['expected']}"
     if kind == "value_error":
         return f"{key}{context['error']}" if str(context["error"]).startswith(":") else f"{key}: {context['error']}"
     if kind in _ALLOWED:
-        return f"{key}: {given!r} is given; allowed: {_ALLOWED[kind]}"
+        return f"{key}: {given} is given; allowed: {_ALLOWED[kind]}"
     if kind in ("model_type", "model_attributes_type", "dict_type"):
-        return f"{key}: {given!r} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}"
-    return f"{key}: {given!r} is given; {problem['msg'].lower()}"
+        return f"{key}: {given} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}"
+    return f"{key}: {given} is given; {problem['msg'].lower()}"
+
+
+def quoted(given: Any) -> str:
+    """What was given as a message repeats it: whole, or its beginning.
+
+    Examples
+    --------
+    >>> quoted("straight"), len(quoted([0.5] * 1000))
+    ("'straight'", 60)
+    """
+    text = repr(given)
+    return text if len(text) <= _LONGEST_QUOTE else f"{text[: _LONGEST_QUOTE - 3]}..."
 
 
 def _path(location: list[Any], data: dict[str, Any]) -> str:

@@ -24,6 +24,7 @@ from quartering.hull.choices import (
 from quartering.hull.loading import Loading, reloaded
 from quartering.hull.offsets import Hull, at_draught
 from quartering.hull.own_database import Database, database_of
+from quartering.hull.own_measured import MeasuredFile, measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.units import quantity
 from quartering.names import checked_values
@@ -54,7 +55,7 @@ class Ship:
     drag_coefficient : float                 of the cross-flow [1]
     velocity_scale : float or None           velocity at which the cross-flow drag is made cubic [m/s]; None: as documented
     provenance : mapping of str to str       for each value: published, derived, assumed or given, and its source
-    measured : str or None                   measured manoeuvring set that replaces regression and cross-flow: name or file
+    measured : str, MeasuredFile or None     measured manoeuvring set that replaces regression and cross-flow: name or file
     autopilot : Autopilot or None            what keeps the course; None: the rudder amidships, as in the paper
     rudder : Rudder or None                  what its lift is estimated from; None: measured with the set, or least by rule
     righting : str                           the righting curve as "polynomial" (odd, to phi^7) or "spline" (through the curve)
@@ -72,7 +73,7 @@ class Ship:
     drag_coefficient: float = DRAG_COEFFICIENT
     velocity_scale: float | None = None
     provenance: Mapping[str, str] = field(default_factory=dict)
-    measured: str | None = None
+    measured: str | MeasuredFile | None = None
     autopilot: Autopilot | None = None
     rudder: Rudder | None = None
     righting: Righting = "polynomial"
@@ -97,7 +98,7 @@ class Ship:
         sections: Sections | None = None,
         ends: Ends | None = None,
         coefficients: Mapping[str, float] | None = None,
-        measured: str | None = None,
+        measured: str | Path | None = None,
         autopilot: Autopilot | Literal["none"] | None = None,
         righting: Righting | None = None,
         bilge_keels: tuple[float | str, float | str] | None = None,
@@ -115,7 +116,7 @@ class Ship:
         sections : str                                 how section coefficients are found: "auto", "lewis" or "close-fit"
         ends : str                                     "strips", or "three-dimensional": with the water's way round them
         coefficients : mapping of str to float         factors by name, times those already there
-        measured : str                                 measured manoeuvring set, by name or file; "none" goes without
+        measured : str or Path                         measured manoeuvring set, by name or file; "none" goes without
         autopilot : Autopilot                          that keeps the course; "none" goes without
         righting : str                                 "polynomial" or "spline"
         bilge_keels : (float or str, float or str)     length and breadth of one of the pair, for "ikeda" [m]; (0, 0): none
@@ -177,7 +178,7 @@ class Ship:
             linear=checked_linear(self.name, linear or self.linear),
             multipliers=_multiplied(self.multipliers, checked_values(self.name, coefficients or {})),
             provenance={**self.provenance, **notes},
-            measured=self.measured if measured is None else None if measured == "none" else measured,
+            measured=self.measured if measured is None else None if measured == "none" else measured_source(measured),
             autopilot=self.autopilot if autopilot is None else None if autopilot == "none" else autopilot,
             righting=checked_righting(self.name, righting or self.righting),
             roll_method=method,

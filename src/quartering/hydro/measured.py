@@ -11,9 +11,9 @@ import math
 from functools import lru_cache
 from pathlib import Path
 
-import yaml
-
 from quartering.conventions import InputError
+from quartering.hull.own_measured import MeasuredFile, file_digest
+from quartering.hull.yaml_text import read_yaml
 from quartering.hydro.manoeuvring import to_si
 from quartering.hydro.measured_file import MeasuredSet, MeasuredTerm, assembled_set, taylor_factor
 from quartering.hydro.term_transfer import moved_terms
@@ -32,8 +32,6 @@ __all__ = [
 LIBRARY = Path(__file__).parent / "library"
 LEAST_FROUDE_NUMBER = 0.1
 """Below this U/sqrt(g L) terms divided by U keep the value they have there: drift angles in waves leave what was tested."""
-
-_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def available_sets() -> tuple[str, ...]:
@@ -55,13 +53,13 @@ def available_sets() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in LIBRARY.glob("*.yaml")))
 
 
-@lru_cache(maxsize=16)
-def measured_set(name_or_path: str) -> MeasuredSet:
+def measured_set(name_or_path: str | Path | MeasuredFile) -> MeasuredSet:
     """A measured set of manoeuvring derivatives, by built-in name or from a file of the same form.
 
     Parameters
     ----------
-    name_or_path : str    "chislett-stroem-tejsen-1965" (Mariner), "son-nomoto-1982" (S-175, with roll),
+    name_or_path : str, Path or MeasuredFile
+                          "chislett-stroem-tejsen-1965" (Mariner), "son-nomoto-1982" (S-175, with roll),
                           "blanke-christensen-1993" (naval vessel, modulus terms), or a YAML file
 
     Returns
@@ -70,7 +68,7 @@ def measured_set(name_or_path: str) -> MeasuredSet:
 
     Raises
     ------
-    InputError    no such set, an unknown key, a name or number that cannot be right
+    InputError    no such set, an unknown key, a name or number that cannot be right; a file changed since its ship was read
 
     Notes
     -----
@@ -82,18 +80,28 @@ def measured_set(name_or_path: str) -> MeasuredSet:
     >>> mariner.printed["Y_r"], round(next(t.value for t in mariner.terms if t.name == "Y_r"), 5)   # -m' was inside
     (-0.00499, 0.00299)
     """
-    built_in = LIBRARY / f"{name_or_path}.yaml"
-    path = built_in if name_or_path in available_sets() else Path(name_or_path)
+    if isinstance(name_or_path, MeasuredFile):
+        return _read_set(name_or_path)
+    path = LIBRARY / f"{name_or_path}.yaml" if str(name_or_path) in available_sets() else Path(name_or_path)
     if not path.is_file():
         raise InputError(
             f'measured: "{name_or_path}" is neither a file nor a built-in set; built in are '
             f"{', '.join(available_sets())}"
         )
+    return _read_set(MeasuredFile(str(path), file_digest(path)))
+
+
+@lru_cache(maxsize=16)
+def _read_set(file: MeasuredFile) -> MeasuredSet:
+    """The set in a file, read once for a content."""
+    path = Path(file.source)
+    if not path.is_file() or file_digest(path) != file.digest:
+        raise InputError(f"measured: {path} has changed or gone since the ship was read; read the ship again")
+    data = read_yaml(path)
+    if not isinstance(data, dict):
+        raise InputError(f"{path}: a measured set is a list of keys with values; see the built-in sets for the form")
     try:
-        data = yaml.load(path.read_text(encoding="utf-8"), Loader=_LOADER)
         return assembled_set(path.stem, data)
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: not a YAML text file ({type(error).__name__}); see the built-in sets") from None
     except (KeyError, TypeError, AttributeError, ValueError) as error:
         reason = f"key {error} is missing" if isinstance(error, KeyError) else str(error)
         raise InputError(f"{path}: {reason}; see the built-in sets for the form") from None

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
@@ -183,18 +184,57 @@ def check_frequencies(ship: Ship, frequency: Floats) -> None:
     """
     if ship.database is None or frequency.size == 0:
         return
+    if frequencies_held(ship, frequency).all():
+        return
     own = own_database(ship.database, ship.loading.density)
     low, high = own.frequency[0], own.frequency[-1]
-    enough = LOWEST * np.sqrt(2 * GRAVITY / ship.hull.beam)
     wanted = float(frequency.max())
     holds = f"{ship.name}: {ship.database.name} holds {low:.4g} to {high:.4g} rad/s"
-    if wanted > high * (1 + 1e-9):
+    if wanted > high:
         raise InputError(
             f"{holds}, and {wanted:.4g} rad/s is asked for (encounter frequency, or that of roll); compute up to there, or ask "
             "for longer waves, less speed or other headings"
         )
-    if low > enough and "zero" not in own.at.limits and frequency.min() < low:
-        raise InputError(
-            f"{holds}, and {float(frequency.min()):.4g} rad/s is asked for; low frequencies are needed for calm water and "
-            f"quartering seas: compute from {enough:.2g} rad/s, or add the limit at zero frequency (WAMIT: period -1)"
-        )
+    raise InputError(
+        f"{holds}, and {float(frequency.min()):.4g} rad/s is asked for; low frequencies are needed for calm water and "
+        f"quartering seas: compute from {_low_enough(ship):.2g} rad/s, or add the limit at zero frequency (WAMIT: period -1)"
+    )
+
+
+def frequencies_held(ship: Ship, frequency: Floats) -> NDArray[np.bool_]:
+    """Which frequencies of oscillation a ship's own database holds; strips hold every one.
+
+    Parameters
+    ----------
+    ship : Ship
+    frequency : (n,) float    of oscillation, >= 0 [rad/s]
+
+    Returns
+    -------
+    (n,) bool                 up to the highest; down to zero where the lowest is low or the file has the limit at zero
+
+    Raises
+    ------
+    InputError                what `own_database` refuses
+
+    Notes
+    -----
+    Source: none; a check.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> frequencies_held(ship("wigley"), np.array([0.0, 99.0])).tolist()
+    [True, True]
+    """
+    if ship.database is None:
+        return np.ones(frequency.shape, dtype=bool)
+    own = own_database(ship.database, ship.loading.density)
+    low, high = own.frequency[0], own.frequency[-1]
+    to_zero = low <= _low_enough(ship) or "zero" in own.at.limits
+    return np.asarray((frequency <= high * (1 + 1e-9)) & (to_zero | (frequency >= low)))
+
+
+def _low_enough(ship: Ship) -> float:
+    """Frequency below which added mass is near its limit at zero [rad/s]."""
+    return float(LOWEST * np.sqrt(2 * GRAVITY / ship.hull.beam))

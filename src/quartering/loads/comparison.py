@@ -13,8 +13,9 @@ from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.moments import section_table
 from quartering.loads.database_forces import database_force_phasors
-from quartering.loads.forces import FORMS, Form, wave_force_phasors
+from quartering.loads.forces import FORMS, Form, conditions_held, wave_force_phasors
 from quartering.loads.stations import stations
+from quartering.loads.validity import warn_of_conditions, warn_outside_database
 from quartering.loads.waves import Floats, Phasors
 
 PRESSURE_ALONE: Final = "froude-krylov"
@@ -28,6 +29,8 @@ MEANINGS: Final[dict[str, str]] = {
     OWN: "the ship's own database at zero speed, with speed terms of strip theory",
 }
 """Form of the wave force -> what it is."""
+MOST_CONDITIONS: Final = 100_000
+"""Largest comparison, wave lengths times headings: some 1 GB at work."""
 
 
 def compare_forces(
@@ -54,11 +57,13 @@ def compare_forces(
                wave amplitude [N/m; N m/m about G]; difference (form, wave_length, heading, mode) and
                largest_difference (form, wave_length, mode): modulus of the difference from "stf", over the largest force
                of "stf" at any heading in that wave and mode [1]; forms "froude-krylov", "paper", "paper-corrected",
-               "relative-motion", "stf", "bem", and "database" for a ship with its own
+               "relative-motion", "stf", "bem", and "database" for a ship with its own (NaN where that does not hold
+               the condition)
 
     Raises
     ------
-    InputError    a wave length not positive, a speed that is negative or, with panels, not zero, panels of other waves
+    InputError    a wave length not positive, a speed that is negative or, with panels, not zero, panels of other waves,
+                  more than `MOST_CONDITIONS`
 
     Notes
     -----
@@ -77,6 +82,12 @@ def compare_forces(
         raise InputError(f"wave_lengths {wave_lengths!r} must be a list of lengths above 0 m")
     if mu.ndim != 1 or np.ndim(speed):
         raise InputError("headings must be one list [deg] and speed one number [m/s]")
+    if length.size * mu.size > MOST_CONDITIONS:
+        raise InputError(
+            f"{length.size:,} wave lengths and {mu.size} headings are {length.size * mu.size:,} conditions; a comparison takes "
+            f"up to {MOST_CONDITIONS:,}: take fewer wave lengths"
+        )
+    warn_of_conditions(ship, speed, length)
     force, omega = _strip_forces(ship, length, mu, speed)
     if ship.database is not None:
         force[OWN] = _own_forces(ship, length, mu, speed)
@@ -100,10 +111,15 @@ def _strip_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> tuple
 
 
 def _own_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> Phasors:
-    """Phasors (n, h, 3) of the ship's own database."""
+    """Phasors (n, h, 3) of the ship's own database, NaN where it does not hold them."""
     k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
-    pressure, scattered, _ = database_force_phasors(ship, k, np.full(k.size, float(speed)), heading)
-    return np.asarray((pressure + scattered).reshape(length.size, mu.size, 3))
+    u = np.full(k.size, float(speed))
+    held = conditions_held(ship, k, u, heading)
+    force = np.full((k.size, 3), np.nan + 0j)
+    if held.any():
+        force[held] = sum(database_force_phasors(ship, k[held], u[held], heading[held])[:2])
+    warn_outside_database(ship, int((~held).sum()), held.size)
+    return force.reshape(length.size, mu.size, 3)
 
 
 def _panel_forces(bem: xr.Dataset, length: Floats, mu: Floats, speed: float) -> Phasors:
@@ -139,7 +155,7 @@ def _dataset(
         "amplitude": ((*where, "mode"), np.abs(phasor), {"units": unit, "symbol": "|Y|, |K|, |N|", "long_name": words}),
         "difference": ((*where, "mode"), share, {"units": "1", "symbol": "", "long_name": over}),
         "largest_difference": (
-            ("form", "wave_length", "mode"), share.max(axis=2),
+            ("form", "wave_length", "mode"), np.fmax.reduce(share, axis=2),
             {"units": "1", "symbol": "", "long_name": f"largest {over}"},
         ),
         "encounter_frequency": (
@@ -153,11 +169,17 @@ def _dataset(
         "ratio": ("wave_length", length / ship.hull.length, {"units": "1", "long_name": "wave length over ship length"}),
         "meaning": ("form", [MEANINGS[name] for name in names]),
     }  # fmt: skip
-    ends = "" if ship.hull.ends == "strips" else ", Morino74"
+    references = [
+        "H71",
+        "STF70",
+        *(["Morino74"] if ship.hull.ends != "strips" else []),
+        *(["Ancellin19"] if PANELS in force else []),
+    ]
+    references += [ship.database.reference] if ship.database is not None else []
     return xr.Dataset(fields, coords=coords).assign_attrs(
         axes="body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         ship=ship.name, speed=float(speed), reference_point=REFERENCE_POINT, heading_convention=HEADING_CONVENTION,
         signal="cos cos(|omega| t) + sin sin(|omega| t); at t = 0 the surface at G passes its mean level going down",
         ends=ship.hull.ends,
-        references="H71, STF70" + ends + (", Ancellin19" if PANELS in force else ""),
+        references=", ".join(dict.fromkeys(references)),
     )  # fmt: skip

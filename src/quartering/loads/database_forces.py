@@ -76,7 +76,7 @@ def database_force_phasors(
     """
     omega = encounter_frequency(np.sqrt(GRAVITY * wavenumber), speed, heading)
     surfaces = _forces(ship)
-    sigma, mu = np.sqrt(GRAVITY * wavenumber), np.abs((heading + 180.0) % 360.0 - 180.0)
+    sigma, mu = _wave(wavenumber, heading)
     _check(ship, sigma, mu)
     port = np.where((heading + 180.0) % 360.0 - 180.0 < 0, -1.0, 1.0)[:, None]
     found = {one.name: port * _about_gravity_centre(ship, one.at(sigma, mu), wavenumber, mu) for one in surfaces}
@@ -168,21 +168,74 @@ def _mirrored(heading: Floats, force: Phasors) -> tuple[Floats, NDArray[np.compl
     return heading, force
 
 
+def waves_held(ship: Ship, wavenumber: Floats, heading: Floats) -> NDArray[np.bool_]:
+    """Which waves a ship's own database holds the forces of; strips hold every one.
+
+    Parameters
+    ----------
+    ship : Ship
+    wavenumber : (n,) float    k > 0 [1/m]
+    heading : (n,) float       mu, any turn [deg]
+
+    Returns
+    -------
+    (n,) bool                  between the lowest and the highest frequency, and the first and the last heading, of the file
+
+    Raises
+    ------
+    InputError                 what `own_database` refuses
+
+    Notes
+    -----
+    Source: none; a check.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> waves_held(ship("wigley"), np.array([0.05]), np.array([30.0])).tolist()
+    [True]
+    """
+    if ship.database is None:
+        return np.ones(wavenumber.shape, dtype=bool)
+    in_frequency, in_heading = _held(ship, *_wave(wavenumber, heading))
+    return in_frequency & in_heading
+
+
+def _wave(wavenumber: Floats, heading: Floats) -> tuple[Floats, Floats]:
+    """Frequency at rest [rad/s] and heading folded to starboard, 0 to 180 [deg]."""
+    return np.sqrt(GRAVITY * wavenumber), np.abs((heading + 180.0) % 360.0 - 180.0)
+
+
+def _held(ship: Ship, sigma: Floats, mu: Floats) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which frequencies and which headings lie within those of the database."""
+    assert ship.database is not None
+    own = own_database(ship.database, ship.loading.density)
+    heading, frequency = own.at.heading, own.frequency
+    if heading.size == 0:
+        return np.ones(sigma.shape, dtype=bool), np.ones(mu.shape, dtype=bool)  # no forces at all: `_surfaces` says so
+    return (
+        (sigma >= frequency[0] * (1 - 1e-9)) & (sigma <= frequency[-1] * (1 + 1e-9)),
+        (mu >= heading[0] - 1e-9) & (mu <= heading[-1] + 1e-9),
+    )
+
+
 def _check(ship: Ship, sigma: Floats, mu: Floats) -> None:
     """Refuse waves and headings the database does not hold."""
     assert ship.database is not None
     own = own_database(ship.database, ship.loading.density)
     heading, frequency = own.at.heading, own.frequency
-    if sigma.size and (sigma.min() < frequency[0] * (1 - 1e-9) or sigma.max() > frequency[-1] * (1 + 1e-9)):
+    in_frequency, in_heading = _held(ship, sigma, mu)
+    if not in_frequency.all():
         short, long = (2 * np.pi * GRAVITY / w**2 for w in (frequency[-1], frequency[0]))
-        worst = sigma.min() if sigma.min() < frequency[0] * (1 - 1e-9) else sigma.max()
+        worst = sigma[~in_frequency][0]
         raise InputError(
             f"{ship.name}: {ship.database.name} holds wave frequencies {frequency[0]:.4g} to {frequency[-1]:.4g} rad/s (waves "
-            f"of {short:.4g} to {long:.4g} m), and {worst:.4g} rad/s ({2 * np.pi * GRAVITY / worst**2:.4g} m) is asked for"
+            f"of {short:.4g} to {long:.4g} m), and {worst:.4g} rad/s ({2 * np.pi * GRAVITY / worst**2:.4g} m) is asked for; "
+            "ask for waves between these, or compute further"
         )
-    if mu.size and (mu.min() < heading[0] - 1e-9 or mu.max() > heading[-1] + 1e-9):
-        worst = mu.min() if mu.min() < heading[0] - 1e-9 else mu.max()
+    if not in_heading.all():
         raise InputError(
-            f"{ship.name}: {ship.database.name} holds headings {heading[0]:g} to {heading[-1]:g} deg, and {worst:g} deg is "
-            "asked for; compute that heading too (0 is a following sea: minus the direction of the file), or leave it out"
+            f"{ship.name}: {ship.database.name} holds headings {heading[0]:g} to {heading[-1]:g} deg, and "
+            f"{mu[~in_heading][0]:g} deg is asked for; compute that heading too (0 is a following sea: minus the direction "
+            "of the file), or leave it out"
         )

@@ -3,7 +3,7 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,6 +18,8 @@ from quartering.threads import in_threads
 
 if TYPE_CHECKING:
     import xarray as xr
+MOST_PERIODS: Final = 10_000
+"""Longest march taken [wave periods]: most ships that capsize do so within tens."""
 
 
 @kernel
@@ -69,7 +71,8 @@ def capsize_times(
 
     Raises
     ------
-    InputError               starts that are not four finite numbers each, periods or steps below 1
+    InputError               starts that are not four finite numbers each, periods below 1 or above `MOST_PERIODS`, fewer than 4
+                             steps
 
     Notes
     -----
@@ -86,8 +89,11 @@ def capsize_times(
     states = np.array(starts, dtype=float)
     if states.ndim != 2 or states.shape[1] != 4 or not np.isfinite(states).all():
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
-    if periods < 1 or steps < 4:
-        raise InputError(f"periods = {periods} and steps = {steps}: give at least 1 period and 4 steps each")
+    if not 1 <= periods <= MOST_PERIODS or steps < 4:
+        raise InputError(
+            f"periods = {periods} and steps = {steps}: give 1 to {MOST_PERIODS:,} periods and at least 4 steps each; most"
+            " capsizes come within 16 periods"
+        )
     rows = -(-len(states) // WIDTH)
     # the last row is filled up with its last start, and all stand abreast: (rows, states, W)
     filled = np.pad(states, ((0, rows * WIDTH - len(states)), (0, 0)), mode="edge")

@@ -3,6 +3,8 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,6 +18,8 @@ from quartering.motion.lockstep import in_step
 from quartering.motion.status import Status
 from quartering.threads import in_threads
 
+MOST_HARMONICS: Final = 199
+"""Highest harmonic taken: the work grows with its cube, 0.6 s a motion here; a righting spline needs 101 for 1e-8."""
 _CONVERGED, _BY_FOLLOWING = int(Status.CONVERGED), int(Status.CONVERGED_BY_FOLLOWING)
 _RUNAWAY = 1e9
 _NO_MOTION, _SINGULAR, _NOT_FINITE = int(Status.NO_MOTION_FOUND), int(Status.SINGULAR), int(Status.NOT_FINITE)
@@ -95,7 +99,7 @@ def orders_for(system: System, harmonics: int) -> tuple[int, ...]:
 
     Raises
     ------
-    InputError    an even or non-positive number
+    InputError    what `checked_harmonics` refuses
 
     Notes
     -----
@@ -111,9 +115,41 @@ def orders_for(system: System, harmonics: int) -> tuple[int, ...]:
     >>> orders_for(Model(np.eye(3), terms, 1.0, (0, 1, 0), (0, 0, 0), force_mean=(0, 0.1, 0)).system, 3)
     (0, 1, 2, 3)
     """
-    if harmonics < 1 or harmonics % 2 == 0:
-        raise InputError(f"harmonics={harmonics}: give an odd number, 1 (the paper's method), 3, 5, 7, ...")
+    checked_harmonics(harmonics)
     return tuple(range(1, harmonics + 1, 2)) if system.symmetric else tuple(range(harmonics + 1))
+
+
+def checked_harmonics(harmonics: int) -> int:
+    """A highest harmonic, refused when it is none.
+
+    Parameters
+    ----------
+    harmonics : int
+
+    Returns
+    -------
+    int    the same
+
+    Raises
+    ------
+    InputError    not a whole number, even, not positive, or above `MOST_HARMONICS`
+
+    Notes
+    -----
+    Source: none; a check.
+
+    Examples
+    --------
+    >>> checked_harmonics(9)
+    9
+    """
+    whole = isinstance(harmonics, int | np.integer) and not isinstance(harmonics, bool)
+    if not whole or not 1 <= harmonics <= MOST_HARMONICS or harmonics % 2 == 0:
+        raise InputError(
+            f"harmonics={harmonics!r}: give an odd number, 1 (the paper's method), 3, 5, 7, .. up to {MOST_HARMONICS}; "
+            "9 is plenty for most motions"
+        )
+    return harmonics
 
 
 def harmonic_balance(

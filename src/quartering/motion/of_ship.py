@@ -12,6 +12,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
+from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table, with_spline
@@ -27,12 +28,14 @@ class ShipSystem:
     system : System                  with the excitation of a wave of 1 m amplitude, at the frequency |omega|
     encounter_frequency : (m,)       omega, negative where the ship overtakes the wave [rad/s]
     slow : (m,) bool                 the ship keeps pace with the wave: no periodic motion
+    outside : (m,) bool              the ship's own database does not hold the condition: its equations are NaN
     coefficients : Coefficients      with their sources
     """
 
     system: System
     encounter_frequency: Floats
     slow: NDArray[np.bool_]
+    outside: NDArray[np.bool_]
     coefficients: Coefficients
 
     def at_amplitude(self, amplitude: Floats) -> System:
@@ -189,7 +192,7 @@ def ship_system(
     frequency = np.where(slow, np.nan, np.abs(omega))
     steering = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
     system = canonical(c.inertia, table, frequency, force.real, -force.imag, linear=linear, **steering)  # type: ignore[arg-type]
-    return ShipSystem(system, omega, slow, c)
+    return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
 
 
 def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form = "stf") -> Model:
@@ -211,6 +214,10 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
     ------
     InputError    the ship keeps pace with the wave; bad speed or heading
 
+    Warns
+    -----
+    RangeWarning  what `warn_of_conditions` finds
+
     Notes
     -----
     Source: [H71] eqs. (1)-(3), Appendix B.  Valid: deep water, constant speed and coefficients, roll below the vanishing
@@ -223,6 +230,7 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
     >>> round(model.frequency, 3)
     0.369
     """
+    warn_of_conditions(ship, speed, wave.length)
     one = (np.array([wave.wavenumber]), np.array([float(speed)]), np.array([float(heading)]))
     at = ship_system(ship, *one, form=form)
     if at.slow[0]:

@@ -40,7 +40,7 @@ def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
 
     Raises
     ------
-    InputError         `harmonics` even or not positive
+    InputError         `harmonics` even, not positive or above 199
 
     Notes
     -----

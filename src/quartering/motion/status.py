@@ -25,6 +25,7 @@ class Status(IntEnum):
     NOT_FINITE = 4
     ENCOUNTER_FREQUENCY_NEAR_ZERO = 5
     BEYOND_VANISHING_ANGLE = 6
+    OUTSIDE_DATABASE = 7
 
     @property
     def ok(self) -> bool:
@@ -51,4 +52,6 @@ _ADVICE = {
     " broaching are possible; change speed or heading",
     Status.BEYOND_VANISHING_ANGLE: "the motion rolls past the angle where the righting moment vanishes: the polynomial"
     " does not describe a ship there; treat as capsize risk and try a lower wave",
+    Status.OUTSIDE_DATABASE: "outside the frequencies or headings of the ship's own database: compute it further, or try"
+    " longer waves, less speed or other headings",
 }

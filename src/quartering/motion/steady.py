@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.motion.equations import Floats, Model, System
-from quartering.motion.harmonic import harmonic_balance, orders_for
+from quartering.motion.harmonic import checked_harmonics, harmonic_balance, orders_for
 from quartering.motion.status import Status
 from quartering.motion.steering import holds_heading
 from quartering.motion.struble import modified_struble
@@ -194,7 +194,7 @@ def steady_motions(
         raise InputError(
             f"start={start!r}: 'linear' (Newton from the linear motion) or 'rest' (raising the wave from nothing)"
         )
-    if harmonics == 1:
+    if checked_harmonics(harmonics) == 1:
         return modified_struble(system, from_rest=start == "rest")
     orders = orders_for(system, harmonics)
     u, status, residual = harmonic_balance(system, orders, from_rest=start == "rest")
@@ -272,7 +272,7 @@ def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") 
 
     Raises
     ------
-    InputError    `harmonics` even or not positive, `start` unknown
+    InputError    `harmonics` even, not positive or above 199, `start` unknown
 
     Notes
     -----

@@ -16,11 +16,13 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from quartering.conventions import InputError
+from quartering.hull.schema import quoted
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
+from quartering.motion.harmonic import checked_harmonics
 from quartering.names import checked_values
 from quartering.study.case_keys import Case, LoadingAxes, Values
-from quartering.study.case_values import range_values, single_value, steepness
+from quartering.study.case_values import checked_headings, range_values, single_value, steepness
 from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid, grid
 
 _KINDS: Final[dict[str, Kind]] = {
@@ -100,6 +102,10 @@ def case_grid(path: str | Path) -> Grid:
     case, place, text = _read(path)
     own = _ship(case.ship, Path(path), place)
     axes = {name: _values(place, (name,), getattr(case, name), _KINDS[name], own) for name in _conditions(case, place)}
+    try:
+        checked_headings(axes["heading"].tolist(), "heading")
+    except InputError as error:
+        raise place.says(("heading",), str(error)) from None
     loading = {
         name: _values(place, ("loading", name), value, _KINDS[name], own)
         for name, value in case.loading
@@ -115,8 +121,10 @@ def case_grid(path: str | Path) -> Grid:
             checked_values(own.name, {name: float(values[0])})
         except InputError as error:
             raise place.says(("coefficients", name), str(error)) from None
-    if case.harmonics % 2 == 0:
-        raise place.says(("harmonics",), f"harmonics: {case.harmonics} is given; allowed: 1, 3, 5, 7, ..")
+    try:
+        checked_harmonics(case.harmonics)
+    except InputError as error:
+        raise place.says(("harmonics",), str(error)) from None
     try:
         made = grid(own, **axes, harmonics=case.harmonics, form=case.form, **loading, **factors)
     except InputError as error:
@@ -218,9 +226,11 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
         )
         return place.says(
             keys,
-            f"{path[0]}: {problem['input']!r} is given; did you mean {near[0]!r}? Allowed: {problem['ctx']['expected']}",
+            f"{path[0]}: {quoted(problem['input'])} is given; did you mean {near[0]!r}? Allowed: {problem['ctx']['expected']}",
         )
-    return place.says(keys, f"{', '.join(keys) or 'case'}: {problem['input']!r} is given; {problem['msg'].lower()}")
+    return place.says(
+        keys, f"{', '.join(keys) or 'case'}: {quoted(problem['input'])} is given; {problem['msg'].lower()}"
+    )
 
 
 def _allowed_everywhere() -> set[str]:

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from quartering.loads.forces import Form
 
+
+def _no_switch(given: Any) -> Any:
+    """What was given, refused where YAML reads a word such as yes or off as a switch."""
+    if any(isinstance(item, bool) for item in (given if isinstance(given, list) else [given])):
+        raise ValueError("a number or a text with a unit is wanted, no switch")
+    return given
+
+
 Values = Annotated[
     float | str | list[float | str],
+    BeforeValidator(_no_switch),
     Field(description='a value "8 kn", a list [0, 4, 8], or a range "0..18 kn step 1" or "0.4..2.3 L count 20"'),
 ]
 

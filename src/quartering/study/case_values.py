@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from difflib import get_close_matches
 from typing import Final
 
@@ -151,3 +152,37 @@ def steepness(given: float | str, what: str) -> float:
         typed = given if isinstance(given, str) else f"{given:g}"
         raise InputError(f'{what} "{typed}": wave height over wave length, above 0 and at most 1/7; try 1/50')
     return found
+
+
+def checked_headings(headings: Sequence[float], what: str) -> Sequence[float]:
+    """Headings [deg] as they are: from 0 to 360, or from -180 to 0 with the wave on the other side.
+
+    Parameters
+    ----------
+    headings : (n,) float    [deg]
+    what : str               option or key, for the message
+
+    Returns
+    -------
+    the same
+
+    Raises
+    ------
+    InputError    one outside, which is more likely a slip than a turn more
+
+    Notes
+    -----
+    Source: the format of the case file.
+
+    Examples
+    --------
+    >>> checked_headings([-60.0, 350.0], "heading")
+    [-60.0, 350.0]
+    """
+    for heading in headings:
+        if not -180.0 <= heading <= 360.0:
+            raise InputError(
+                f"{what} {heading:g} deg: a heading is 0 (following) to 180 (head sea), or up to 360 or down to -180 with"
+                f" the wave on the other side; try {heading % 360.0:g}"
+            )
+    return headings

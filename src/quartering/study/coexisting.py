@@ -44,7 +44,7 @@ def all_motions(model: Model, harmonics: int = 9) -> list[JudgedMotion]:
 
     Raises
     ------
-    InputError              `harmonics` even or not positive
+    InputError              `harmonics` even, not positive or above 199
 
     Notes
     -----

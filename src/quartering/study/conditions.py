@@ -12,7 +12,8 @@ from quartering.conventions import RangeWarning
 from quartering.hull.righting import righting_polynomial, vanishing_angle, warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.motion.of_ship import ShipSystem, ship_system
+from quartering.loads.validity import warn_of_conditions, warn_outside_database
+from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks, steady_motions
 from quartering.stability.ahead import announce_compilation
@@ -92,7 +93,7 @@ def evaluate(
     parts = [slice(start, min(start + rows, m)) for start in range(0, m, rows)]
 
     def block(part: slice) -> dict[str, NDArray[np.generic]]:
-        equations = ship_system(ship, 2 * np.pi / wave_length[part], speed[part], heading[part], form=form)
+        equations = next(systems([ship], 2 * np.pi / wave_length[part], speed[part], heading[part], form))
         found = judged(equations, wave_height[part], harmonics, limit)
         return found | {"encounter_frequency": equations.encounter_frequency}
 
@@ -103,8 +104,10 @@ def evaluate(
         done += (parts[i].stop - parts[i].start) * heights
         if progress is not None:
             progress(done, m * heights)
+    warn_of_conditions(ship, speed, wave_length)
     peaks = np.nan_to_num(results["roll_peak"].astype(float))
     warn_of_polynomial(ship, float(peaks.max(initial=0.0)))
+    warn_outside_database(ship, int((results["status"] == Status.OUTSIDE_DATABASE).sum()), m * heights)
     if ship.righting == "spline":
         return results
     fitted = righting_polynomial(ship).max_angle
@@ -175,6 +178,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     u, orders, status, _ = steady_motions(system, harmonics, start="rest")
     largest = np.degrees(roll_peaks(u, orders))
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
+    status = np.where(np.repeat(equations.outside, height.shape[1]), Status.OUTSIDE_DATABASE, status)
     status = np.where(largest > limit, Status.BEYOND_VANISHING_ANGLE, status).astype(np.int8)
     u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
     result = assess(system, u, orders, ACCURACY, detail="map")

@@ -25,6 +25,8 @@ NEUTRAL: Final = 1e-5
 """A growth rate below this is none: without damping every multiplier of a stable motion lies on the unit circle."""
 
 _POINTS = 3000
+LARGEST: Final = 1e6
+"""Largest coefficient or force: beyond, the cubic of one harmonic has no sound roots [1]."""
 
 
 def duffing_curves(
@@ -80,8 +82,10 @@ def duffing_curves(
 
 
 def _check(beta: float, force: float, damping: float, limits: tuple[float, float]) -> None:
-    if not (np.isfinite([beta, force, damping]).all() and damping >= 0):
-        raise InputError(f"beta {beta}, force {force}, damping {damping}: give finite numbers, a damping of 0 or more")
+    if not (np.abs([beta, force, damping]).max() <= LARGEST and damping >= 0):
+        raise InputError(
+            f"beta {beta:g}, force {force:g}, damping {damping:g}: give numbers up to {LARGEST:g}, a damping of 0 or more"
+        )
     if not (np.isfinite(limits).all() and 0 < limits[0] < limits[1]):
         raise InputError(f"frequencies {limits[0]:g} to {limits[1]:g}: give two rising numbers above 0, such as 0.5:2")
 

@@ -29,7 +29,7 @@ _TRIES = 3
 
 
 def computed(
-    grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts], cluster: str | None = None
+    grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts], client: Any = None
 ) -> Iterator[tuple[int, Counts]]:
     """Compute some blocks of a grid and hand each to `keep`.
 
@@ -38,26 +38,21 @@ def computed(
     grid : Grid
     indices : sequence of int    of the blocks
     keep : function              of index and results: stores them, and returns what they count; called by several threads
-    cluster : str, optional      "local:4" for four worker processes on this machine, "tcp://host:8786" for a dask scheduler;
-                                 by default this process's threads
+    client : optional            connection of `reached`; None: this process's threads
 
     Yields
     ------
     (index, counts)              as blocks are kept, in any order
-
-    Raises
-    ------
-    InputError                   a cluster that cannot be read or reached, or whose extra is not installed
 
     Notes
     -----
     A block is a function of the grid and its index alone, so it gives the same numbers wherever it is computed; one that is
     lost with its worker is computed by another.
     """
-    if cluster is None:
+    if client is None:
         yield from _in_threads(grid, indices, keep)
     else:
-        yield from _on_cluster(grid, indices, keep, cluster)
+        yield from _on_cluster(grid, indices, keep, client)
 
 
 def _in_threads(
@@ -69,28 +64,27 @@ def _in_threads(
 
 
 def _on_cluster(
-    grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts], cluster: str
+    grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts], client: Any
 ) -> Iterator[tuple[int, Counts]]:
     """Blocks by the workers of a dask cluster, a few ahead of what has been kept."""
     prepare_pickling()
     payload = pickle.dumps(grid)
-    with _client(cluster) as client:
-        executor = client.get_executor(retries=_TRIES, pure=False)
-        waiting = list(reversed(indices))
-        pending: dict[Future[Any], int] = {}
-        ahead = _AHEAD * max(1, len(client.scheduler_info()["workers"]))
-        try:
-            while waiting or pending:
-                while waiting and len(pending) < ahead:
-                    index = waiting.pop()
-                    pending[executor.submit(_one_block, payload, index)] = index
-                for done in wait(pending, return_when=FIRST_COMPLETED).done:
-                    index = pending.pop(done)
-                    yield index, keep(index, done.result())
-        finally:
-            for future in pending:
-                future.cancel()
-            executor.shutdown(wait=False)
+    executor = client.get_executor(retries=_TRIES, pure=False)
+    waiting = list(reversed(indices))
+    pending: dict[Future[Any], int] = {}
+    ahead = _AHEAD * max(1, len(client.scheduler_info()["workers"]))
+    try:
+        while waiting or pending:
+            while waiting and len(pending) < ahead:
+                index = waiting.pop()
+                pending[executor.submit(_one_block, payload, index)] = index
+            for done in wait(pending, return_when=FIRST_COMPLETED).done:
+                index = pending.pop(done)
+                yield index, keep(index, done.result())
+    finally:
+        for future in pending:
+            future.cancel()
+        executor.shutdown(wait=False)
 
 
 def prepare_pickling() -> None:
@@ -118,17 +112,56 @@ def _one_block(payload: bytes, index: int) -> Found:
     return alone(lambda i: evaluate_block(_unpacked(payload), i), index)
 
 
-@contextmanager
-def _client(cluster: str) -> Iterator[Any]:
-    """Connection to the cluster a text names; worker processes begun here end here."""
-    try:
-        distributed: Any = import_module("distributed")
-    except ImportError:
-        raise InputError(
-            f'cluster "{cluster}" needs dask.distributed; install it with: pip install "quartering[cluster]"'
-        ) from None
+def check_cluster(cluster: str | None) -> None:
+    """Refuse a cluster whose name cannot be read, or whose extra is not installed.
+
+    Parameters
+    ----------
+    cluster : str or None    "local:4" for four worker processes on this machine, "tcp://host:8786" for a dask scheduler; None
+                             for this process's threads
+
+    Raises
+    ------
+    InputError               another word; dask.distributed is not there
+
+    Examples
+    --------
+    >>> check_cluster(None)
+    """
+    if cluster is None:
+        return
+    _distributed(cluster)
     kind, _, rest = cluster.partition(":")
-    if kind == "local" and rest.isdigit() and int(rest) > 0:
+    local = kind == "local" and rest.isdecimal() and int(rest) > 0
+    if not local and not (kind in ("tcp", "tls", "ws", "wss") and rest.startswith("//")):
+        raise InputError(
+            f'cluster "{cluster}" is not known; give "local:4" or the address of a scheduler, "tcp://host:8786"'
+        )
+
+
+@contextmanager
+def reached(cluster: str | None) -> Iterator[Any]:
+    """Connection to a cluster; worker processes begun here end here.
+
+    Parameters
+    ----------
+    cluster : str or None    as in `check_cluster`
+
+    Yields
+    ------
+    dask client, or None for this process's threads
+
+    Raises
+    ------
+    InputError               what `check_cluster` refuses, a scheduler that does not answer
+    """
+    check_cluster(cluster)
+    if cluster is None:
+        yield None
+        return
+    distributed = _distributed(cluster)
+    kind, _, rest = cluster.partition(":")
+    if kind == "local":
         with (
             distributed.LocalCluster(
                 n_workers=int(rest), threads_per_worker=1, dashboard_address=None, processes=True
@@ -136,14 +169,19 @@ def _client(cluster: str) -> Iterator[Any]:
             distributed.Client(workers) as client,
         ):
             yield client
-    elif kind in ("tcp", "tls", "ws", "wss") and rest.startswith("//"):
-        try:
-            client = distributed.Client(cluster, timeout=10)
-        except (OSError, TimeoutError) as error:
-            raise InputError(f'no dask scheduler answers at "{cluster}" ({error}); is it running?') from None
-        with client:
-            yield client
-    else:
+        return
+    try:
+        client = distributed.Client(cluster, timeout=10)
+    except (OSError, TimeoutError, ValueError) as error:
+        raise InputError(f'no dask scheduler answers at "{cluster}" ({error}); is it running?') from None
+    with client:
+        yield client
+
+
+def _distributed(cluster: str) -> Any:
+    try:
+        return import_module("distributed")
+    except ImportError:
         raise InputError(
-            f'cluster "{cluster}" is not known; give "local:4" or the address of a scheduler, "tcp://host:8786"'
-        )
+            f'cluster "{cluster}" needs dask.distributed; install it with: pip install "quartering[cluster]"'
+        ) from None

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,15 +15,17 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import InputError
 from quartering.digest import fingerprint
 from quartering.hull.ship import Ship
-from quartering.loads.forces import Form
+from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import STEEPEST, Wave
+from quartering.motion.harmonic import checked_harmonics
 from quartering.study.loadings import base_of, loaded
 
 Floats = NDArray[np.float64]
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
 STEEPNESS = "steepness"
 """Axis that may stand in the place of wave_height: H/lambda, the same for all wave lengths."""
-
+MOST_CONDITIONS = 1_000_000_000
+"""Largest study: some 300 GB of results."""
 LARGEST_BLOCK, SMALLEST_BLOCK = 16_384, 512
 _BLOCKS_WANTED = 64
 _POINTS_WANTED = 512
@@ -185,7 +188,7 @@ def grid(
     Raises
     ------
     InputError    an axis that is empty or not numbers, both or neither of wave_height and steepness, a wave that breaks, an
-                  unknown or impossible loading
+                  unknown or impossible loading, an unknown form, harmonics that cannot be, more than `MOST_CONDITIONS`
 
     Examples
     --------
@@ -199,10 +202,14 @@ def grid(
     )
     own = {name: axis(name, values) for name, values in conditions.items()}
     _check_conditions(own)
+    checked_harmonics(harmonics)
+    if form not in get_args(Form):
+        raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
     extra = {name: axis(name, values) for name, values in axes.items()}
     if "gm" in extra and "kg" in extra:
         raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
     ship = base_of(ship, extra)
+    _check_count({**own, **extra})
     combined = np.array(list(product(*extra.values())), dtype=float).reshape(
         int(np.prod([v.size for v in extra.values()])), len(extra)
     )
@@ -253,6 +260,16 @@ def _sea(wave_height: ArrayLike | None, steepness: ArrayLike | None) -> dict[str
     if wave_height is not None:
         return {"wave_height": wave_height}
     raise InputError("wave_height or steepness is missing; give one of the two")
+
+
+def _check_count(axes: Mapping[str, Floats]) -> None:
+    """Refuse a study nobody can have meant, before memory goes on it."""
+    count = math.prod(values.size for values in axes.values())
+    if count > MOST_CONDITIONS:
+        sizes = ", ".join(f"{values.size:,} of {name}" for name, values in axes.items() if values.size > 1)
+        raise InputError(
+            f"{sizes} make {count:,} conditions; a study takes up to {MOST_CONDITIONS:,}: take fewer values on an axis"
+        )
 
 
 def _check_conditions(axes: Mapping[str, Floats]) -> None:

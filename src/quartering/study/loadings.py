@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
+from quartering.hydro.freeroll import free_roll
+from quartering.hydro.own_moments import check_frequencies
 
 KEEL_AXES = ("bilge_keel_length", "bilge_keel_breadth")
 LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught", *KEEL_AXES)
@@ -31,7 +33,7 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     Raises
     ------
     InputError                          what `Ship.with_` refuses, one size of keels the ship does not have, keels beside a
-                                        roll_damping
+                                        roll_damping, a roll frequency the ship's own database does not hold
 
     Examples
     --------
@@ -47,7 +49,7 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     multipliers = {name: value for name, value in values.items() if name not in LOADING_AXES}
     keels = {name: values[name] for name in KEEL_AXES if name in values}
     if not keels:
-        return ship.with_(**own, coefficients=multipliers)  # type: ignore[arg-type]
+        return _known_roll(ship.with_(**own, coefficients=multipliers))  # type: ignore[arg-type]
     if "roll_damping" in own:
         raise InputError(
             "roll_damping as a fraction of critical stands for the bilge keels too, and bilge_keel_length and "
@@ -55,7 +57,15 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
         )
     method = "ikeda" if ship.roll_method == "fraction" else ship.roll_method
     sizes = _keels(ship, keels)
-    return ship.with_(**own, roll_damping=method, bilge_keels=sizes, coefficients=multipliers)  # type: ignore[arg-type]
+    made = ship.with_(**own, roll_damping=method, bilge_keels=sizes, coefficients=multipliers)  # type: ignore[arg-type]
+    return _known_roll(made)
+
+
+def _known_roll(ship: Ship) -> Ship:
+    """The ship, refused where its own database does not reach the frequency it now rolls at."""
+    if ship.database is not None:
+        check_frequencies(ship, np.array([free_roll(ship).frequency]))
+    return ship
 
 
 def _keels(ship: Ship, given: Mapping[str, float]) -> tuple[float, float]:

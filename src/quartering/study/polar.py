@@ -12,6 +12,7 @@ from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
+from quartering.motion.harmonic import checked_harmonics
 from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
 from quartering.study.sweep import axis
@@ -45,7 +46,7 @@ def polar(
 
     Raises
     ------
-    InputError        no wave, two waves of one length, an axis that is empty or not numbers
+    InputError        no wave, two waves of one length, an axis that is empty or not numbers, harmonics that cannot be
 
     Notes
     -----
@@ -58,6 +59,7 @@ def polar(
     >>> ds["roll"].shape, float(ds["roll"].sel(heading=0).item())
     ((1, 3, 1), 0.0)
     """
+    checked_harmonics(harmonics)
     waves = [wave] if isinstance(wave, Wave) else sorted(wave, key=lambda one: one.length)
     lengths = np.array([one.length for one in waves])
     if lengths.size == 0 or (np.diff(lengths) == 0).any():

@@ -144,7 +144,7 @@ def cut(result: xr.Dataset, **where: float) -> xr.Dataset:
 
     Raises
     ------
-    InputError                 a name the result has no values of
+    InputError                 a name the result has no values of, a dataset of something else
 
     Examples
     --------
@@ -154,6 +154,7 @@ def cut(result: xr.Dataset, **where: float) -> xr.Dataset:
     >>> dict(cut(ds, gm=0.8).sizes)["loading"], float(cut(ds, gm=0.8, K_ppp=1.0)["gm"])
     (2, 0.9)
     """
+    _check_result(result)
     dims = result["verdict"].dims
     allowed = [str(n) for n, v in result.coords.items() if v.dims == ("loading",) or (v.dims == (n,) and n in dims)]
     for name, value in where.items():
@@ -244,6 +245,11 @@ def _measured(result: xr.Dataset, by: str) -> xr.DataArray:
     """The variable a measure ranks by."""
     if by not in _OF:
         raise InputError(f'by = "{by}"; allowed are "roll" (largest roll) and "margin" (largest exponent)')
+    _check_result(result)
+    return result[_OF[by]]
+
+
+def _check_result(result: xr.Dataset) -> None:
+    """Refuse a dataset of something else."""
     if not {"roll_peak", "exponent", "verdict"} <= set(result.data_vars):
         raise InputError("this is not the result of a sweep or a polar map: roll_peak, exponent or verdict is missing")
-    return result[_OF[by]]

@@ -8,13 +8,16 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering.conventions import GRAVITY
 from quartering.hull.ship import Ship
-from quartering.loads.forces import Form
+from quartering.loads.forces import Form, conditions_held
+from quartering.loads.waves import encounter_frequency
 from quartering.motion.batch import rows
 from quartering.motion.of_ship import ShipSystem, excitation, ship_system
 
 Floats = NDArray[np.float64]
 Phasors = NDArray[np.complex128]
+Bools = NDArray[np.bool_]
 
 
 def systems(
@@ -31,8 +34,8 @@ def systems(
 
     Yields
     ------
-    ShipSystem    of each ship; forces are found again only where the hull in the water, its density or (for a form other than
-                  "stf") the height of G changes
+    ShipSystem    of each ship, NaN where its own database does not hold the condition; forces are found again only where
+                  the hull in the water, its density or (for a form other than "stf") the height of G changes
 
     Notes
     -----
@@ -46,14 +49,29 @@ def systems(
     >>> [at.slow.tolist() for at in systems(two, np.array([0.05]), np.array([5.0]), np.array([30.0]))]
     [[False], [False]]
     """
-    known: dict[tuple[object, ...], tuple[Phasors, Floats, float]] = {}
+    known: dict[tuple[object, ...], tuple[Phasors, Floats, Bools, float]] = {}
     for ship in ships:
         kg = ship.loading.kg
         key = (id(ship.hull), ship.loading.density, None if form == "stf" else kg)
         if key not in known:
-            known[key] = *excitation(ship, wavenumber, speed, heading, form), kg
-        force, omega, at_kg = known[key]
-        yield ship_system(ship, wavenumber, speed, heading, form, known=(_moved(force, kg - at_kg), omega))
+            known[key] = *_held_excitation(ship, wavenumber, speed, heading, form), kg
+        force, omega, held, at_kg = known[key]
+        # What is not held is solved at zero frequency, which any database holds, and has no answer there.
+        stand_in = (_moved(force, kg - at_kg), np.where(held, omega, 0.0))
+        at = ship_system(ship, wavenumber, speed, heading, form, known=stand_in)
+        yield at if held.all() else replace(at, encounter_frequency=omega, slow=at.slow & held, outside=~held)
+
+
+def _held_excitation(
+    ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form
+) -> tuple[Phasors, Floats, Bools]:
+    """Force per metre of amplitude, NaN where the ship's own database does not hold it; encounter frequency; is it held?"""
+    held = conditions_held(ship, wavenumber, speed, heading, form)
+    omega = encounter_frequency(np.sqrt(GRAVITY * wavenumber), speed, heading)
+    force = np.full((omega.size, 3), np.nan + 0j)
+    if held.any():
+        force[held] = excitation(ship, wavenumber[held], speed[held], heading[held], form)[0]
+    return force, omega, held
 
 
 def _moved(force: Phasors, up: float) -> Phasors:
@@ -89,4 +107,5 @@ def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
         system=rows(equations.system, part),
         encounter_frequency=equations.encounter_frequency[part],
         slow=equations.slow[part],
+        outside=equations.outside[part],
     )

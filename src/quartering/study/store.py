@@ -133,6 +133,7 @@ def read_store(folder: str | Path) -> Store:
     try:
         content = json.loads((path / MANIFEST).read_text())
         layout = content["layout"]
+        whole = layout != LAYOUT or {"case", "blocks", "attributes"} <= set(content)
     except FileNotFoundError:
         raise InputError(f'"{path}" is not the result of a sweep: there is no {MANIFEST} in it') from None
     except (OSError, ValueError, KeyError, TypeError) as error:
@@ -140,6 +141,11 @@ def read_store(folder: str | Path) -> Store:
             f'"{path / MANIFEST}" cannot be read ({error}); the blocks beside it are untouched: put the file back, or'
             " compute into another folder"
         ) from None
+    if not whole:
+        raise InputError(
+            f'"{path / MANIFEST}" lacks a part; the blocks beside it are untouched: put the whole file back, or compute into'
+            " another folder"
+        )
     if layout != LAYOUT:
         raise InputError(
             f'"{path}" was written in layout {layout} by quartering {content.get("version")}; this is quartering'

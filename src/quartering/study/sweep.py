@@ -13,15 +13,17 @@ from numpy.typing import ArrayLike
 from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.loads.validity import warn_of_conditions, warn_outside_database
+from quartering.motion.status import Status
 from quartering.study.block_file import counted
 from quartering.study.conditions import warn_outside_range
 from quartering.study.dataset import heading_of
 from quartering.study.estimate import timed_block_size
-from quartering.study.executor import computed
+from quartering.study.executor import check_cluster, computed, reached
 from quartering.study.grid import Grid, axis, grid
 from quartering.study.loadings import LOADING_AXES
 from quartering.study.result import in_memory, open_result
-from quartering.study.store import begun_block_size, block_counts, open_store, write_block
+from quartering.study.store import Store, begun_block_size, block_counts, open_store, write_block
 
 __all__ = ["LOADING_AXES", "axis", "evaluated", "fill", "sweep"]
 
@@ -93,7 +95,7 @@ def sweep(
 
     if store is not None:
         counts = fill(wanted, store, cluster=cluster, told=told)
-        _warn(wanted, counts["beyond"])
+        _warn(wanted, counts)
         return open_result(store)
     return evaluated(wanted, cluster=cluster, told=told)
 
@@ -128,11 +130,12 @@ def evaluated(
         return counted(block)
 
     total: Counter[str] = Counter()
-    for _, counts_of_block in computed(wanted, range(len(wanted.blocks)), keep, cluster):
-        total.update(counts_of_block)
-        if told is not None:
-            told(conditions_of(total), total)
-    _warn(wanted, total["beyond"])
+    with reached(cluster) as client:
+        for _, counts_of_block in computed(wanted, range(len(wanted.blocks)), keep, client):
+            total.update(counts_of_block)
+            if told is not None:
+                told(conditions_of(total), total)
+    _warn(wanted, total)
     return in_memory(wanted, found, heading_of(wanted.ship, form=wanted.form, harmonics=wanted.harmonics))
 
 
@@ -158,7 +161,7 @@ def fill(
 
     Raises
     ------
-    InputError        what `open_store` and `write_block` refuse
+    InputError        what `reached`, `open_store` and `write_block` refuse
 
     Notes
     -----
@@ -166,8 +169,14 @@ def fill(
     by the time a condition takes here, and stays with it: the numbers do not depend on it.  Memory holds the blocks being
     worked on and nothing else.
     """
+    check_cluster(cluster)
     wanted = sized(wanted, folder)
-    store = open_store(folder, wanted)
+    with reached(cluster) as client:  # before anything is written
+        return _filled(wanted, open_store(folder, wanted), client, told)
+
+
+def _filled(wanted: Grid, store: Store, client: Any, told: Callable[[int, Counter[str]], None] | None) -> Counter[str]:
+    """Counts of a store's conditions after the missing blocks are computed."""
     missing = store.missing()
     todo = set(missing)
     total: Counter[str] = Counter()
@@ -180,7 +189,7 @@ def fill(
     def keep(index: int, found: dict[str, Any]) -> dict[str, int]:
         return write_block(store, index, found, wanted)
 
-    for _, counts in computed(wanted, _in_turn(wanted, missing), keep, cluster):
+    for _, counts in computed(wanted, _in_turn(wanted, missing), keep, client):
         total.update(counts)
         if told is not None:
             told(conditions_of(total), total)
@@ -237,5 +246,7 @@ def conditions_of(counts: Counter[str]) -> int:
     return sum(number for key, number in counts.items() if key.startswith("status "))
 
 
-def _warn(wanted: Grid, beyond: int) -> None:
-    warn_outside_range(wanted.ship.name, beyond, righting_polynomial(wanted.ship).max_angle)
+def _warn(wanted: Grid, counts: Counter[str]) -> None:
+    warn_of_conditions(wanted.ship, wanted.axes["speed"], wanted.axes["wave_length"])
+    warn_outside_database(wanted.ship, counts[f"status {int(Status.OUTSIDE_DATABASE)}"], wanted.count)
+    warn_outside_range(wanted.ship.name, counts["beyond"], righting_polynomial(wanted.ship).max_angle)

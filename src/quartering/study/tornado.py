@@ -17,6 +17,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
+from quartering.motion.equations import Model
 from quartering.motion.of_ship import equations
 from quartering.names import canonical
 from quartering.study.dataset import attributes, heading_of
@@ -72,7 +73,8 @@ def tornado(
 
     Raises
     ------
-    InputError                           a change not between 0 and 1, an unknown parameter, no motion in this condition
+    InputError                           a change not between 0 and 1, an unknown parameter, no motion in this condition, what
+                                         `equations` refuses
 
     Notes
     -----
@@ -88,7 +90,7 @@ def tornado(
     """
     if not 0 < change < 1:
         raise InputError(f"change = {change:g}; give a relative change above 0 and below 1, such as 0.1")
-    own = _own_values(ship, wave, speed, heading, parameters)
+    own = _own_values(ship, equations(ship, wave, speed, heading), parameters)
     one = grid(ship, speed, heading, wave.length, wave.height, harmonics=harmonics, form=form)
     probes = np.geomspace(1.0, REACH, _STEPS + 1)[1:]
     factors = np.concatenate([[1 - change, 1 + change], 1 / probes[::-1], [1.0], probes])
@@ -106,13 +108,10 @@ def tornado(
     return _sorted(_dataset(about, own, change, {k: v[:, :2] for k, v in results.items()}, flips, base))
 
 
-def _own_values(
-    ship: Ship, wave: Wave, speed: float, heading: float, parameters: Sequence[str] | None
-) -> dict[str, float]:
+def _own_values(ship: Ship, model: Model, parameters: Sequence[str] | None) -> dict[str, float]:
     """Present value of each parameter, 1 for coefficients; those that are zero cannot be changed by a share."""
     if parameters is None:
-        terms = equations(ship, wave, speed, heading).terms
-        parameters = (*LOADING, *(name for name, value in terms.items() if value != 0.0 and name != "K_phi"))
+        parameters = (*LOADING, *(name for name, value in model.terms.items() if value != 0.0 and name != "K_phi"))
     names = [name if name in LOADING_AXES else canonical(name) for name in parameters]
     if "draught" in names:
         raise InputError('"draught" is another hull in the water; vary it with quartering.vary')

@@ -16,7 +16,7 @@ from quartering.conventions import InputError
 from quartering.hull.units import quantity
 from quartering.stability.kind import Kind
 from quartering.study.dataset import attributes, heading_of, plain_attributes
-from quartering.study.executor import computed
+from quartering.study.executor import computed, reached
 from quartering.study.grid import Grid
 from quartering.study.loadings import own_value
 from quartering.study.result import coordinates_of
@@ -53,7 +53,7 @@ def uncertain(
 
     Raises
     ------
-    InputError        no name, a spread that is not between 0 and 100 %, too few draws, an unknown name
+    InputError        no name, a spread that is not between 0 and 100 %, too few draws, an unknown name, a draw no ship can have
 
     Notes
     -----
@@ -92,14 +92,15 @@ def uncertain(
 
     results: list[tuple[slice, Any, Any]] = []
     done = 0
-    for _, counts in computed(drawn, range(len(drawn.blocks)), keep, cluster):
-        while results:
-            points, some_unstable, some_unknown = results.pop()
-            unstable[:, :, points] += some_unstable
-            unknown[:, :, points] += some_unknown
-        done += counts["status 0"]
-        if progress is not None:
-            progress(done, drawn.count)
+    with reached(cluster) as client:
+        for _, counts in computed(drawn, range(len(drawn.blocks)), keep, client):
+            while results:
+                points, some_unstable, some_unknown = results.pop()
+                unstable[:, :, points] += some_unstable
+                unknown[:, :, points] += some_unknown
+            done += counts["status 0"]
+            if progress is not None:
+                progress(done, drawn.count)
     return _dataset(grid, unstable, unknown, draws, dict(zip(names, sigma, strict=True)), seed)
 
 
@@ -142,7 +143,13 @@ def _drawn(grid: Grid, names: list[str], factors: NDArray[np.float64]) -> Grid:
             )
         columns[name] = columns.get(name, np.full(loadings * count, own)) * np.tile(factors[:, i], loadings)
     drawn = replace(grid, loadings=columns)
-    drawn.loaded(0)
+    for i in range(drawn.loading_count):  # told before the work, not in the middle of it
+        try:
+            drawn.loaded(i)
+        except InputError as error:
+            raise InputError(
+                f"draw {i % count + 1} of {count} is no ship: {error}; or take a smaller uncertainty"
+            ) from None
     return drawn
 
 

@@ -13,7 +13,7 @@ Heading = Annotated[str, typer.Option(help="Heading [deg]: 0 following, 90 beam,
 Speed = Annotated[str, typer.Option(help="Speed: 7.5 [m/s], 15kn or 0.25Fn.")]
 WaveLength = Annotated[str, typer.Option(help="Wave length: 150 [m] or 1.0L.")]
 WaveHeight = Annotated[str, typer.Option(help="Wave height, crest to trough: 4 [m].")]
-Harmonics = Annotated[int, typer.Option(help="1: the paper's method; 3, 5, 7, ..: harmonic balance to that order.")]
+Harmonics = Annotated[int, typer.Option(help="1: the paper's method; 3, 5, 7, .. 199: harmonic balance to that order.")]
 Autopilot = Annotated[
     str | None,
     typer.Option(

@@ -37,7 +37,7 @@ def figures(
             return
         from quartering.view.commands.figures import draw_figures
 
-        draw_figures(numbers or [], output or "figures", kind or ["png"], points, json)
+        draw_figures(numbers or [], "figures" if output is None else output, kind or ["png"], points, json)
 
 
 def duffing(

@@ -101,7 +101,7 @@ def sweep(
         from quartering.view.commands.sweep import run_sweep, run_uncertain
 
         if uncertainty is not None:
-            run_uncertain(case, uncertainty, draws, output, yes, json)
+            run_uncertain(case, uncertainty, draws, output, cluster, yes, json)
         else:
             run_sweep(case, output, cluster, yes, json)
 

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from quartering.conventions import InputError
+from quartering.conventions import InputError, RangeWarning
 from quartering.hull.units import Kind, quantity, split_quantity
 
 MOST_VALUES = 100_000
 """Largest number of values one option may stand for."""
+_HARDLY_MOVING = 0.02
+"""Froude number below which a speed typed without a unit is doubted [1]."""
 
 
 class Sizes(NamedTuple):
@@ -38,12 +41,22 @@ def value(text: str, kind: Kind, sizes: Sizes, what: str) -> float:
     ------
     InputError    not a number, not finite, a unit this kind does not have
 
+    Warns
+    -----
+    RangeWarning  a speed without a unit so small that a Froude number may be meant
+
     Examples
     --------
     >>> value("1.5L", "length", Sizes(100.0, 20.0, 5.0), "--wave-length")
     150.0
     """
-    return quantity(text, kind, **sizes._asdict(), what=what)
+    found = quantity(text, kind, **sizes._asdict(), what=what)
+    if kind == "speed" and sizes.length > 0 and not split_quantity(text)[1]:
+        froude = found / quantity("1 Fn", "speed", length=sizes.length)
+        if 0 < froude < _HARDLY_MOVING:
+            message = f"{what} {text} is {found:g} m/s, Froude number {froude:.2g}; a Froude number is written 0.25Fn"
+            warnings.warn(message, RangeWarning, stacklevel=2)
+    return found
 
 
 def values(texts: Sequence[str], kind: Kind, sizes: Sizes, what: str, count: int) -> list[float]:
@@ -100,8 +113,8 @@ def _spread(ends: Sequence[float], parts: Sequence[str], count: int, text: str, 
         number = parts[2].strip()
         if not number.isdecimal() or not 2 <= int(number) <= MOST_VALUES:
             raise InputError(
-                f'{what} "{text}": the third part of a range is how many values it has, a whole number of 2 or more '
-                f"(from:to:count); {parts[2]!r} given"
+                f'{what} "{text}": the third part of a range is how many values it has, a whole number of 2 or more, '
+                f"up to {MOST_VALUES:,} (from:to:count); {parts[2]!r} given"
             )
         count = int(number)
     if len(parts) > 3:

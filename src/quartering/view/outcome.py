@@ -20,7 +20,7 @@ def answering() -> Iterator[None]:
 
     Raises
     ------
-    typer.Exit    2 after an InputError, 130 after Ctrl-C
+    typer.Exit    2 after an InputError or a refusal of the system, 130 after Ctrl-C
     """
     said: set[str] = set()
 
@@ -39,6 +39,10 @@ def answering() -> Iterator[None]:
             yield
         except InputError as error:
             typer.echo(f"quartering: {error}", err=True)
+            raise typer.Exit(BAD_INPUT) from None
+        except OSError as error:
+            where = f'"{error.filename}": ' if error.filename else ""
+            typer.echo(f"quartering: {where}{error.strerror or error}; try another file or folder", err=True)
             raise typer.Exit(BAD_INPUT) from None
         except KeyboardInterrupt:
             typer.echo("quartering: interrupted; nothing was written", err=True)

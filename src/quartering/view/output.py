@@ -31,14 +31,16 @@ def claim(path: str | Path, endings: Sequence[str]) -> Path:
     target = Path(path)
     if target.suffix.lower() not in endings:
         raise InputError(
-            f'output "{target}": its name must end in {" or ".join(endings)}; try "{target.stem}{endings[0]}"'
+            f'output "{path}": its name must end in {" or ".join(endings)}; try "{target.stem or "my"}{endings[0]}"'
         )
-    if target.is_dir():
-        raise InputError(f'output "{target}" is a folder; give the name of a file in it')
-    if not target.parent.is_dir():
-        raise InputError(f'output "{target}": there is no folder "{target.parent}"; make it first, or write elsewhere')
-    trial = _part(target)
     try:
+        if target.is_dir():
+            raise InputError(f'output "{target}" is a folder; give the name of a file in it')
+        if not target.parent.is_dir():
+            raise InputError(
+                f'output "{target}": there is no folder "{target.parent}"; make it first, or write elsewhere'
+            )
+        trial = _part(target)
         trial.touch()
         trial.unlink()
     except OSError as error:
@@ -46,6 +48,31 @@ def claim(path: str | Path, endings: Sequence[str]) -> Path:
             f'output "{target}" cannot be written ({error.strerror}); give a file in a folder you may write to'
         ) from None
     return target
+
+
+def folder_named(path: str) -> Path:
+    """Path of a folder to write into.
+
+    Parameters
+    ----------
+    path : str
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InputError    an empty name
+
+    Examples
+    --------
+    >>> folder_named("figures").name
+    'figures'
+    """
+    if not path.strip():
+        raise InputError('output "" names no folder; give one, such as results')
+    return Path(path)
 
 
 def write(*files: tuple[Path, Callable[[Path], object]]) -> None:

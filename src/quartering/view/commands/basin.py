@@ -7,6 +7,7 @@ import math
 import numpy as np
 from rich.table import Table
 
+from quartering.conventions import InputError
 from quartering.hull.righting import vanishing_angle
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.waves import STEEPEST, Wave
@@ -20,7 +21,7 @@ from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import ship_notes, speed_words
 
-_ANGLES, _RATES, _HEIGHTS = 61, 49, 9
+_ANGLES, _RATES, _HEIGHTS, _MOST_HEIGHTS = 61, 49, 9, 200
 
 
 def erode(
@@ -33,12 +34,16 @@ def erode(
 ) -> None:
     """Integrate from a grid of starts in each wave, print what is left of the basin, draw it where asked."""
     one, wave, speed, heading = condition(name, typed)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     limit = min(vanishing_angle(one), 90.0)
     rate = coefficients(one, 0.0, 0.0).roll_frequency * limit
     roll, rates = np.linspace(-limit, limit, _ANGLES), np.linspace(-rate, rate, _RATES)
     top = min(2.0 * wave.height, 0.999 * STEEPEST * wave.length)
     chosen = [0.0, *values([heights or f"0:{top}"], "length", sizes(one), "--wave-heights", _HEIGHTS)]
+    if len(chosen) > _MOST_HEIGHTS:
+        raise InputError(
+            f'--wave-heights "{heights}": {len(chosen):,} heights, each with a basin of its own; give up to {_MOST_HEIGHTS}'
+        )
     announce_compilation()
     waves = [Wave(wave.length, height) for height in sorted({*chosen, wave.height})]
     maps = []

@@ -12,8 +12,9 @@ from quartering.loads.waves import STEEPEST, Wave
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.branch import branch
+from quartering.study.case_values import checked_headings
 from quartering.study.loadings import LOADING_AXES
-from quartering.view.commands.conditions import checked_headings, condition, sizes
+from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import working
@@ -48,7 +49,7 @@ def follow_motions(
 ) -> None:
     """Follow the branches, print what happens along them, draw them where asked."""
     one, wave, speed, heading = condition(name, typed)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     ends = _limits(one, wave, over, limits)
     announce_compilation()
     with working("following the motions"):

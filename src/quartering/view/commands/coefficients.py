@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from quartering.hull.ship import ship
 from quartering.hydro.coefficients import coefficients
+from quartering.loads.validity import warn_of_conditions
 from quartering.view.commands.conditions import sizes
 from quartering.view.options import value
 from quartering.view.terminal import next_steps, show, show_json, table
@@ -14,6 +15,7 @@ def list_coefficients(name: str, speed: str, frequency: str | None, as_json: boo
     """Print the table of coefficients at one speed and encounter frequency."""
     one = ship(name)
     u = value(speed, "speed", sizes(one), "--speed")
+    warn_of_conditions(one, u, [])
     w = coefficients(one, 0.0, u).roll_frequency
     if frequency is not None:
         w = value(frequency, "ratio", sizes(one), "--frequency")

@@ -9,6 +9,7 @@ from quartering.hull.autopilot import Autopilot
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
 from quartering.loads.waves import Wave
+from quartering.study.case_values import checked_headings
 from quartering.view.options import Sizes, value
 
 
@@ -32,22 +33,6 @@ def autopilot_of(text: str) -> Autopilot | Literal["none"]:
         raise InputError(f'--autopilot "{text}": at most three values, gain, rate gain [s], lag [s]; try 1,10s,2s')
     nothing = Sizes(0.0, 0.0, 0.0)
     return Autopilot(*(value(part, kind, nothing, "--autopilot") for part, kind in zip(parts, kinds, strict=False)))
-
-
-def checked_headings(headings: list[float], option: str) -> list[float]:
-    """Headings [deg] as they are: from 0 to 360, or from -180 to 0 with the wave on the other side.
-
-    Raises
-    ------
-    InputError    one outside, which is more likely a slip than a turn more
-    """
-    for heading in headings:
-        if not -180.0 <= heading <= 360.0:
-            raise InputError(
-                f"{option} {heading:g} deg: a heading is 0 (following) to 180 (head sea), or up to 360 or down to -180 with"
-                f" the wave on the other side; try {heading % 360.0:g}"
-            )
-    return headings
 
 
 def condition(

@@ -25,7 +25,7 @@ def compare_formulas(equation: tuple[str, str, str], frequency: str, output: str
         for text, name in zip(equation, ("--beta", "--force", "--damping"), strict=True)
     )
     frequencies = _frequencies(frequency)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     announce_compilation()
     rows = [row for w in frequencies for row in duffing_table(beta, force, w, damping)]
     low, high = frequencies[0], frequencies[-1]

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from quartering.conventions import InputError
 from quartering.stability.ahead import announce_compilation
 from quartering.study.paper.points import Point, read_points
-from quartering.view.output import PICTURES, claim, write
+from quartering.view.output import PICTURES, claim, folder_named, write
 from quartering.view.plots import style
 from quartering.view.plots.paper_figures import FIGURES, draw_figure
 from quartering.view.plots.paper_points import draw_points
@@ -26,7 +26,7 @@ def draw_figures(numbers: Sequence[str], output: str, kinds: Sequence[str], poin
     wanted = chosen(numbers)
     endings = [_ending(kind) for kind in kinds]
     given = read_points(points, list(FIGURES)) if points is not None else {}
-    folder = Path(output)
+    folder = folder_named(output)
     if folder.exists() and not folder.is_dir():
         raise InputError(f'output "{folder}" is a file; give a folder for the figures, such as figures')
     announce_compilation()

@@ -28,7 +28,7 @@ def compare_forms(
     """Print and draw force amplitudes per metre of wave amplitude, and how far the forms are apart."""
     one = ship(name)
     chosen = _chosen(forms, one)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     u = value(speed, "speed", sizes(one), "--speed")
     lengths = values([wave_lengths], "length", sizes(one), "--wave-lengths", 5)
     if PANELS in chosen and u != 0:
@@ -83,9 +83,12 @@ def _by_wave(compared: xr.Dataset, title: str) -> Table:
     for mode, unit in _UNITS.items():
         largest = compared["amplitude"].sel(mode=mode).max("heading").transpose("wave_length", "form").to_numpy()
         apart = compared["largest_difference"].sel(mode=mode).transpose("wave_length", "form").to_numpy()
-        scale, prefix = metric_prefix(float(largest.max()))
+        scale, prefix = metric_prefix(float(np.nanmax(largest)))
         columns += [f"{mode} [{prefix}{unit}]", f"from {MEASURE}"]
-        cells += [[[f"{v / scale:.4g}" for v in row] for row in largest], [[f"{v:.1%}" for v in row] for row in apart]]
+        cells += [
+            [["none" if np.isnan(v) else f"{v / scale:.4g}" for v in row] for row in largest],
+            [["none" if np.isnan(v) else f"{v:.1%}" for v in row] for row in apart],
+        ]
     rows = [
         (f"{ratio:.3g}", str(form), *(column[i][j] for column in cells))
         for i, ratio in enumerate(compared["ratio"].to_numpy())

@@ -39,7 +39,7 @@ _NEUTRAL = 1e-9
 def describe_hull(name: str, output: str | None, as_json: bool) -> None:
     """Print hydrostatics, loading, righting arm and calm-water exponents; draw the hull where asked."""
     one = ship(name)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     floats, fit = hydrostatics(one), righting_polynomial(one)
     angles = np.linspace(0.0, 60.0, 61)
     arms = righting_arm(one, angles)

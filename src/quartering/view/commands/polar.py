@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -17,9 +18,9 @@ from quartering.loads.waves import Wave
 from quartering.motion.status import Status
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
-from quartering.study.case_values import steepness
+from quartering.study.case_values import checked_headings, steepness
 from quartering.study.polar import polar
-from quartering.view.commands.conditions import checked_headings, sizes
+from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import bar
@@ -48,7 +49,7 @@ def draw_map(
     """Compute the map, write dataset and picture, print what stands out."""
     one = ship(name)
     units = sizes(one)
-    data = claim(output or f"{stem(name)}-polar.nc", (".nc",))
+    data = claim(f"{stem(name)}-polar.nc" if output is None else output, (".nc",))
     picture = claim(data.with_suffix(".png"), (".png",))
     speed = values(speeds, "speed", units, "--speed", 3)
     mu = checked_headings(values([headings], "angle", units, "--headings", 37), "--headings")
@@ -64,6 +65,8 @@ def draw_map(
     with bar("conditions", count) as report:
         ds = polar(one, sea, speed, mu, harmonics=harmonics, form=chosen, progress=report)
     ds.attrs["ship_argument"] = name
+    if not np.isfinite(ds["roll"]).any():
+        raise InputError("no condition of this map has an answer; choose other speeds, headings or wave lengths")
     _write(ds, data, picture)
     summary = [_summary(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
     if as_json:
@@ -72,7 +75,7 @@ def draw_map(
     _print(one, ds, summary)
     show(*notes(ds))
     show(f"Wrote {data} and {picture}")
-    worst = max(summary, key=lambda s: s.worst_roll)
+    worst = max((s for s in summary if np.isfinite(s.worst_roll)), key=lambda s: s.worst_roll)
     height = float(ds["wave_height"].sel(wave_length=worst.wave_length))
     condition = f"--heading {worst.heading:g} --speed {worst.speed:.4g} --wave-length {worst.wave_length:.4g}"
     show(next_steps(f"quartering verdict {name} {condition} --wave-height {height:.3g}", f"quartering report {data}"))
@@ -99,7 +102,7 @@ def _write(ds: xr.Dataset, data: Path, picture: Path) -> None:
 
 
 class Summary(NamedTuple):
-    """What stands out at one speed: where roll is largest and where the motion is least stable."""
+    """What stands out at one speed: where roll is largest and where the motion is least stable; NaN without any answer."""
 
     speed: float
     worst_roll: float
@@ -138,12 +141,17 @@ def _facts(ds: xr.Dataset, summary: Sequence[Summary]) -> dict[str, object]:
 
 
 def _largest(field: xr.DataArray) -> tuple[float, float, float]:
-    """Largest value of a map at one speed, and the heading and wave length it stands at."""
+    """Largest value of a map at one speed, and the heading and wave length it stands at; NaN where there is no answer."""
     if not np.isfinite(field).any():
-        raise InputError("no condition of this map has an answer; choose other speeds, headings or wave lengths")
+        return math.nan, math.nan, math.nan
     i, j = np.unravel_index(int(np.nanargmax(field.values)), field.shape)
     cell = field[i, j]
     return float(cell), float(cell["heading"]), float(cell["wave_length"])
+
+
+def _place(value: str, heading: float, ratio: float) -> str:
+    """A largest value and where it is, in words."""
+    return f"{value} at {heading:g} deg, lambda/L {ratio:.3g}" if math.isfinite(heading) else "no answer"
 
 
 def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
@@ -151,9 +159,8 @@ def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
     rows = [
         (
             speed_words(s.speed, length),
-            f"{s.worst_roll:.3g} deg at {s.heading:g} deg, lambda/L {s.wave_length / length:.3g}",
-            f"{s.least_stable:+.3g} 1/s at {s.least_stable_heading:g} deg, "
-            f"lambda/L {s.least_stable_wave_length / length:.3g}",
+            _place(f"{s.worst_roll:.3g} deg", s.heading, s.wave_length / length),
+            _place(f"{s.least_stable:+.3g} 1/s", s.least_stable_heading, s.least_stable_wave_length / length),
             ", ".join(f"{n} {kind}" for kind, n in s.verdicts.items()),
             exponents_words(s.calm_water),
         )

@@ -24,7 +24,7 @@ def make_report(
     if openings is not None and kind != "guidance":
         raise InputError("--openings is for the failure event of --form guidance; add it, or leave --openings out")
     heel = quantity(openings, "angle", what="--openings") if openings is not None else None
-    path = claim(output or f"{stem(what.rstrip('/'))}-{kind}.html", (".html", ".pdf"))
+    path = claim(f"{stem(what.rstrip('/'))}-{kind}.html" if output is None else output, (".html", ".pdf"))
     announce_compilation()
     source = report_source(what, ship, kind)
     page = report_page(source) if kind == "report" else guidance_page(source, heel)

@@ -41,8 +41,8 @@ def show_result(
     result: str, cuts: list[str], output: str | None, table_file: str | None, store: str | None, as_json: bool
 ) -> None:
     """Print the worst of every speed and heading; draw the map of a part, or write it as a table or a Zarr store."""
-    picture = claim(output, PICTURES) if output else None
-    target = claim(table_file, (".csv",)) if table_file else None
+    picture = claim(output, PICTURES) if output is not None else None
+    target = claim(table_file, (".csv",)) if table_file is not None else None
     ds, where = opened(result), dict(split_cut(typed) for typed in cuts)
     part = cut(ds, **where)
     taken = {name: float(part[name]) for name in where if not part[name].dims}

@@ -18,12 +18,12 @@ def print_scoreboard(output: str | None, as_json: bool) -> None:
     output : str       page to write (.md), or None
     as_json : bool
     """
-    path = claim_path(output, (".md",)) if output else None
+    path = claim_path(output, (".md",)) if output is not None else None
     announce_compilation()
     with bar("claims", len(CLAIMS)) as report:
         found = scoreboard(report)
     if path is not None:
-        write((path, lambda part: part.write_text(scoreboard_page(found))))
+        write((path, lambda part: part.write_text(scoreboard_page(found), encoding="utf-8")))
     if as_json:
         rows = [
             {"claim": claim.text, "where": claim.where, "answer": finding.answer, "evidence": finding.evidence}

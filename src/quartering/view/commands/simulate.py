@@ -30,7 +30,7 @@ def run_simulation(
 ) -> None:
     """Integrate from a roll angle, print what happened, draw it where asked."""
     one, wave, speed, heading = condition(name, typed, autopilot)
-    path = claim(output, PICTURES) if output else None
+    path = claim(output, PICTURES) if output is not None else None
     seconds = value(duration, "time", sizes(one), "--duration")
     heel = value(roll, "angle", sizes(one), "--roll")
     announce_compilation()

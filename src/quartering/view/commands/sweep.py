@@ -15,12 +15,13 @@ from quartering.hull.ship import ship
 from quartering.stability.ahead import announce_compilation
 from quartering.study.case import case_grid
 from quartering.study.estimate import check_size, estimate
+from quartering.study.executor import check_cluster
 from quartering.study.grid import Grid
 from quartering.study.progress import failures, progress_line, summary
 from quartering.study.starting_case import starting_case
 from quartering.study.sweep import fill, sized
 from quartering.study.uncertainty import uncertain
-from quartering.view.output import claim, write
+from quartering.view.output import claim, folder_named, write
 from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
 
@@ -46,8 +47,9 @@ def new_case(name: str, path: str, as_json: bool) -> None:
 
 def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_json: bool) -> None:
     """Compute what is missing of a case into its folder, and say what was found."""
+    check_cluster(cluster)
     wanted = case_grid(case)
-    folder = Path(output or Path(case).with_suffix(""))
+    folder = Path(case).with_suffix("") if output is None else folder_named(output)
     announce_compilation()
     wanted = sized(wanted, folder)
     _before(wanted, folder, yes)
@@ -72,15 +74,18 @@ def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_
     show(next_steps(f"quartering worst {folder}", f"quartering show {folder}", f"quartering report {folder}"))
 
 
-def run_uncertain(case: str, typed: str, draws: int, output: str | None, yes: bool, as_json: bool) -> None:
+def run_uncertain(
+    case: str, typed: str, draws: int, output: str | None, cluster: str | None, yes: bool, as_json: bool
+) -> None:
     """Probability that each condition of a case is unstable, as a dataset."""
-    wanted = case_grid(case)
-    target = claim(output or f"{Path(case).stem}-probability.nc", (".nc",))
+    check_cluster(cluster)
+    wanted, spread = case_grid(case), uncertainties(typed)
+    target = claim(f"{Path(case).stem}-probability.nc" if output is None else output, (".nc",))
     announce_compilation()
     found = estimate(wanted)
     check_size(type(found)(wanted.count * draws, found.blocks, found.seconds * draws, 0.0, ()), yes=yes)
     with bar("conditions", wanted.count * draws) as report:
-        ds = uncertain(wanted, uncertainties(typed), draws=draws, progress=report)
+        ds = uncertain(wanted, spread, draws=draws, cluster=cluster, progress=report)
     write((target, lambda part: ds.to_netcdf(part)))
     p = ds["probability_unstable"]
     likely = {f"above {share:.0%}": int((p > share).sum()) for share in (0.0, 0.05, 0.5, 0.95)}

@@ -46,7 +46,7 @@ def draw_tornado(
         raise InputError("--tornado changes every value itself; leave the ranges out, or leave out --tornado")
     words = (typed["heading"], typed["speed"], typed["wave_length"], typed["wave_height"])
     one, wave, speed, heading = condition(name, words)
-    path = claim(output, (*PICTURES, ".nc")) if output else None
+    path = claim(output, (*PICTURES, ".nc")) if output is not None else None
     share = quantity(change, "ratio", what="--tornado")
     chosen: Form = form  # type: ignore[assignment]  # tornado refuses an unknown one
     announce_compilation()

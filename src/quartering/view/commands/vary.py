@@ -17,9 +17,10 @@ from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
+from quartering.study.case_values import checked_headings
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.vary import varied, vary
-from quartering.view.commands.conditions import checked_headings, sizes
+from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
@@ -49,7 +50,7 @@ def draw_variation(
 ) -> None:
     """Vary one or two values, print what happens, draw or store it where asked."""
     one = ship(name)
-    path = claim(output, (*PICTURES, ".nc")) if output else None
+    path = claim(output, (*PICTURES, ".nc")) if output is not None else None
     fixed, parameters = _parameters(one, typed, ranges, coefficients)
     chosen: Form = form  # type: ignore[assignment]  # vary refuses an unknown one
     announce_compilation()

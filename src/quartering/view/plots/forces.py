@@ -27,7 +27,10 @@ LOOKS: Final[dict[str, dict[str, Any]]] = {
     "relative-motion": {"color": _SKY, "linestyle": (0, (4, 1, 1, 1, 1, 1)), "linewidth": 1.4},
     "stf": {"color": style.CONTRAST[0], "linestyle": "-", "linewidth": 1.8},
     "bem": {"color": style.INK, "linestyle": "none", "marker": "o", "markersize": 3.5, "markerfacecolor": "none"},
-}
+    "database": {
+        "color": style.INK, "linestyle": "none", "marker": "s", "markersize": 3.5, "markerfacecolor": "none",
+    },
+}  # fmt: skip
 """Form -> how it is drawn: told apart by dash and mark alone."""
 
 

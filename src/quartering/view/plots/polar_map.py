@@ -19,6 +19,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from quartering.loads.waves import Wave, encounter_frequency
+from quartering.motion.status import Status
 from quartering.stability.kind import Kind
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
@@ -238,7 +239,8 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
         label = "course-unstable even in calm water"
         made.append(Patch(facecolor="#31688e", edgecolor=COURSE_INK, hatch=HATCHES["course"], label=label))
     if (verdict == Kind.NO_ANSWER).any():
-        made.append(Patch(facecolor=GREY, label="no answer (status says why)"))
+        why = [Status(s).name.lower().replace("_", " ") for s in np.unique(ds["status"]) if not Status(s).ok]
+        made.append(Patch(facecolor=GREY, label=f"no answer: {', '.join(why)}" if why else "no answer"))
     return made
 
 

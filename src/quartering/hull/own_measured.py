@@ -1,0 +1,59 @@
+"""The file of a measured manoeuvring set a ship brings: where it is, and a digest of its content."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class MeasuredFile:
+    """A user's own measured set.
+
+    Parameters
+    ----------
+    source : str    path of the YAML file
+    digest : str    of the content: two sets are the same when it is
+    """
+
+    source: str
+    digest: str
+
+
+def measured_source(named: str | Path) -> str | MeasuredFile:
+    """A measured set as a ship keeps it: a file with the digest of what it holds now, or the name of a built-in set.
+
+    Parameters
+    ----------
+    named : str or Path    path of a file; anything else counts as a name
+
+    Returns
+    -------
+    MeasuredFile or str
+
+    Notes
+    -----
+    Source: the format of the ship file.
+
+    Examples
+    --------
+    >>> measured_source("son-nomoto-1982")
+    'son-nomoto-1982'
+    """
+    file = Path(named)
+    return MeasuredFile(str(file.absolute()), file_digest(file)) if file.is_file() else str(named)
+
+
+def file_digest(path: str | Path) -> str:
+    """Digest of what a file holds.
+
+    Parameters
+    ----------
+    path : str or Path
+
+    Returns
+    -------
+    str    32 hexadecimal digits
+    """
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()[:32]

@@ -1,0 +1,98 @@
+"""Where speeds and waves leave what the theory or a database describes: one warning for all conditions of a study."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.conventions import GRAVITY, RangeWarning
+from quartering.hydro.own_moments import own_database
+from quartering.hydro.table import FREQUENCY_RANGE
+
+if TYPE_CHECKING:
+    from quartering.hull.ship import Ship
+
+FASTEST: Final = 0.5
+"""Froude number above which a hull no longer floats as at rest: it trims, and lift carries part of it [1]."""
+SHORTEST: Final = np.pi / FREQUENCY_RANGE[1] ** 2
+"""Wave length over beam below which the waves are beyond the frequencies of the section coefficients [1]."""
+
+
+def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> None:
+    """Say that a speed or a wave of a study is beyond what strip theory describes.
+
+    Parameters
+    ----------
+    ship : Ship
+    speed : (n,) float          U [m/s]
+    wave_length : (n,) float    [m]
+
+    Warns
+    -----
+    RangeWarning                a Froude number above `FASTEST`, a wave shorter than `SHORTEST` times the beam
+
+    Notes
+    -----
+    The limit of the speed is this library's choice; that of the wave is where w sqrt(B/2g) = 3.5, w^2 = 2 pi g/lambda.
+    Source: [STF70] assumptions (slender hull, moderate speed); `default_frequencies`.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> warn_of_conditions(ship("wigley"), [5.0, 15.0], 100.0)
+    """
+    length, beam = ship.hull.length, ship.hull.beam
+    froude = float(np.max(speed, initial=0.0) / np.sqrt(GRAVITY * length))
+    if froude > FASTEST:
+        warnings.warn(
+            f"{ship.name}: a speed of {np.max(speed):g} m/s is Froude number {froude:.3g}; strip theory describes a hull up "
+            f"to about {FASTEST:g} ({FASTEST * np.sqrt(GRAVITY * length):.3g} m/s); is the unit right? Try 15kn or 0.25Fn",
+            RangeWarning,
+            stacklevel=3,
+        )
+    shortest = float(np.min(wave_length, initial=np.inf))
+    if shortest < SHORTEST * beam:
+        warnings.warn(
+            f"{ship.name}: a wave of {shortest:.3g} m is shorter than {SHORTEST:.3g} B = {SHORTEST * beam:.3g} m, beyond the "
+            "frequencies of the section coefficients, which keep their last value there; is the unit right? Try 1L",
+            RangeWarning,
+            stacklevel=3,
+        )
+
+
+def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
+    """Say that some conditions have no answer because the ship's own database does not hold them.
+
+    Parameters
+    ----------
+    ship : Ship
+    outside : int    number of such conditions; nothing is said of none
+    total : int      of all conditions
+
+    Warns
+    -----
+    RangeWarning     how many, and what the database holds
+
+    Notes
+    -----
+    Source: none; a check.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> warn_outside_database(ship("wigley"), 0, 10)
+    """
+    if outside and ship.database is not None:
+        own = own_database(ship.database, ship.loading.density)
+        frequency, heading = own.frequency, own.at.heading
+        headings = f" and headings {heading[0]:g} to {heading[-1]:g} deg" if heading.size else ""
+        warnings.warn(
+            f"{ship.name}: {outside:,} of {total:,} conditions have no answer, outside {ship.database.name}, which holds "
+            f"{frequency[0]:.4g} to {frequency[-1]:.4g} rad/s{headings}; compute it further, or ask for longer waves, less "
+            "speed or other headings",
+            RangeWarning,
+            stacklevel=3,
+        )
