@@ -56,9 +56,7 @@ def main(picture: str = "", gm: str = "0.05 B", ratio: str = "1.0", froude: str 
     ):
         right.semilogy(HEADINGS, table[:, column], label=label, lw=2.5 if column == 4 else 1.5)
     right.semilogy(HEADINGS, table[:, 5], "k:", label="roll with sway and yaw held")
-    right.set(
-        ylabel="per static value $\\rho g V\\,GM\\,kA$, or $kA$", title=f"$\\lambda$ = {ratio} L", ylim=(0.1, 10)
-    )
+    right.set(ylabel="per static value $\\rho g V\\,GM\\,kA$, or $kA$", title=f"$\\lambda$ = {ratio} L", ylim=(0.1, 10))
     for axes in (left, right):
         axes.set(xlabel="heading [deg]: 0 following, 90 beam, 180 head", xlim=(0, 180), xticks=range(0, 181, 30))
         axes.grid(which="both", alpha=0.3)
