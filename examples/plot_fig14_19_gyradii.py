@@ -16,6 +16,7 @@ sway-yaw modes decide, nor next to resonance, where it rises steeply towards a f
 
 # %%
 # Series 60, CB 0.60: roll.
+from quartering.conventions import written
 from quartering.study.paper.conditions import FROUDE
 from quartering.study.paper.sets import gyradii_of
 from quartering.view.plots.paper_figures import draw_figure
@@ -25,9 +26,8 @@ for quantity, ds in gyradii_of("series60-cb60", FROUDE).items():
     for i in range(ds.sizes["loading"]):
         one = ds.isel(loading=i)
         largest, index = float(one["exponent"].max()), float(one["index"].min())
-        print(
-            f"{quantity} {float(one[quantity]):5.2f} m: least index {index:.4f}, largest Floquet exponent {largest:+.4f} 1/s"
-        )
+        size = f"{written(quantity)} {float(one[quantity]):5.2f} m"
+        print(f"{size}: least index {index:.4f}, largest Floquet exponent {largest:+.4f} 1/s")
 
 shown(draw_figure(14))
 

@@ -47,7 +47,7 @@ def main(picture: str = "", gm: str = "0.05 B", ratio: str = "1.0", froude: str 
     figure, (left, right) = plt.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     for length in (0.5, 0.6, 0.75, 1.0, 1.5):
         left.semilogy(HEADINGS, [parts(ship, length, fn, h)[4] for h in HEADINGS], label=f"$\\lambda$ = {length:g} L")
-    left.set(ylabel="roll amplitude / wave slope $kA$ [1]", title="roll", ylim=(0.02, 10))
+    left.set(ylabel="roll amplitude / wave slope $kA$", title="roll", ylim=(0.02, 10))
     for column, label in (
         (1, "moment |K|"),
         (2, "moment with sway and yaw |K_eff|"),
@@ -56,9 +56,7 @@ def main(picture: str = "", gm: str = "0.05 B", ratio: str = "1.0", froude: str 
     ):
         right.semilogy(HEADINGS, table[:, column], label=label, lw=2.5 if column == 4 else 1.5)
     right.semilogy(HEADINGS, table[:, 5], "k:", label="roll with sway and yaw held")
-    right.set(
-        ylabel="per static value $\\rho g V\\,GM\\,kA$, or $kA$ [1]", title=f"$\\lambda$ = {ratio} L", ylim=(0.1, 10)
-    )
+    right.set(ylabel="per static value $\\rho g V\\,GM\\,kA$, or $kA$", title=f"$\\lambda$ = {ratio} L", ylim=(0.1, 10))
     for axes in (left, right):
         axes.set(xlabel="heading [deg]: 0 following, 90 beam, 180 head", xlim=(0, 180), xticks=range(0, 181, 30))
         axes.grid(which="both", alpha=0.3)

@@ -58,7 +58,8 @@ def test_symbols_table_is_that_of_the_code():
     assert text.endswith("meaning |\n|---|---|---|---|\n" + "".join(text.splitlines(keepends=True)[-len(SYMBOLS) :]))
     for name, symbol in SYMBOLS.items():
         letter = symbol.symbol.replace("|", "&#124;")
-        assert f"| `{name}` | {letter} | {symbol.unit} | {symbol.meaning} |" in text
+        unit = "-" if symbol.unit == "1" else symbol.unit
+        assert f"| `{name}` | {letter} | {unit} | {symbol.meaning} |" in text
 
 
 def test_python_of_the_readme_runs(capsys):

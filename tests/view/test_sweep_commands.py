@@ -91,11 +91,11 @@ def test_show_takes_the_loading_asked_for(case, tmp_path, monkeypatch):
         largest = ds["roll_peak"].isel(loading=index, wave_height=1).max(["wave_length"])
         np.testing.assert_array_equal(np.array(facts["roll_peak"], dtype=float), largest)
         np.testing.assert_array_equal(drawn[-1]["roll"], ds["roll"].isel(loading=index, wave_height=1))
-        assert drawn[-1].attrs["loading"].startswith(f"gm {gm:.4g};")
+        assert drawn[-1].attrs["loading"].startswith(f"GM {gm:.4g} m;")
     _run("show", folder / "my", "-o", tmp_path / "m.png")
-    assert drawn[-1].attrs["loading"].startswith("gm 0.6 (loading 1 of 2);")
+    assert drawn[-1].attrs["loading"].startswith("GM 0.6 m (loading 1 of 2);")
     shown = _run("show", folder / "my", "--at", "gm=0.95").stdout
-    assert "at gm [m] 1" in " ".join(shown.split())
+    assert "at GM [m] 1" in " ".join(shown.split())
 
 
 def test_show_writes_a_zarr_store_of_the_cut(case, tmp_path):

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from quartering.conventions import InputError, headed
+from quartering.conventions import InputError, headed, in_unit, written
 from quartering.stability.kind import Kind
 from quartering.study.query import Measure, cut, sea_of, worst, worst_by, write_csv
 from quartering.study.result import open_result
@@ -145,7 +145,7 @@ def map_of(part: xr.Dataset) -> xr.Dataset:
             raise InputError(f"a map needs all values of {dim}; leave out --at {dim}")
     height = part["wave_height"].values * np.ones(part.sizes["wave_length"])
     flat = part.drop_vars("wave_height").assign_coords(wave_height=("wave_length", height, part["wave_height"].attrs))
-    if own := ", ".join(f"{name} {float(flat[name]):.4g}" for name in _loading_names(flat)):
+    if own := ", ".join(f"{written(n)} {float(flat[n]):.4g}{in_unit(_unit(n, flat))}" for n in _loading_names(flat)):
         flat = flat.assign_attrs(
             loading=f"{own}{several}; the rest as the ship's own", natural_roll_frequency=small_roll_frequency(flat)
         )
@@ -175,4 +175,8 @@ def _sizes(ds: xr.Dataset) -> str:
 
 
 def _head(name: str, ds: xr.Dataset) -> str:
-    return headed(name, str(ds[name].attrs.get("units", "1")))
+    return headed(name, _unit(name, ds))
+
+
+def _unit(name: str, ds: xr.Dataset) -> str:
+    return str(ds[name].attrs.get("units", "1"))
