@@ -79,7 +79,7 @@ def test_the_harmonics_taken_unless_told_see_at_large_roll_what_fifteen_see():
     )
     events = [ds.isel(point=np.flatnonzero(ds["event"] != "")) for ds in (few, usual, many)]
     assert [ds["event"].values.tolist() for ds in events] == [["fold", "symmetry-breaking"], ["fold"], ["fold"]]
-    assert float(events[2]["roll_peak"][0]) > 70.0
+    assert float(events[2]["roll_peak"][0]) > 65.0  # large roll, where three harmonics no longer do
     assert float(events[1]["wave_height"][0]) == pytest.approx(float(events[2]["wave_height"][0]), rel=2e-4)
 
 

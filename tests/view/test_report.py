@@ -244,7 +244,7 @@ def test_a_sweep_that_replaces_the_roll_damping_is_reported_with_the_ship_it_beg
     assert source.ship.name == SHIP.name
     assert "K_p|p|" in source.result.attrs["estimated_coefficients"]
     text = words(report_html(source.ship, source.result))
-    assert "bilge_keel_breadth 0.3" in text
+    assert "bilge keel breadth 0.3 m" in text
 
 
 @pytest.mark.parametrize(

@@ -53,7 +53,7 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> 
             RangeWarning,
             stacklevel=3,
         )
-    shortest = float(np.min(wave_length, initial=np.inf))
+    shortest = float(np.min(np.asarray(wave_length, dtype=float), initial=np.inf))
     if shortest < SHORTEST * beam:
         warnings.warn(
             f"{ship.name}: a wave of {shortest:.3g} m is shorter than {SHORTEST:.3g} B = {SHORTEST * beam:.3g} m, beyond the "
