@@ -96,14 +96,19 @@ def sample_of(blocks, count):
 
 
 def accuracy(block):
-    """Largest errors of amplitude and multipliers against the careful solver and multipliers to 1e-10, the same harmonics."""
+    """Against the careful solver and multipliers to 1e-10, the same harmonics.
+
+    Returns the largest error of amplitude and of the multipliers, how many conditions got another motion, how many got none.
+    """
     u, status, multipliers, *_ = motion_and_stability(block)
-    exact, *_ = solve_with_care(block, ORDERS)
+    exact, careful, _ = solve_with_care(block, ORDERS)
     fine = assess(block, exact, ORDERS, accuracy=1e-10).floquet.multipliers
-    same = (status == 0) & (np.abs(u - exact).max(axis=(1, 2)) < 1e-6 * np.abs(exact).max(axis=(1, 2)))
+    solved = (status == 0) & (careful == 0)
+    same = solved & (np.abs(u - exact).max(axis=(1, 2)) < 1e-6 * np.abs(exact).max(axis=(1, 2)))
     size, other = np.hypot(u[:, :, 0], u[:, :, 1]), np.hypot(exact[:, :, 0], exact[:, :, 1])
     apart = np.abs(multipliers[:, :, None] - fine[:, None, :]).min(axis=1).max(axis=1)
-    return np.max(np.abs(size - other)[same] / other.max()), np.nanmax(apart[same]), int((~same).sum())
+    errors = np.max(np.abs(size - other)[same] / other.max()), np.nanmax(apart[same])
+    return *errors, int((solved & ~same).sum()), int((~solved).sum())
 
 
 NEWTON_MATRICES = 2.5
@@ -162,7 +167,8 @@ def main():
     found = [accuracy(b) for b in blocks[::5]]
     print(
         f"largest error: amplitude {max(f[0] for f in found):.1e} of the largest, multipliers {max(f[1] for f in found):.1e};"
-        f" another motion than one at a time finds: {sum(f[2] for f in found)} of {sum(b.count for b in blocks[::5])}"
+        f" of {sum(b.count for b in blocks[::5])}, another motion than one at a time finds: {sum(f[2] for f in found)},"
+        f" none found by one or both: {sum(f[3] for f in found)}"
     )
     for name, run in others.ALL.items():
         sample = sample_of(blocks, others.SIZES[name])
