@@ -28,6 +28,7 @@ from quartering.motion.basis import basis
 from quartering.motion.batch import joined, rows
 from quartering.motion.harmonic import harmonic_balance, solve_with_care
 from quartering.motion.of_ship import ship_system
+from quartering.motion.status import Status
 from quartering.stability.assessment import assess
 from quartering.stability.first_order import roll_mode
 from quartering.stability.floquet import fastest_rate, floquet
@@ -36,6 +37,7 @@ from quartering.stability.variation import variation_along
 from quartering.threads import spread, workers
 
 BLOCK, ORDERS, ACCURACY = 1024, (1, 3), 1e-6
+FOUND = (Status.CONVERGED, Status.CONVERGED_BY_FOLLOWING)
 
 
 def systems():
@@ -103,7 +105,7 @@ def accuracy(block):
     u, status, multipliers, *_ = motion_and_stability(block)
     exact, careful, _ = solve_with_care(block, ORDERS)
     fine = assess(block, exact, ORDERS, accuracy=1e-10).floquet.multipliers
-    solved = (status == 0) & (careful == 0)
+    solved = np.isin(status, FOUND) & np.isin(careful, FOUND)
     same = solved & (np.abs(u - exact).max(axis=(1, 2)) < 1e-6 * np.abs(exact).max(axis=(1, 2)))
     size, other = np.hypot(u[:, :, 0], u[:, :, 1]), np.hypot(exact[:, :, 0], exact[:, :, 1])
     apart = np.abs(multipliers[:, :, None] - fine[:, None, :]).min(axis=1).max(axis=1)
