@@ -26,7 +26,7 @@ _BETWEEN = np.array([-5, 49, -245, 1225, 1225, -245, 49, -5]) / 2048
 """Weights of eight neighbouring samples for the value in the middle of them (the interpolating polynomial of degree 7)."""
 _BEFORE = _BETWEEN.size // 2 - 1
 
-_COMPONENTS, _UNITS = (*STATE, "psi", "delta"), ("m/s", "rad", "rad/s", "rad/s", "rad", "rad")
+_COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s", "rad", "rad"]
 """Of the state; the heading and the rudder angle where an autopilot steers."""
 
 
