@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.hull.contour import along
-from quartering.hull.heeled import cross_curve
+from quartering.hull.heeled import cross_curve, deck_angle
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull, box_hull
 from quartering.hull.readers import available_ships
-from quartering.hull.righting import deck_angle, righting_arm, righting_polynomial
+from quartering.hull.righting import righting_arm, righting_polynomial
 from quartering.hull.ship import Loading, Ship, ship
 
 SHIPS = [entry.name for entry in available_ships()]

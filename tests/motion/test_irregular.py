@@ -84,6 +84,7 @@ def test_one_wave_gives_what_the_adaptive_integrator_gives(autopilot):
     exact = [float(alone["sway_velocity"]), *np.radians([float(alone[n]) for n in ("roll", "roll_rate", "yaw_rate")])]
     sea = irregular(model, [0.8], [force], np.zeros((70, 1)), 40.0, step=0.01)
     assert float(np.abs(history["roll"]).max()) > 12  # beyond the first knot
+    assert len(sea["state"].attrs["units"].split(", ")) == sea.sizes["component"]
     np.testing.assert_allclose(
         sea["state"].sel(component=["v", "phi", "p", "r"]).values[[0, 69]], [exact] * 2, atol=2e-7
     )

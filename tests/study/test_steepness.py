@@ -67,9 +67,9 @@ def test_questions_to_a_result_name_height_and_steepness(tmp_path):
         (
             "steepness: [1/50, 4 %]",
             "wave_height: 2 m\nsteepness: 1/50",
-            "line 7: wave_height and steepness .*leave one out",
+            "line 6: wave_height and steepness .*leave one out",
         ),
-        ("steepness: [1/50, 4 %]", "", "wave_height` is missing.*steepness"),
+        ("steepness: [1/50, 4 %]", "", "wave_height or steepness is missing; give one of the two"),
         ("1/50", "1/5", r"line 6: steepness \"1/5\".*at most 1/7"),
         ("1/50", "0", r"line 6: steepness \"0\".*above 0"),
         ("[1/50, 4 %]", "0.1..0.3 step 0.1", "line 6: steepness = 0.2; .*from 0 to 1/7"),

@@ -1,5 +1,6 @@
 """Stored sweeps: interrupted any way and resumed they equal an uninterrupted one, and nothing foreign is mixed in."""
 
+import ast
 import errno
 import json
 import os
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import textwrap
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,6 +21,7 @@ from quartering import publish
 from quartering.hydro.database import write_capytaine
 from quartering.hydro.measured import LIBRARY
 from quartering.study import estimate as estimates
+from quartering.study import store as store_file
 from quartering.study import zarr_store
 from quartering.study.estimate import timed_block_size
 from quartering.study.grid import grid
@@ -226,6 +229,22 @@ def test_a_file_the_ship_refers_to_counts_with_its_content(key, tmp_path):
     begin(1.0)
     with pytest.raises(qt.InputError, match="another case: ship there mine"):
         begin(1.01)
+
+
+def test_every_file_a_block_is_computed_by_counts(monkeypatch):
+    """The rooms to the left count whole; of this room, what `conditions` imports of it, and what that imports."""
+    counted = []
+    monkeypatch.setattr(store_file, "source_digest", lambda *parts: counted.extend(parts) or "")
+    store_file.code_digest()
+    reached, waiting = set(), ["conditions"]
+    while waiting:
+        name = waiting.pop()
+        reached.add(name)
+        tree = ast.parse((Path(store_file.__file__).parent / f"{name}.py").read_text())
+        modules = [node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
+        own = {module.rpartition(".")[2] for module in modules if module.startswith("quartering.study.")}
+        waiting += own - reached
+    assert {"hull", "hydro", "loads", "motion", "stability", *(f"study/{name}.py" for name in reached)} == set(counted)
 
 
 OUTSIDE_FILES = {

@@ -43,6 +43,8 @@ CASES = {
     "empty": ("", "list of keys"),
     "tab": ("ship: wigley\n\tspeed: 3\n", "line 2"),
     "misspelt": (CASE + "speeed: 3\n", "line 6"),
+    "deep": (CASE + "loading: " + "[" * 5000 + "]" * 5000 + "\n", "nested too deeply"),
+    "number": (CASE + "1: 2\n", "line 6: the key 1 is no word"),
     "twice": (CASE + "speed: 3\n", "line 6: `speed` is given twice (first in line 2)"),
     "switch": (CASE.replace("5 m/s", "yes"), "line 2: speed: True is given"),
     "astern": (CASE.replace("5 m/s", "-5 m/s"), "give speeds from 0"),

@@ -9,6 +9,7 @@ from quartering.conventions import InputError
 Linear = Literal["default", "strip"]
 Righting = Literal["polynomial", "spline"]
 Sections = Literal["auto", "lewis", "close-fit"]
+"""How the section problem is solved: on the Lewis form, on the section's own contour, or whichever suits."""
 Ends = Literal["strips", "three-dimensional"]
 
 

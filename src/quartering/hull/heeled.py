@@ -111,3 +111,36 @@ def _cut(across: Floats, depth: Floats) -> _Cut:
         moment=-((start * start + start * end + end * end) * dq).sum(axis=-1) / 6.0,
         width=np.where(leaves, at, 0.0).sum(axis=-1) - np.where(enters, at, 0.0).sum(axis=-1),
     )
+
+
+def deck_angle(hull: Hull) -> float:
+    """Heel at which the first deck edge (top of a contour) goes under, at constant displacement.
+
+    Parameters
+    ----------
+    hull : Hull
+
+    Returns
+    -------
+    float    [deg], to the nearest 0.1; inf when no edge goes under below 80 deg
+
+    Notes
+    -----
+    Source: geometry, with the waterlines of ``righting_arm``.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull
+    >>> round(deck_angle(box_hull(100.0, 20.0, 5.0, 10.0)), 1)
+    26.6
+    """
+    angles = np.linspace(0.0, 80.0, 17)
+    for _ in range(2):
+        freeboard = cross_curve(hull, tuple(np.radians(angles).tolist()))[1]
+        if not (freeboard < 0).any():
+            return float("inf")
+        if freeboard[0] < 0:
+            return 0.0
+        at = max(1, int(np.argmax(freeboard < 0)))
+        angles = np.linspace(angles[at - 1], angles[at], 11)
+    return float(np.interp(0.0, -freeboard[at - 1 : at + 1], [angles[0], angles[-1]]))

@@ -100,16 +100,7 @@ def reloaded(
             f"{name}: gm = {gm:g} m over KM = {km:.3f} m puts G {-kg:.4g} m below the keel, deeper than the ship's draught; is "
             f"the unit right? try 0.05 B = {0.05 * hull.beam:.3g} m"
         )
-    radii = {
-        "gyradius_roll": (gyradius_roll, hull.beam, 0.35, "B"),
-        "gyradius_yaw": (gyradius_yaw, hull.length, 0.25, "L"),
-    }
-    for key, (radius, size, usual, letter) in radii.items():
-        if radius is not None and not 0 < radius <= LARGEST_RADIUS * size:
-            raise InputError(
-                f"{name}: {key} = {radius:g} m; a radius of gyration is above 0 and at most {LARGEST_RADIUS:g} {letter} = "
-                f"{LARGEST_RADIUS * size:.4g} m; try {usual:g} {letter} = {usual * size:.4g} m"
-            )
+    _check_radii(name, hull, gyradius_roll, gyradius_yaw)
     if roll_damping is None:
         damping = loading.roll_damping
     elif roll_method(roll_damping) != "fraction":
@@ -128,3 +119,17 @@ def reloaded(
         gyradius_yaw=gyradius_yaw or loading.gyradius_yaw,
         roll_damping=damping,
     )
+
+
+def _check_radii(name: str, hull: Hull, gyradius_roll: float | None, gyradius_yaw: float | None) -> None:
+    """Refuse radii of gyration no ship has."""
+    radii = {
+        "gyradius_roll": (gyradius_roll, hull.beam, 0.35, "B"),
+        "gyradius_yaw": (gyradius_yaw, hull.length, 0.25, "L"),
+    }
+    for key, (radius, size, usual, letter) in radii.items():
+        if radius is not None and not 0 < radius <= LARGEST_RADIUS * size:
+            raise InputError(
+                f"{name}: {key} = {radius:g} m; a radius of gyration is above 0 and at most {LARGEST_RADIUS:g} {letter} = "
+                f"{LARGEST_RADIUS * size:.4g} m; try {usual:g} {letter} = {usual * size:.4g} m"
+            )

@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError, RangeWarning
-from quartering.hull.heeled import cross_curve
-from quartering.hull.offsets import Hull
+from quartering.hull.heeled import cross_curve, deck_angle
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline, odd_spline
@@ -106,39 +105,6 @@ def _arm(ship: Ship, phi: Floats) -> tuple[Floats, Floats]:
     kn, freeboard = cross_curve(ship.hull, (*phi.tolist(), small))
     height_of_g = kn[-1] / np.sin(small) - ship.loading.gm
     return kn[:-1] - height_of_g * np.sin(phi), freeboard[:-1]
-
-
-def deck_angle(hull: Hull) -> float:
-    """Heel at which the first deck edge (top of a contour) goes under, at constant displacement.
-
-    Parameters
-    ----------
-    hull : Hull
-
-    Returns
-    -------
-    float    [deg], to the nearest 0.1; inf when no edge goes under below 80 deg
-
-    Notes
-    -----
-    Source: geometry, with the waterlines of ``righting_arm``.
-
-    Examples
-    --------
-    >>> from quartering.hull.offsets import box_hull
-    >>> round(deck_angle(box_hull(100.0, 20.0, 5.0, 10.0)), 1)
-    26.6
-    """
-    angles = np.linspace(0.0, 80.0, 17)
-    for _ in range(2):
-        freeboard = cross_curve(hull, tuple(np.radians(angles).tolist()))[1]
-        if not (freeboard < 0).any():
-            return float("inf")
-        if freeboard[0] < 0:
-            return 0.0
-        at = max(1, int(np.argmax(freeboard < 0)))
-        angles = np.linspace(angles[at - 1], angles[at], 11)
-    return float(np.interp(0.0, -freeboard[at - 1 : at + 1], [angles[0], angles[-1]]))
 
 
 @lru_cache(maxsize=64)

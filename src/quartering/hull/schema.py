@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from quartering.conventions import InputError
+from quartering.hull.choices import Ends, Linear, Righting, Sections
 from quartering.hull.roll_method import roll_method
 from quartering.hull.units import split_quantity
 
@@ -150,13 +151,13 @@ class ShipKeys(_Strict):
     loading: LoadingKeys = LoadingKeys()
     coefficients: dict[str, Given] = {}
     multipliers: dict[str, float] = {}
-    linear: Literal["default", "strip"] | None = None
-    sections: Literal["auto", "lewis", "close-fit"] | None = None
-    ends: Literal["strips", "three-dimensional"] | None = None
+    linear: Linear | None = None
+    sections: Sections | None = None
+    ends: Ends | None = None
     measured: str | None = None
     autopilot: AutopilotKeys | None = None
     rudder: RudderKeys | None = None
-    righting: Literal["polynomial", "spline"] | None = None
+    righting: Righting | None = None
     database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
     bilge_keels: BilgeKeelKeys | None = None
     drag_coefficient: Given | None = None

@@ -156,21 +156,12 @@ class Ship:
         given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
         lengths = {key: self._length(key, value) for key, value in given.items() if value is not None}
         loading = reloaded(self.name, hull, self.loading, roll_damping=roll_damping, **lengths)
-        before, after = self.loading, loading
-        changed = [
-            key for key in (*given, "roll_damping") if not math.isclose(getattr(before, key), getattr(after, key))
-        ]
-        own = {*lengths, "roll_damping"}
-        notes = {key: f"{'given' if key in own else 'derived'}: changed from the ship's own" for key in changed}
         method = self.roll_method if roll_damping is None else roll_method(roll_damping)
         keels = self.bilge_keels
         if bilge_keels is not None:
             length, breadth = (self._length("bilge_keels", value) for value in bilge_keels)
             keels = checked_bilge_keels(self.name, hull.length, hull.beam, (length, breadth))
-        if method != "fraction" and (method, keels) != (self.roll_method, self.bilge_keels):
-            notes["roll_damping"] = roll_damping_note(method, keels)
-        elif method != self.roll_method:
-            notes["roll_damping"] = "given: changed from the ship's own"
+        notes = self._changes(loading, {*lengths, "roll_damping"}) | self._change_of_damping(method, keels)
         return replace(
             self,
             hull=hull,
@@ -198,6 +189,18 @@ class Ship:
         if self.roll_method == "fraction":
             return f"{self.loading.roll_damping:.3g} of critical"
         return roll_damping_note(self.roll_method, self.bilge_keels).partition(": ")[2]
+
+    def _changes(self, loading: Loading, given: set[str]) -> dict[str, str]:
+        """What to say of the values in which another loading differs, given ones and those that follow."""
+        keys = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
+        changed = [key for key in keys if not math.isclose(getattr(self.loading, key), getattr(loading, key))]
+        return {key: f"{'given' if key in given else 'derived'}: changed from the ship's own" for key in changed}
+
+    def _change_of_damping(self, method: RollMethod, keels: BilgeKeels | None) -> dict[str, str]:
+        """What to say of roll damping by another method, or with other keels."""
+        if method != "fraction" and (method, keels) != (self.roll_method, self.bilge_keels):
+            return {"roll_damping": roll_damping_note(method, keels)}
+        return {"roll_damping": "given: changed from the ship's own"} if method != self.roll_method else {}
 
     def _length(self, key: str, value: float | str) -> float:
         hull = self.hull

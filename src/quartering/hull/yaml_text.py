@@ -43,7 +43,7 @@ def read_yaml(path: Path) -> Any:
 
     Raises
     ------
-    InputError    a file that cannot be read, is no text or no YAML, or has a key twice: with the line
+    InputError    what `read_text` and `parsed` refuse
 
     Notes
     -----
@@ -58,16 +58,94 @@ def read_yaml(path: Path) -> Any:
     ...     read_yaml(file)
     {'base': 'box'}
     """
+    return parsed(read_text(path), path)
+
+
+def read_text(path: Path) -> str:
+    """The text of a file people write.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    str
+
+    Raises
+    ------
+    InputError    a file that cannot be read, or is no text
+    """
     try:
-        return yaml.load(path.read_text(encoding="utf-8"), Loader=_Loader)
+        return path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror}; give a file you may read") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not a text file; give YAML text in UTF-8") from None
+
+
+def parsed(text: str, path: Path) -> Any:
+    """What YAML text holds.
+
+    Parameters
+    ----------
+    text : str
+    path : Path    of its file, named in messages
+
+    Returns
+    -------
+    Any    texts, numbers, lists, and mappings of words
+
+    Raises
+    ------
+    InputError    no YAML, or a key given twice: with the line
+    """
+    try:
+        return yaml.load(text, Loader=_Loader)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         line = f", line {mark.line + 1}" if mark else ""
         problem = getattr(error, "problem", None) or "the text is not YAML"
         raise InputError(f"{path}{line}: {problem}; write `key: value`, indented with spaces") from None
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror}; give a file you may read") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: not a text file; give YAML text in UTF-8") from None
     except RecursionError:
-        raise InputError(f"{path}: nested too deeply; a ship file has three levels") from None
+        raise _too_deep(path) from None
+
+
+def key_lines(text: str, path: Path) -> dict[tuple[str, ...], int]:
+    """The line on which each key of YAML text stands, for messages.
+
+    Parameters
+    ----------
+    text : str     that `parsed` takes
+    path : Path    of its file, named in messages
+
+    Returns
+    -------
+    mapping of keys, the outermost first, to int    counted from 1
+
+    Raises
+    ------
+    InputError    nested too deeply
+
+    Examples
+    --------
+    >>> key_lines("{ship: wigley, loading: {gm: 1 m}}", Path("my.yaml"))
+    {('ship',): 1, ('loading',): 1, ('loading', 'gm'): 1}
+    """
+    lines: dict[tuple[str, ...], int] = {}
+
+    def walk(node: Any, above: tuple[str, ...]) -> None:
+        for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
+            own = (*above, str(key.value))
+            lines[own] = key.start_mark.line + 1
+            walk(value, own)
+
+    try:
+        walk(yaml.compose(text, yaml.SafeLoader), ())
+    except RecursionError:
+        raise _too_deep(path) from None
+    return lines
+
+
+def _too_deep(path: Path) -> InputError:
+    return InputError(f"{path}: nested too deeply; such a file has three levels at most")

@@ -76,6 +76,17 @@ def _panel(px: float, py: float, pz: float, c: Floats, m: Floats, n: Floats) -> 
     return angle, source
 
 
+@inner
+def _add(potential: Floats, velocity: Floats, i: int, j: int, image: int, angle: float, source: float) -> None:
+    """Add what panel j does to image ``image`` of point i: bits 1 and 2 say that it is mirrored in y, in z."""
+    in_y, in_z = image % 2, image // 2
+    for mirror in range(2):
+        sign = (1 - 2 * in_y) * (1 - 2 * in_z * mirror)
+        potential[mirror, i, j] += sign * angle
+        potential[mirror, i, i] -= angle
+        velocity[mirror, i, j] -= sign * source
+
+
 @kernel
 def panel_equations(corners: Floats, normal: Floats) -> tuple[Floats, Floats]:
     """Green's identity at the centres of the panels of a quarter body.
@@ -107,11 +118,7 @@ def panel_equations(corners: Floats, normal: Floats) -> tuple[Floats, Floats]:
                 angle, source = _panel(centre[i, 0], y, z, corners[j], centre[j], normal[j])
                 if image == 0 and i == j:
                     angle = 0.0
-                for mirror in range(2):
-                    sign = (1 - 2 * in_y) * (1 - 2 * in_z * mirror)
-                    potential[mirror, i, j] += sign * angle
-                    potential[mirror, i, i] -= angle
-                    velocity[mirror, i, j] -= sign * source
+                _add(potential, velocity, i, j, image, angle, source)
     for mirror in range(2):
         for i in range(n):
             potential[mirror, i, i] += 4.0 * math.pi
@@ -168,11 +175,7 @@ def contour_equations(y: Floats, z: Floats) -> tuple[Floats, Floats]:
                 angle, source = _piece(py, pz, y[j], z[j], y[j + 1], z[j + 1])
                 if image == 0 and i == j:
                     angle = 0.0
-                for mirror in range(2):
-                    sign = (1 - 2 * in_y) * (1 - 2 * in_z * mirror)
-                    potential[mirror, i, j] += sign * angle
-                    potential[mirror, i, i] -= angle
-                    velocity[mirror, i, j] -= sign * source
+                _add(potential, velocity, i, j, image, angle, source)
     for mirror in range(2):
         for i in range(n):
             potential[mirror, i, i] += 2.0 * math.pi

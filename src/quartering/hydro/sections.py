@@ -10,6 +10,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import WATER_DENSITY, InputError, RangeWarning
+from quartering.hull.choices import Sections
 from quartering.hull.section import Floats, Section
 from quartering.hydro.closefit import close_fit
 from quartering.hydro.lewis import LewisForms, area_coefficient_limits, lewis_forms
@@ -17,7 +18,6 @@ from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
 from quartering.hydro.multipole import Radiation, radiation
 from quartering.hydro.outline import Outline, section_outline
 from quartering.hydro.resolution import warn_of_mismatch, worst
-from quartering.hydro.table import Method
 
 PANELS: Final = 50
 """Panels on the half contour: within 0.3 % on flat forms with sharp bilges, on which 25 miss heave by 2 %."""
@@ -36,7 +36,7 @@ _VARIABLES: Final = {
 def section_coefficients(
     section: Section,
     frequency: ArrayLike,
-    method: Method = "auto",
+    method: Sections = "auto",
     *,
     density: float = WATER_DENSITY,
     panels: int = PANELS,
@@ -85,8 +85,8 @@ def section_coefficients(
     >>> round(float(ds.a22[0]) / (1025.0 * np.pi / 2), 3), ds.a22.attrs["units"]
     (0.382, 'kg m-1')
     """
-    if method not in get_args(Method):
-        raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Method))}")
+    if method not in get_args(Sections):
+        raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Sections))}")
     if not (np.isfinite(density) and density > 0.0):
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
     forms = lewis_forms(section.half_breadth, section.draught, immersed_area(section))
@@ -115,7 +115,7 @@ def section_coefficients(
     return _dataset(w, lateral, heave, forms, density, choice)
 
 
-def _own_outline(section: Section, method: Method) -> Outline | None:
+def _own_outline(section: Section, method: Sections) -> Outline | None:
     """The section's contour; none for a bare centre plane when a Lewis form may stand for it."""
     if method == "auto" and not section.y.any():
         return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
-from typing import Any, Final, Literal, get_args
+from typing import Any, Final, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.cache import remembered
 from quartering.conventions import GRAVITY, InputError
 from quartering.digest import fingerprint, source_digest
+from quartering.hull.choices import Sections
 from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
 from quartering.hydro.closefit import close_fit, close_fit_limits
@@ -26,9 +27,6 @@ from quartering.hydro.multipole import CONTOUR_POINTS, Radiation, radiation
 from quartering.hydro.outline import Outline, strip_outline
 from quartering.hydro.resolution import warn_of_mismatch, worst
 from quartering.hydro.wavemaker import Complexes
-
-Method = Literal["auto", "lewis", "close-fit"]
-"""How the section problem is solved: on the Lewis form, on the section's own contour, or whichever suits."""
 
 FREQUENCY_RANGE: Final = (0.02, 3.5)
 """Lowest and highest w sqrt(B/2g) of the standard frequencies [1]."""
@@ -81,7 +79,7 @@ class SectionTable:
 
 
 def radiation_table(
-    strips: Strips, frequency: ArrayLike, density: float, *, points: int = CONTOUR_POINTS, method: Method = "auto"
+    strips: Strips, frequency: ArrayLike, density: float, *, points: int = CONTOUR_POINTS, method: Sections = "auto"
 ) -> SectionTable:
     """Section coefficients in sway and roll of a hull's strips.
 
@@ -130,15 +128,15 @@ def radiation_table(
         raise InputError(f"frequencies must be one list in ascending order [rad/s]; given {frequency!r}")
     if not (np.isfinite(density) and density > 0.0):
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
-    if method not in get_args(Method):
-        raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Method))}")
+    if method not in get_args(Sections):
+        raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Sections))}")
     found = dict(_found(strips, w, density, points, method))
     names = [f"section {i + 1} (x = {x:g} m)" for i, x in enumerate(strips.x)]
     warn_of_mismatch(found.pop("mismatch"), names, stacklevel=2)
     return _table(found, density)
 
 
-def _found(strips: Strips, w: Floats, density: float, points: int, method: Method) -> Mapping[str, NDArray[Any]]:
+def _found(strips: Strips, w: Floats, density: float, points: int, method: Sections) -> Mapping[str, NDArray[Any]]:
     """Arrays of a table by name, from disk where they are worth keeping."""
     if w.size < FEWEST_KEPT:
         return _solved(strips, w, density, points, method)
@@ -148,7 +146,7 @@ def _found(strips: Strips, w: Floats, density: float, points: int, method: Metho
     return remembered(name, lambda: _solved(strips, w, density, points, method))
 
 
-def _solved(strips: Strips, w: Floats, density: float, points: int, method: Method) -> dict[str, NDArray[Any]]:
+def _solved(strips: Strips, w: Floats, density: float, points: int, method: Sections) -> dict[str, NDArray[Any]]:
     """Arrays of a table by name; those of its Lewis forms after "forms."."""
     forms = lewis_forms(strips.half_breadth, strips.draught, strips.area)
     lateral = radiation(forms, w, "lateral", density=density, points=points)
@@ -212,7 +210,7 @@ def own_outline(strips: Strips, section: int) -> Outline:
     return strip_outline(s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]), called)
 
 
-def _outlines(strips: Strips, forms: LewisForms, method: Method) -> dict[int, Outline]:
+def _outlines(strips: Strips, forms: LewisForms, method: Sections) -> dict[int, Outline]:
     """Outlines of the sections that are to be solved on their own contours, by number."""
     if method == "lewis" or (method == "auto" and strips.y.shape[1] < FEWEST_POINTS):
         return {}

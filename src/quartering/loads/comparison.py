@@ -13,9 +13,9 @@ from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.moments import section_table
 from quartering.loads.database_forces import database_force_phasors
-from quartering.loads.forces import FORMS, Form, conditions_held, wave_force_phasors
+from quartering.loads.forces import FORMS, Form, wave_force_phasors
 from quartering.loads.stations import stations
-from quartering.loads.validity import warn_of_conditions, warn_outside_database
+from quartering.loads.validity import conditions_held, warn_of_conditions, warn_outside_database
 from quartering.loads.waves import Floats, Phasors
 
 PRESSURE_ALONE: Final = "froude-krylov"

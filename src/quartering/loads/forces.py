@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Final, Literal, get_args
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from quartering.conventions import (
     GRAVITY,
@@ -21,9 +21,8 @@ from quartering.hull.immersed import strips
 from quartering.hull.strips import Strips
 from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.moments import section_table
-from quartering.hydro.own_moments import frequencies_held
 from quartering.hydro.table import SectionTable
-from quartering.loads.database_forces import database_force_phasors, waves_held
+from quartering.loads.database_forces import database_force_phasors
 from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.relative_motion import relative_motion_diffraction
@@ -169,40 +168,6 @@ def ship_force_phasors(
         strips(ship.hull), stations(ship), section_table(ship.hull, density), wavenumber, speed, heading,
         form=form, density=density,
     )  # fmt: skip
-
-
-def conditions_held(
-    ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form = "stf"
-) -> NDArray[np.bool_]:
-    """Which conditions a ship's own database holds coefficients and wave forces of; all of them without one.
-
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber, speed, heading : (n,) float    [1/m, m/s, deg]
-    form : str                                 of the diffraction force; only "stf" takes its waves from the database
-
-    Returns
-    -------
-    (n,) bool
-
-    Raises
-    ------
-    InputError    what `encounter_frequency` refuses
-
-    Notes
-    -----
-    Source: none; a check.
-
-    Examples
-    --------
-    >>> from quartering.hull.ship import ship
-    >>> conditions_held(ship("box"), np.array([0.1]), np.array([5.0]), np.array([90.0])).tolist()
-    [True]
-    """
-    omega = encounter_frequency(np.sqrt(GRAVITY * wavenumber), speed, heading)
-    held = frequencies_held(ship, np.abs(omega))
-    return held & waves_held(ship, wavenumber, heading) if form == "stf" else held
 
 
 def wave_forces(

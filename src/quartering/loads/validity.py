@@ -1,4 +1,4 @@
-"""Where speeds and waves leave what the theory or a database describes: one warning for all conditions of a study."""
+"""Which speeds and waves leave what the theory or a database describes, and one warning for all of a study."""
 
 from __future__ import annotations
 
@@ -6,14 +6,17 @@ import warnings
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, RangeWarning
-from quartering.hydro.own_moments import own_database
+from quartering.hydro.own_moments import frequencies_held, own_database
 from quartering.hydro.table import FREQUENCY_RANGE
+from quartering.loads.database_forces import waves_held
+from quartering.loads.waves import Floats, encounter_frequency
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
+    from quartering.loads.forces import Form
 
 FASTEST: Final = 0.5
 """Froude number above which a hull no longer floats as at rest: it trims, and lift carries part of it [1]."""
@@ -96,3 +99,37 @@ def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
             RangeWarning,
             stacklevel=3,
         )
+
+
+def conditions_held(
+    ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form = "stf"
+) -> NDArray[np.bool_]:
+    """Which conditions a ship's own database holds coefficients and wave forces of; all of them without one.
+
+    Parameters
+    ----------
+    ship : Ship
+    wavenumber, speed, heading : (n,) float    [1/m, m/s, deg]
+    form : str                                 of the diffraction force; only "stf" takes its waves from the database
+
+    Returns
+    -------
+    (n,) bool
+
+    Raises
+    ------
+    InputError    what `encounter_frequency` refuses
+
+    Notes
+    -----
+    Source: none; a check.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> conditions_held(ship("box"), np.array([0.1]), np.array([5.0]), np.array([90.0])).tolist()
+    [True]
+    """
+    omega = encounter_frequency(np.sqrt(GRAVITY * wavenumber), speed, heading)
+    held = frequencies_held(ship, np.abs(omega))
+    return held & waves_held(ship, wavenumber, heading) if form == "stf" else held

@@ -1,4 +1,4 @@
-"""Harmonic balance of any order: periodic motions of many conditions through one compiled kernel."""
+"""Harmonic balance: periodic motions of many conditions through one compiled kernel."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations

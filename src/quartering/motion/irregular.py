@@ -26,6 +26,9 @@ _BETWEEN = np.array([-5, 49, -245, 1225, 1225, -245, 49, -5]) / 2048
 """Weights of eight neighbouring samples for the value in the middle of them (the interpolating polynomial of degree 7)."""
 _BEFORE = _BETWEEN.size // 2 - 1
 
+_COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s", "rad", "rad"]
+"""Of the state; the heading and the rudder angle where an autopilot steers."""
+
 
 @kernel
 def _march(first, last, chain, forcing, between, h, begin, limit, states, peak, square, capsize):
@@ -172,7 +175,7 @@ def _dataset(
     result["state"] = (
         ("realisation", "component"),
         ends,
-        {"units": "m/s, rad, rad/s", "long_name": "state at the end"},
+        {"units": ", ".join(_UNITS[: ends.shape[1]]), "long_name": "state at the end"},
     )
     result.attrs = {"duration": duration, "step": step, "references": ", ".join(model.references)}
-    return result.assign_coords(component=[*STATE, "psi", "delta"][: ends.shape[1]])
+    return result.assign_coords(component=_COMPONENTS[: ends.shape[1]])

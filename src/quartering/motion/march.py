@@ -15,11 +15,12 @@ from numpy.typing import NDArray
 from quartering.compiled import abreast
 from quartering.motion.abreast import WIDTH
 from quartering.motion.equations import Floats, System
+from quartering.motion.steering import HEADING, RUDDER
 from quartering.motion.terms import KNOT, KNOT_CODE
 
 TIMES, TIMES_MODULUS, BEYOND_KNOT = 0, 1, 2
 _GROUP = 4
-_ROLL, _ROLL_RATE, _YAW_RATE, _HEADING, _RUDDER = 1, 2, 3, 4, 5
+_ROLL, _ROLL_RATE, _YAW_RATE = 1, 2, 3
 
 
 class Chain(NamedTuple):
@@ -185,11 +186,11 @@ def step_sum(chain, h, excitation, y, room):
         _rates(chain, columns, rate)
         weight, ahead = (1.0 if j == 0 or j == 3 else 2.0), (0.5 * h if j < 2 else h)
         # a heading or an angle first, while the rate it follows is still that of the stage
-        if states > _HEADING:
-            _advance_by_rate_of(_YAW_RATE, weight, ahead, y, _HEADING, columns, total)
+        if states > HEADING:
+            _advance_by_rate_of(_YAW_RATE, weight, ahead, y, HEADING, columns, total)
         _advance_by_rate_of(_ROLL_RATE, weight, ahead, y, _ROLL, columns, total)
         _advance(rate, 0, weight, ahead, y, 0, columns, total)
         _advance(rate, 1, weight, ahead, y, _ROLL_RATE, columns, total)
         _advance(rate, 2, weight, ahead, y, _YAW_RATE, columns, total)
-        if states > _RUDDER:
-            _advance(rate, 3, weight, ahead, y, _RUDDER, columns, total)
+        if states > RUDDER:
+            _advance(rate, 3, weight, ahead, y, RUDDER, columns, total)

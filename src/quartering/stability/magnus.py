@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from quartering.compiled import abreast, kernel
 from quartering.motion.equations import Floats
+from quartering.stability.exponential import ROW, commutator, exponential, product
 from quartering.threads import in_threads
 
 STEPS = (
@@ -26,86 +27,6 @@ take tens of megabytes."""
 _CONSTANT = 40.0
 _NODE = math.sqrt(15.0) / 10.0
 _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
-ROW = 32
-"""Conditions abreast: their matrices stay in the processor's fastest memory."""
-
-
-@abreast
-def _product(a, b, out):
-    for i in range(4):
-        for j in range(4):
-            for l in range(ROW):
-                out[i, j, l] = (
-                    a[i, 0, l] * b[0, j, l]
-                    + a[i, 1, l] * b[1, j, l]
-                    + a[i, 2, l] * b[2, j, l]
-                    + a[i, 3, l] * b[3, j, l]
-                )
-
-
-@abreast
-def _commutator(a, b, scratch, out):
-    _product(a, b, out)
-    _product(b, a, scratch)
-    for i in range(4):
-        for j in range(4):
-            for l in range(ROW):
-                out[i, j, l] -= scratch[i, j, l]
-
-
-@abreast
-def _halve(x, norm, halvings):
-    """Halve each matrix until its norm is below 1/2; returns the largest number of ``halvings`` (W,)."""
-    for l in range(ROW):
-        norm[l] = 0.0
-    for i in range(4):
-        for l in range(ROW):
-            row = abs(x[i, 0, l]) + abs(x[i, 1, l]) + abs(x[i, 2, l]) + abs(x[i, 3, l])
-            norm[l] = max(norm[l], row)
-    most = 0
-    for l in range(ROW):
-        halvings[l], scale = 0, 1.0
-        while norm[l] * scale > 0.5 and halvings[l] < 60:
-            scale *= 0.5
-            halvings[l] += 1
-        most = max(most, halvings[l])
-        norm[l] = scale
-    for i in range(4):
-        for j in range(4):
-            for l in range(ROW):
-                x[i, j, l] *= norm[l]
-    return most
-
-
-@abreast
-def _exponential(x, square, cube, part, norm, halvings, out):
-    """out = exp(x) by its series to x^8 after halving x, and squaring as often; x is lost."""
-    most = _halve(x, norm, halvings)
-    _product(x, x, square)
-    _product(square, x, cube)
-    for i in range(4):
-        for j in range(4):
-            one = 1.0 / 720.0 if i == j else 0.0
-            for l in range(ROW):
-                part[i, j, l] = one + x[i, j, l] * (1.0 / 5040.0) + square[i, j, l] * (1.0 / 40320.0)
-    _product(cube, part, out)
-    for i in range(4):
-        for j in range(4):
-            one = 1.0 / 6.0 if i == j else 0.0
-            for l in range(ROW):
-                part[i, j, l] = out[i, j, l] + one + x[i, j, l] * (1.0 / 24.0) + square[i, j, l] * (1.0 / 120.0)
-    _product(cube, part, out)
-    for i in range(4):
-        for j in range(4):
-            one = 1.0 if i == j else 0.0
-            for l in range(ROW):
-                out[i, j, l] += one + x[i, j, l] + 0.5 * square[i, j, l]
-    for n in range(most):
-        _product(out, out, part)
-        for i in range(4):
-            for j in range(4):
-                for l in range(ROW):
-                    out[i, j, l] = part[i, j, l] if n < halvings[l] else out[i, j, l]
 
 
 @abreast
@@ -118,18 +39,18 @@ def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
                 a1[i, j, l] = h[l] * middle
                 a2[i, j, l] = h[l] * _ROOT * (high - low)
                 a3[i, j, l] = _THIRDS * h[l] * (high - 2.0 * middle + low)
-    _commutator(a1, a2, scratch, c1)
+    commutator(a1, a2, scratch, c1)
     for i in range(4):
         for j in range(4):
             for l in range(ROW):
                 out[i, j, l] = 2.0 * a3[i, j, l] + c1[i, j, l]
-    _commutator(a1, out, scratch, c2)
+    commutator(a1, out, scratch, c2)
     for i in range(4):
         for j in range(4):
             for l in range(ROW):
                 c1[i, j, l] += -20.0 * a1[i, j, l] - a3[i, j, l]
                 c2[i, j, l] = a2[i, j, l] - c2[i, j, l] * (1.0 / 60.0)
-    _commutator(c1, c2, scratch, out)
+    commutator(c1, c2, scratch, out)
     for i in range(4):
         for j in range(4):
             for l in range(ROW):
@@ -179,8 +100,8 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
         for n in range(counts[r]):
             _at_nodes(values, weights, starts[r] + 3 * n, matrix)
             _exponent(matrix, h, a1, a2, a3, c1, c2, scratch, exponent)
-            _exponential(exponent, c1, c2, scratch, norm, halvings, a1)
-            _product(a1, phi, a2)
+            exponential(exponent, c1, c2, scratch, norm, halvings, a1)
+            product(a1, phi, a2)
             for a in range(4):
                 for b in range(4):
                     for l in range(ROW):

@@ -68,7 +68,8 @@ def branch(
                       changes or the curve turns back, and "" elsewhere; ``fold`` is True at the folds.  The curves
                       stand one after the other: ``curve`` is 0 on the one from the start and counts up, ``origin`` says
                       where a curve began ("start", "symmetry-breaking", "period-doubling", "search"), ``periods`` is 2 where a
-                      motion repeats after two wave periods, ``closed`` is True on a curve that returns to its beginning
+                      motion repeats after two wave periods, ``closed`` is True on a curve that returns to its beginning;
+                      the attribute ``harmonics`` is the highest taken
 
     Raises
     ------
@@ -99,7 +100,7 @@ def branch(
             _columns(line, i, over, low, high)
             for i, line in enumerate(lines_of(at, harmonics, points, steepest_of(ship_or_model)))
         ]
-    return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model))
+    return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model), harmonics=harmonics)
 
 
 def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = np.inf) -> list[Line]:

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-import yaml
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
@@ -19,7 +18,7 @@ from quartering.conventions import InputError
 from quartering.hull.schema import quoted
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
-from quartering.motion.harmonic import checked_harmonics
+from quartering.hull.yaml_text import key_lines, parsed, read_text
 from quartering.names import checked_values
 from quartering.study.case_keys import Case, LoadingAxes, Values
 from quartering.study.case_values import checked_headings, range_values, single_value, steepness
@@ -101,7 +100,11 @@ def case_grid(path: str | Path) -> Grid:
     """
     case, place, text = _read(path)
     own = _ship(case.ship, Path(path), place)
-    axes = {name: _values(place, (name,), getattr(case, name), _KINDS[name], own) for name in _conditions(case, place)}
+    axes = {
+        name: _values(place, (name,), given, _KINDS[name], own)
+        for name in (*CONDITION_AXES, STEEPNESS)
+        if (given := getattr(case, name)) is not None
+    }
     try:
         checked_headings(axes["heading"].tolist(), "heading")
     except InputError as error:
@@ -111,8 +114,6 @@ def case_grid(path: str | Path) -> Grid:
         for name, value in case.loading
         if value is not None
     }
-    if "gm" in loading and "kg" in loading:
-        raise place.says(("loading", "kg"), "gm and kg are both given; one follows from the other, leave one out")
     factors = {
         name: _values(place, ("coefficients", name), value, "ratio", own) for name, value in case.coefficients.items()
     }
@@ -122,26 +123,10 @@ def case_grid(path: str | Path) -> Grid:
         except InputError as error:
             raise place.says(("coefficients", name), str(error)) from None
     try:
-        checked_harmonics(case.harmonics)
-    except InputError as error:
-        raise place.says(("harmonics",), str(error)) from None
-    try:
         made = grid(own, **axes, harmonics=case.harmonics, form=case.form, **loading, **factors)
     except InputError as error:
         raise place.says(_blamed(str(error), place), str(error)) from None
     return Grid(made.ship, made.axes, made.loadings, made.harmonics, made.form, text)
-
-
-def _conditions(case: Case, place: _Place) -> list[str]:
-    """Keys of the conditions: speed, heading, wave length, and wave height or steepness."""
-    sea = [name for name in ("wave_height", STEEPNESS) if getattr(case, name) is not None]
-    if not sea:
-        raise place.says(
-            (), "key `wave_height` is missing; give it, or steepness: height over length, alike for all lengths"
-        )
-    if len(sea) > 1:
-        raise place.says((STEEPNESS,), "wave_height and steepness are two ways to say one thing; leave one out")
-    return [*CONDITION_AXES[:3], *sea]
 
 
 def case_schema() -> str:
@@ -160,25 +145,11 @@ def case_schema() -> str:
 
 
 def _read(path: str | Path) -> tuple[Case, _Place, str]:
-    try:
-        text = Path(path).read_text(encoding="utf-8")
-    except UnicodeDecodeError:
-        raise InputError(f'case "{path}" is not a text file; a case file is YAML text in UTF-8') from None
-    except OSError as error:
-        raise InputError(f'case "{path}" cannot be read ({error.strerror})') from None
-    try:
-        node, content = yaml.compose(text, yaml.SafeLoader), yaml.safe_load(text)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        line = f", line {mark.line + 1}" if mark is not None else ""
-        raise InputError(
-            f"{path}{line}: this is not YAML ({getattr(error, 'problem', error)}); compare with `quartering new`"
-        ) from None
-    lines: dict[tuple[str, ...], int] = {}
-    place = _Place(str(path), lines)
+    text = read_text(Path(path))
+    content = parsed(text, Path(path))
+    place = _Place(str(path), key_lines(text, Path(path)))
     if not isinstance(content, dict):
         raise place.says((), f"a case is a list of keys with values: {', '.join(Case.model_fields)}")
-    _number_lines(node, (), lines, place)
     if "ship" not in content and ("base" in content or "lines" in content):
         raise place.says(
             (), f"this is a ship file; a case names it: `ship: {Path(path).name}`; `quartering new --case` writes one"
@@ -187,20 +158,6 @@ def _read(path: str | Path) -> tuple[Case, _Place, str]:
         return Case.model_validate(content), place, text
     except ValidationError as error:
         raise _refusal(error, place, content) from None
-
-
-def _number_lines(node: Any, path: tuple[str, ...], lines: dict[tuple[str, ...], int], place: _Place) -> None:
-    """Line of every key, and a refusal of keys given twice."""
-    if not isinstance(node, yaml.MappingNode):
-        return
-    for key, value in node.value:
-        own = (*path, str(key.value))
-        if own in lines:
-            raise InputError(
-                f"{place.name}, line {key.start_mark.line + 1}: `{key.value}` is given twice (first in line {lines[own]})"
-            )
-        lines[own] = key.start_mark.line + 1
-        _number_lines(value, own, lines, place)
 
 
 def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> InputError:

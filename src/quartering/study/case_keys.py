@@ -7,6 +7,7 @@ from typing import Annotated, Any
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from quartering.loads.forces import Form
+from quartering.motion.harmonic import MOST_HARMONICS
 
 
 def _no_switch(given: Any) -> Any:
@@ -61,5 +62,7 @@ class Case(_Strict):
     coefficients: dict[str, Values] = Field(
         default={}, description="multipliers of coefficients by name, such as K_ppp"
     )
-    harmonics: int = Field(default=1, ge=1, description="of the steady motion: 1 is the paper's method, else odd")
+    harmonics: int = Field(
+        default=1, ge=1, description=f"of the steady motion: 1 is the paper's method; 3, 5, 7, .. {MOST_HARMONICS}"
+    )
     form: Form = Field(default="stf", description="of the diffraction force")

@@ -207,7 +207,7 @@ def grid(
         raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
     extra = {name: axis(name, values) for name, values in axes.items()}
     if "gm" in extra and "kg" in extra:
-        raise InputError("axes gm and kg are both given; one follows from the other, leave one out")
+        raise InputError("gm and kg are both given; one follows from the other, leave one out")
     ship = base_of(ship, extra)
     _check_count({**own, **extra})
     combined = np.array(list(product(*extra.values())), dtype=float).reshape(
@@ -259,7 +259,9 @@ def _sea(wave_height: ArrayLike | None, steepness: ArrayLike | None) -> dict[str
         return {STEEPNESS: steepness}
     if wave_height is not None:
         return {"wave_height": wave_height}
-    raise InputError("wave_height or steepness is missing; give one of the two")
+    raise InputError(
+        "wave_height or steepness is missing; give one of the two (steepness: height over length, alike for all lengths)"
+    )
 
 
 def _check_count(axes: Mapping[str, Floats]) -> None:

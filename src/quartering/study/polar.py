@@ -15,7 +15,7 @@ from quartering.loads.waves import Wave
 from quartering.motion.harmonic import checked_harmonics
 from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
-from quartering.study.sweep import axis
+from quartering.study.grid import axis
 
 
 def polar(

@@ -6,16 +6,18 @@ import csv
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 import numpy as np
 import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError
 from quartering.stability.kind import Kind
-from quartering.study.grid import STEEPNESS
+from quartering.study.grid import CONDITION_AXES, STEEPNESS
 
 Measure = Literal["roll", "margin"]
+OF_CONDITIONS: Final = frozenset({*CONDITION_AXES, STEEPNESS, "resonance", "rank"})
+"""Coordinates of a result that say nothing of its loadings."""
 _OF = {"roll": "roll_peak", "margin": "exponent"}
 
 

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY
 from quartering.hull.ship import Ship
-from quartering.loads.forces import Form, conditions_held
+from quartering.loads.forces import Form
+from quartering.loads.validity import conditions_held
 from quartering.loads.waves import encounter_frequency
 from quartering.motion.batch import rows
 from quartering.motion.of_ship import ShipSystem, excitation, ship_system

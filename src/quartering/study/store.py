@@ -24,7 +24,6 @@ LAYOUT = 1
 """Number of the layout of the folder; another one is refused."""
 MANIFEST = "case.json"
 _BLOCKS = "blocks"
-_NONE_YET = "has no block yet"
 
 
 @dataclass(frozen=True)
@@ -224,7 +223,7 @@ def read_block(store: Store, index: int, name: str) -> NDArray[np.generic]:
             values = np.array(file.variables[name].data)
     except (OSError, ValueError, TypeError, KeyError):
         raise InputError(
-            f'"{store.folder}": block {index} of {len(store.content["blocks"])} {_NONE_YET} or is damaged; run the same'
+            f'"{store.folder}": block {index} of {len(store.content["blocks"])} has no block yet or is damaged; run the same'
             " sweep again, only what is missing is computed"
         ) from None
     return values.astype(values.dtype.newbyteorder("="))
@@ -280,7 +279,7 @@ def code_digest() -> str:
     >>> len(code_digest())
     16
     """
-    own = (f"study/{name}.py" for name in ("conditions", "shared", "grid"))
+    own = (f"study/{name}.py" for name in ("conditions", "shared", "grid", "loadings"))
     return source_digest("hull", "hydro", "loads", "motion", "stability", *own)
 
 

@@ -20,12 +20,9 @@ from quartering.study.conditions import warn_outside_range
 from quartering.study.dataset import heading_of
 from quartering.study.estimate import timed_block_size
 from quartering.study.executor import check_cluster, computed, reached
-from quartering.study.grid import Grid, axis, grid
-from quartering.study.loadings import LOADING_AXES
+from quartering.study.grid import Grid, grid
 from quartering.study.result import in_memory, open_result
 from quartering.study.store import Store, begun_block_size, block_counts, open_store, write_block
-
-__all__ = ["LOADING_AXES", "axis", "evaluated", "fill", "sweep"]
 
 
 def sweep(

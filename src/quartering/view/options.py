@@ -8,9 +8,8 @@ from typing import NamedTuple
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.hull.units import Kind, quantity, split_quantity
+from quartering.study.case_values import MOST_VALUES
 
-MOST_VALUES = 100_000
-"""Largest number of values one option may stand for."""
 _HARDLY_MOVING = 0.02
 """Froude number below which a speed typed without a unit is doubted [1]."""
 

@@ -10,7 +10,7 @@ import xarray as xr
 
 from quartering.conventions import InputError, headed, in_unit, written
 from quartering.stability.kind import Kind
-from quartering.study.query import Measure, cut, sea_of, worst, worst_by, write_csv
+from quartering.study.query import OF_CONDITIONS, Measure, cut, sea_of, worst, worst_by, write_csv
 from quartering.study.result import open_result
 from quartering.study.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
@@ -162,8 +162,7 @@ def small_roll_frequency(ds: xr.Dataset) -> float:
 
 def _loading_names(ds: xr.Dataset) -> list[str]:
     """Coordinates that tell one loading from another."""
-    usual = {"speed", "heading", "wave_length", "wave_height", "steepness", "resonance", "rank"}
-    return [str(name) for name in ds.coords if name not in usual]
+    return [str(name) for name in ds.coords if name not in OF_CONDITIONS]
 
 
 def _sizes(ds: xr.Dataset) -> str:

@@ -172,8 +172,8 @@ def _curve(state: State, of: Scene, found: Examined) -> list[Part]:
     words = {0: "no fold", 1: "one fold"}.get(folds, f"{folds} folds")
     return [
         charts.response_curve(followed, state.over, here, roll),
-        f"<p class='hint'>Harmonic balance of 9 harmonics, followed through its folds: {words}. Where the curve passes one"
-        " value more than once, several motions exist.</p>",
+        f"<p class='hint'>Balance of harmonics up to {followed.attrs['harmonics']}, followed through its folds: {words}."
+        " Where the curve passes one value more than once, several motions exist.</p>",
     ]
 
 

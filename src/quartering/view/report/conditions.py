@@ -12,14 +12,13 @@ from quartering.conventions import SYMBOLS, InputError, RangeWarning, in_unit, w
 from quartering.loads.waves import Wave
 from quartering.stability.kind import Kind
 from quartering.study.loadings import loaded
-from quartering.study.query import Measure, worst
+from quartering.study.query import OF_CONDITIONS, Measure, worst
 from quartering.study.sensitivity import sensitivity
 from quartering.view.commands.verdict import Examined, examine, helps
 from quartering.view.report.source import Source
 from quartering.view.wording import speed_words
 
 _COUNT, _PARAMETERS = 8, 12
-_USUAL = {"speed", "heading", "wave_length", "wave_height", "steepness", "rank", "resonance"}
 
 
 class Condition(NamedTuple):
@@ -110,7 +109,7 @@ def _line(ds: xr.Dataset, per_tenth: xr.Dataset, i: int) -> tuple[str, str, floa
 
 def _examined(source: Source, condition: Condition) -> Examined:
     place = condition.place
-    one = loaded(source.ship, {name: value for name, value in place.items() if name not in _USUAL})
+    one = loaded(source.ship, {name: value for name, value in place.items() if name not in OF_CONDITIONS})
     wave = Wave(place["wave_length"], place["wave_height"])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)  # the page counts what is out of range by itself
@@ -124,5 +123,5 @@ def _where(source: Source, place: dict[str, float]) -> str:
         f"wave {place['wave_length']:.4g} x {place['wave_height']:.3g} m (λ/L {place['wave_length'] / length:.3g})"
     )
     units = {name: SYMBOLS[name].unit if name in SYMBOLS else "1" for name in place}
-    own = [f"{written(k)} {value:.4g}{in_unit(units[k])}" for k, value in place.items() if k not in _USUAL]
+    own = [f"{written(k)} {value:.4g}{in_unit(units[k])}" for k, value in place.items() if k not in OF_CONDITIONS]
     return ", ".join([words, *own])
