@@ -48,6 +48,15 @@ def test_keels_that_cannot_be_are_refused_with_their_line(tmp_path, keels, messa
         case_grid(tmp_path / "case.yaml")
 
 
+def test_a_ship_with_keels_is_swept_over_their_breadth_from_none_on():
+    own = SHIP.with_(roll_damping="ikeda", bilge_keels=(36.0, 0.3))
+    found = qt.sweep(own, **AT, bilge_keel_breadth=[0.0, 0.6])
+    for i, keels in enumerate([(0.0, 0.0), (36.0, 0.6)]):
+        np.testing.assert_allclose(
+            found["roll"].values[i], qt.sweep(own.with_(bilge_keels=keels), **AT)["roll"].values, rtol=1e-12
+        )
+
+
 def test_keels_of_the_ship_stand_for_the_size_not_given():
     own = SHIP.with_(roll_damping="ikeda-simplified", bilge_keels=(30.0, 0.3))
     wider = loaded(own, {"bilge_keel_breadth": 0.5})

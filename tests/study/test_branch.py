@@ -117,3 +117,14 @@ def test_neimark_sacker_point_is_where_the_index_changes_sign():
     first = assess(at, u, orders).first_order
     whole, _, _, _ = steady_motions(s, 5)
     assert abs(first.k2[0]) < 0.02 * abs(assess(s, whole, orders).first_order.k2[0])
+
+
+def test_two_folds_close_together_are_found_and_the_branch_ends():
+    """Theory of Floquet: at a fold one multiplier is 1. Two folds within 0.01 m leave Newton's method little room."""
+    import quartering as qt
+
+    ship, wave = qt.ship("series60-cb60").with_(roll_damping=0.02), qt.Wave(120.0, 4.0)
+    folds = qt.branch(ship, "wave_length", wave=wave, speed=7.5, heading=72.0).query(point="fold")
+    assert folds.sizes["point"] == 3
+    multipliers = folds["multiplier_real"].values + 1j * folds["multiplier_imag"].values
+    assert np.abs(multipliers - 1.0).min(axis=1).max() < 1e-6

@@ -58,6 +58,21 @@ def test_two_ranges_make_a_map_and_a_condition_may_be_one(run, tmp_path):
     assert (tmp_path / "map.png").stat().st_size > 10_000
 
 
+def test_keels_are_fitted_where_a_size_is_a_value(run):
+    """Agreement: the ship that `with_` gives those keels. A keel fitted for the question has no present value."""
+
+    def facts(*words):
+        return json.loads(run("--speed", "7", *words, "--bilge-keel-length", "0.25L", "--json").stdout)
+
+    keels = qt.ship("series60-cb60").with_(roll_damping="ikeda", bilge_keels=("0.25 L", "0.02 B"))
+    own = qt.sweep(keels, 7.0, 45.0, keels.hull.length, 0.02 * keels.hull.length)["roll"].item()
+    breadths = facts("--bilge-keel-breadth", "0:0.02B:3")
+    assert breadths["parameters"]["bilge_keel_breadth"]["now"] is None
+    assert breadths["roll"][-1] == pytest.approx(own, rel=1e-9)
+    stiffnesses = facts("--bilge-keel-breadth", "0.02B", "--gm", f"{keels.loading.gm}:1.2:2")
+    assert stiffnesses["roll"][0] == pytest.approx(own, rel=1e-9)
+
+
 def test_tornado_lists_the_largest_effects_first(run, tmp_path):
     result = run("--tornado", "10%", "-o", "tornado.svg", "--json")
     facts = json.loads(result.stdout)

@@ -197,7 +197,7 @@ def follow_branch(
         before, tangent = path.points[i - 1], path.tangents[i - 1]
         if path.tangents[i, -1] * tangent[-1] < 0:
             folds.append(len(found))
-            found.append(_fold(curve, before, tangent, 2.0 * float(np.linalg.norm(path.points[i] - before))))
+            found.append(_fold(curve, before, tangent, path.points[i]))
             tangents.append(tangent_at(curve.residual, found[-1], tangent))
         found.append(path.points[i])
         tangents.append(path.tangents[i])
@@ -241,17 +241,17 @@ def within(curve: Curve, steepest: float) -> Callable[[Floats], bool]:
     return lambda point: bool(roll_peaks(*curve.motions(point[None]))[0] <= steepest)
 
 
-def _fold(curve: Curve, before: Floats, tangent: Floats, reach: float) -> Floats:
-    """Point beyond `before` where the tangent has no part along the parameter."""
+def _fold(curve: Curve, before: Floats, tangent: Floats, after: Floats) -> Floats:
+    """Point between two neighbours where the tangent has no part along the parameter."""
     from scipy.optimize import brentq
 
-    def at(length: float) -> Floats:
-        point = corrected(curve.residual, before + length * tangent, tangent)
+    def at(share: float) -> Floats:
+        point = corrected(curve.residual, before + share * (after - before), tangent)
         return before if point is None else point
 
-    def slope(length: float) -> float:
-        return float(tangent_at(curve.residual, at(length), tangent)[-1])
+    def slope(share: float) -> float:
+        return float(tangent_at(curve.residual, at(share), tangent)[-1])
 
-    while slope(reach) * slope(0.0) > 0:
-        reach *= 1.5
-    return at(brentq(slope, 0.0, reach, xtol=1e-13))
+    if slope(1.0) * slope(0.0) > 0:  # a neighbour is the fold, to rounding
+        return min(before, after, key=lambda point: abs(tangent_at(curve.residual, point, tangent)[-1]))
+    return at(brentq(slope, 0.0, 1.0, xtol=1e-13))

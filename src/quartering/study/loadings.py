@@ -92,7 +92,7 @@ def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
 
     Returns
     -------
-    Ship                                       with the first damping, or the first keels; else as it is
+    Ship                                       with the first damping, or its own keels or else the first; else as it is
 
     Examples
     --------
@@ -104,7 +104,10 @@ def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
     names = [name for name in ("roll_damping", *KEEL_AXES) if name in loadings]
     if names == ["roll_damping"] and ship.roll_method == "fraction":  # the same way with another number
         return ship
-    return loaded(ship, {name: float(loadings[name][0]) for name in names})
+    first = {name: float(loadings[name][0]) for name in names}
+    if ship.bilge_keels:  # a first breadth of 0 would take their length away with them
+        first |= {name: own_value(ship, name) for name in names if name in KEEL_AXES}
+    return loaded(ship, first)
 
 
 def own_value(ship: Ship, name: str) -> float:

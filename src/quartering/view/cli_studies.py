@@ -50,6 +50,12 @@ def vary(
     gyradius_roll: Annotated[str | None, typer.Option(help=f"k_xx [m, B], {_RANGE}.")] = None,
     gyradius_yaw: Annotated[str | None, typer.Option(help=f"k_zz [m, L], {_RANGE}.")] = None,
     roll_damping: Annotated[str | None, typer.Option(help=f"Added roll damping, share of critical, {_RANGE}.")] = None,
+    bilge_keel_length: Annotated[
+        str | None, typer.Option(help=f"Length of each bilge keel [m, L]: a value, {_RANGE}.")
+    ] = None,
+    bilge_keel_breadth: Annotated[
+        str | None, typer.Option(help=f"Breadth of each bilge keel [m, B]: a value, {_RANGE}.")
+    ] = None,
     coefficient: Annotated[
         list[str] | None, typer.Option(help="K_ppp=0.2:2: factors on a coefficient; repeatable.")
     ] = None,
@@ -68,6 +74,7 @@ def vary(
         condition = {"heading": heading, "speed": speed, "wave_length": wave_length, "wave_height": wave_height}
         loading = {
             "gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw, "roll_damping": roll_damping,
+            "bilge_keel_length": bilge_keel_length, "bilge_keel_breadth": bilge_keel_breadth,
         }  # fmt: skip
         ranges = {name: text for name, text in loading.items() if text is not None}
         if tornado is not None:

@@ -19,6 +19,7 @@ from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.case_values import checked_headings
 from quartering.study.grid import CONDITION_AXES
+from quartering.study.loadings import KEEL_AXES, loaded
 from quartering.study.vary import varied, vary
 from quartering.view.commands.conditions import sizes
 from quartering.view.options import value, values
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 KINDS: dict[str, Quantity] = {
     "heading": "angle", "speed": "speed", "wave_length": "length", "wave_height": "length", "gm": "length", "kg": "length",
     "gyradius_roll": "length", "gyradius_yaw": "length", "roll_damping": "ratio",
+    "bilge_keel_length": "length", "bilge_keel_breadth": "length",
 }  # fmt: skip
 _COUNTS = {1: 41, 2: 25}
 _ROWS = 9
@@ -49,9 +51,10 @@ def draw_variation(
     as_json: bool,
 ) -> None:
     """Vary one or two values, print what happens, draw or store it where asked."""
-    one = ship(name)
+    as_is = ship(name)
     path = claim(output, (*PICTURES, ".nc")) if output is not None else None
-    fixed, parameters = _parameters(one, typed, ranges, coefficients)
+    one, left = _keeled(as_is, ranges)
+    fixed, parameters = _parameters(one, typed, left, coefficients)
     chosen: Form = form  # type: ignore[assignment]  # vary refuses an unknown one
     announce_compilation()
     wave = Wave(fixed["wave_length"], fixed["wave_height"])
@@ -59,8 +62,10 @@ def draw_variation(
         ds = vary(
             one, wave, fixed["speed"], fixed["heading"], parameters, harmonics=harmonics, form=chosen, progress=report
         )
-    for key in (key for key in parameters if key in typed):  # a condition that is varied has no present value
-        del ds[key].attrs["own_value"]
+    own_keels = one.bilge_keels is not None and one.bilge_keels == as_is.bilge_keels
+    for key in parameters:  # what is varied of the condition, or of keels fitted for the question, has no present value
+        if key in typed or (key in KEEL_AXES and not own_keels):
+            del ds[key].attrs["own_value"]
 
     def draw() -> Figure:
         from quartering.view.plots.vary import vary_picture
@@ -84,6 +89,15 @@ def draw_variation(
 def is_range(text: str) -> bool:
     """Does a condition's option stand for several values?"""
     return ":" in text or "," in text
+
+
+def _keeled(one: Ship, ranges: Mapping[str, str]) -> tuple[Ship, dict[str, str]]:
+    """The ship with the keels of which one size, or both, are given as one value, and what is left to vary."""
+    keels = {key: values([ranges[key]], "length", sizes(one), option(key), 2) for key in KEEL_AXES if key in ranges}
+    alone = [key for key in keels if not is_range(ranges[key])]
+    if alone:
+        one = loaded(one, {key: found[-1] for key, found in keels.items()})
+    return one, {key: text for key, text in ranges.items() if key not in alone}
 
 
 def _parameters(

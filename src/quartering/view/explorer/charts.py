@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from quartering.conventions import SYMBOLS
+from quartering.conventions import SYMBOLS, written
 from quartering.hull.contour import along, contour_curve
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.righting import righting_arm, righting_polynomial
@@ -157,7 +157,7 @@ def tornado(found: xr.Dataset, of: str) -> Chart:
     change = 0.1 * found[of].values
     kept = np.argsort(np.abs(change))[-_MOST_BARS:]
     names = [str(found["parameter"].values[i]) for i in kept]
-    words = [_named(name) for name in names]
+    words = [written(name) for name in names]
     worse = change[kept] > 0
     bars = {
         "type": "bar", "orientation": "h", "y": words, "x": _list(change[kept]),
@@ -171,15 +171,6 @@ def tornado(found: xr.Dataset, of: str) -> Chart:
     return _chart(
         [bars], f"change of {what} per +10 %", "", height=360, legend=False, xaxis={"zeroline": True, "zerolinewidth": 1},
     )  # fmt: skip
-
-
-def _named(parameter: str) -> str:
-    """A design value in words, a coefficient by its name."""
-    words = {
-        "gm": "GM", "kg": "KG", "gyradius_roll": "roll gyradius", "gyradius_yaw": "yaw gyradius",
-        "roll_damping": "roll damping", "speed": "speed", "wave_height": "wave height",
-    }  # fmt: skip
-    return words.get(parameter, parameter)
 
 
 def body_plan(ship: Ship) -> Chart:
