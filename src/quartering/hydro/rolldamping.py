@@ -96,8 +96,8 @@ def roll_damping(
 
     Warns
     -----
-    RangeWarning    more than 20 deg; outside the range of the regression; "ikeda" with a midship coefficient between 0.995 and 0.9995
-                    or B/T above 4.5
+    RangeWarning    more than 20 deg; outside the range of the regression; by "ikeda", a midship coefficient between 0.995 and
+                    0.9995, or B/T above 4.5
 
     Notes
     -----
@@ -232,7 +232,7 @@ def _from_lines(
 
 def _from_particulars(hull: Particulars, motion: Rolling, keel: BilgeKeel | None) -> dict[str, Floats]:
     """Components from the regression, with the same effects of speed as the component method."""
-    with np.errstate(invalid="ignore"):  # NaN is refused by `roll_damping`
+    with np.errstate(over="ignore", invalid="ignore"):  # NaN is refused by `roll_damping`
         damping = simplified_ikeda(hull, motion, keel)
     omega, U = motion.frequency, motion.speed
     return {
