@@ -35,7 +35,7 @@ from quartering.hydro.ikeda import (
     wave_speed_factor,
 )
 from quartering.hydro.ikeda_bilge_keel import BilgeKeel, bilge_keel_wave, bilge_keels, hull_pressure_moment
-from quartering.hydro.ikeda_eddy import bilge_radius, eddy_coefficient, eddy_damping
+from quartering.hydro.ikeda_eddy import _fastest_point, bilge_radius, eddy_coefficient, eddy_damping
 from quartering.hydro.integrals import about_gravity_centre
 from quartering.hydro.lewis import lewis_forms
 from quartering.hydro.multipole import radiation
@@ -386,6 +386,32 @@ def test_a_nearly_sharp_bilge_is_warned_of() -> None:
         roll_damping(S60, 0.0, 0.5, 5.0)  # round
     with pytest.warns(RangeWarning, match="third decimal"):
         _warn_sharp_bilge(replace(S175, midship=0.998))
+
+
+def test_a_hull_flatter_than_any_the_method_was_tried_on_is_warned_of() -> None:
+    """Authority: [Kawahara09], the component method over hulls of B/T 2.5 to 4.5."""
+    half = S60.with_(draught=0.5 * S60.hull.draught, roll_damping="ikeda")
+    with pytest.warns(RangeWarning, match="B/T 5 is above the 4.5"):
+        roll_damping(half, 0.0, 0.5, 10.0)
+
+
+def test_sections_fuller_than_their_box_shed_bounded_eddies() -> None:
+    """Closed form: C_P <= 1.5 and, at sigma 1, R 0 and OG 0, C_R = (r_max/T)^2 C_P (1 + H0^2)."""
+    b, T = np.array([0.01, 0.05, 0.2]), np.ones(3)
+    for fullness in (1.2, 2.0, 5.0):
+        area = 2 * fullness * b * T
+        r_max = _fastest_point(lewis_forms(b, T, area))[0]
+        assert (eddy_coefficient(b, T, area) <= 1.5 * r_max**2 * (1 + b**2) * (1 + 1e-12)).all()
+
+
+def test_a_regression_without_a_number_is_refused() -> None:
+    """Far outside its hulls the exponents of [Kawahara09] meet a negative number."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RangeWarning)
+        one = ship("box")
+        flat = one.with_(draught=0.5 * one.hull.draught, gm=one.loading.gm)
+        with pytest.raises(InputError, match="gives no number at B/T 8"):
+            roll_damping(flat, 0.0, free_roll(flat).frequency, 10.0, method="simplified")
 
 
 # Conversions --------------------------------------------------------------------------------------------------------

@@ -27,6 +27,9 @@ AMPLITUDES = np.linspace(0.25, 1.5, 11)
 SHARP_BILGE = (0.995, 0.9995)
 """Midship coefficients between which the eddy formula hangs on the third decimal of the area (5 at 1, 1 at 0.995)."""
 
+FLATTEST = 4.5
+"""B/T of the flattest hulls its authors ran the component method on ([Kawahara09]); eddies were measured up to 2.5."""
+
 LARGEST_AMPLITUDE = 20.0
 """Roll amplitude up to which the component formulas were tested [deg]."""
 
@@ -88,11 +91,13 @@ def roll_damping(
 
     Raises
     ------
-    InputError    unknown method, a size, speed, frequency or amplitude that cannot be right
+    InputError    unknown method, a size, speed, frequency or amplitude that cannot be right; a hull so far outside the
+                  range of the regression that it gives no number
 
     Warns
     -----
-    RangeWarning    more than 20 deg; outside the range of the regression; a midship coefficient between 0.995 and 0.9995
+    RangeWarning    more than 20 deg; outside the range of the regression; by "ikeda", a midship coefficient between 0.995 and
+                    0.9995, or B/T above 4.5
 
     Notes
     -----
@@ -128,10 +133,16 @@ def roll_damping(
         parts = _fraction_of_critical(ship, motion)
     elif method == "ikeda":
         _warn_sharp_bilge(hull)
+        _warn_flat(hull)
         parts = _from_lines(ship, hull, motion, keel, potential)
     else:
         parts = _from_particulars(hull, motion, keel)
     rate, total = frequency * motion.amplitude[1:], np.sum(list(parts.values()), axis=0)[1:]
+    if not np.isfinite(total).all():
+        raise InputError(
+            f'{ship.name}: roll damping "{method}" gives no number at B/T {hull.beam / hull.draught:.3g}, C_B '
+            f'{hull.block:.3g}, C_M {hull.midship:.3g}; try "ikeda", which works from the lines, or a fraction of critical'
+        )
     one = {name: float(values[0]) for name, values in parts.items()}
     return RollDamping(
         ship=ship.name,
@@ -192,6 +203,16 @@ def _warn_sharp_bilge(hull: Particulars) -> None:
         warnings.warn(message, RangeWarning, stacklevel=3)
 
 
+def _warn_flat(hull: Particulars) -> None:
+    ratio = hull.beam / hull.draught
+    if ratio > FLATTEST:
+        message = (
+            f"B/T {ratio:.3g} is above the {FLATTEST:g} of the flattest hulls the component method of roll damping was tried "
+            "on; its eddies grow with B/T; prefer a measured decay or a fraction of critical"
+        )
+        warnings.warn(message, RangeWarning, stacklevel=3)
+
+
 def _from_lines(
     ship: Ship, hull: Particulars, motion: Rolling, keel: BilgeKeel | None, potential: float
 ) -> dict[str, Floats]:
@@ -211,7 +232,8 @@ def _from_lines(
 
 def _from_particulars(hull: Particulars, motion: Rolling, keel: BilgeKeel | None) -> dict[str, Floats]:
     """Components from the regression, with the same effects of speed as the component method."""
-    damping = simplified_ikeda(hull, motion, keel)
+    with np.errstate(over="ignore", invalid="ignore"):  # NaN is refused by `roll_damping`
+        damping = simplified_ikeda(hull, motion, keel)
     omega, U = motion.frequency, motion.speed
     return {
         "friction": damping.friction * hull.scale * (1 + 4.1 * U / (omega * hull.length)),

@@ -95,7 +95,7 @@ def irregular(
 
     Raises
     ------
-    InputError        shapes that do not fit together, numbers that are not finite, a step or duration not above 0
+    InputError        shapes that do not fit together, numbers that are not finite, a step, duration or limit not above 0
 
     Notes
     -----
@@ -121,6 +121,8 @@ def irregular(
         raise InputError("frequency, force and phase must be finite numbers")
     if not (np.isfinite(duration) and np.isfinite(step) and 0 < step <= duration):
         raise InputError(f"step {step} s and duration {duration} s: both greater than zero, the step the smaller")
+    if not limit > 0:
+        raise InputError(f"limit {limit} rad: the roll angle that counts as capsize is greater than zero; try pi/2")
     count, steps = phases.shape[0], round(duration / step)
     rows = -(-count // WIDTH)
     acceleration = np.linalg.solve(model.inertia, f.T)  # (3, c)

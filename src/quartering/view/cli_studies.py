@@ -129,7 +129,8 @@ def worst(
 def show(
     result: Annotated[str, typer.Argument(help="Folder of a sweep, or a .nc file.")],
     at: Annotated[
-        list[str] | None, typer.Option(help="Cut at wave_height=4, gm=0.7, .., repeatable; the nearest value is taken.")
+        list[str] | None,
+        typer.Option(help="Cut at wave_height=4, steepness=1/30, gm=0.7, .., repeatable; the nearest value is taken."),
     ] = None,
     output: Picture = None,
     csv: Annotated[str | None, typer.Option(help="Table of the cut to write (.csv).")] = None,

@@ -12,6 +12,7 @@ from quartering.conventions import CUBIC_MONOMIALS, in_unit, written
 from quartering.hull.ship import Ship
 from quartering.hull.units import quantity
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.ends import ENDS_WORDS
 from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
 from quartering.references import REFERENCES
@@ -258,5 +259,6 @@ def forces_note(compared: xr.Dataset) -> str:
     """
     meanings = "; ".join(f"{form}: {MEANINGS[form]}" for form in map(str, compared["form"].to_numpy()))
     mesh = f" Panels: {compared.attrs['panels']}." if PANELS in compared["form"] else ""
+    ends = "" if compared.attrs["ends"] == "strips" else f" Strips {ENDS_WORDS}."
     papers = (REFERENCES[key].partition(")")[0] + ")" for key in compared.attrs["references"].split(", "))
-    return f"Moments about {compared.attrs['reference_point']}. {meanings}.{mesh} Sources: {'; '.join(papers)}."
+    return f"Moments about {compared.attrs['reference_point']}. {meanings}.{ends}{mesh} Sources: {'; '.join(papers)}."

@@ -89,17 +89,20 @@ def opened(result: str) -> xr.Dataset:
 
 
 def split_cut(typed: str) -> tuple[str, float]:
-    """Dimension and value of "wave_height=4".
+    """Dimension and value of "wave_height=4"; a steepness may be 1/30, as in a case file.
 
     Examples
     --------
     >>> split_cut("wave_height=4")
     ('wave_height', 4.0)
+    >>> split_cut("steepness=1/50")
+    ('steepness', 0.02)
     """
     name, sign, number = typed.partition("=")
+    above, bar, below = number.partition("/")
     try:
-        return name.strip(), float(number)
-    except ValueError:
+        return name.strip(), float(above) / (float(below) if bar else 1.0)
+    except (ValueError, ZeroDivisionError):
         raise InputError(
             f'--at "{typed}"{"" if sign else " has no ="}: write it like --at wave_height=4 [m, m/s, deg]'
         ) from None
