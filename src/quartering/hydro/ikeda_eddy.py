@@ -75,8 +75,8 @@ def eddy_coefficient(
     C_R = (r_max/T)^2 C_P ((1 - f1 R/T)(1 - OG/T - f1 R/T) + f2 (H0 - f1 R/T)^2),
     C_P = (0.87 exp(-g) - 4 exp(-0.187 g) + 3)/2, with g the ratio of the largest to the mean velocity about the Lewis
     form that has the section's shape below the level of the roll axis. A section that ends above G or just below it has
-    no such form: there OG is held at 0.8 sigma T; such sections are small. Sections fuller than
-    their box count as full as the box, with round corners.
+    no such form: there OG is held at 0.8 sigma T; such sections are small. Sections fuller than their box, as under a bulb,
+    count as full as the box, with round corners.
     Source: [Ikeda78a] equations (10) to (15) and appendix; [ITTC11] 2.2.4.
     Valid: round bilges, 0.4 < sigma < 1, H0 from 0.5 to 1.25: 9 of 16 measured values within 15 %, 13 within 25 %, the
     smallest (sigma 0.9) underestimated fourfold. Between sigma 0.995 and 1 the velocity is multiplied by up to 5 for the
@@ -91,9 +91,7 @@ def eddy_coefficient(
     if not all((q > 0).all() and np.isfinite(q).all() for q in (b, T, A)):
         raise InputError("half breadth, draught and area of a section must be numbers above 0 to shed eddies")
     fullness, H0 = A / (2 * b * T), b / T
-    sigma = np.minimum(
-        fullness, 1.0
-    )  # a bulb under a narrow waterline is fuller than its box, and f2 would grow without bound
+    sigma = np.minimum(fullness, 1.0)  # a bulb is fuller than its box, and f2 would grow without bound
     OG = np.minimum(og, DEEPEST_AXIS * sigma * T)
     R = bilge_radius(b, T, A) if radius is None else np.asarray(radius, dtype=float)
     r_max, velocity = _fastest_point(lewis_forms(b, T - OG, A - 2 * b * OG))

@@ -116,6 +116,7 @@ def evaluated(
     --------
     >>> from dataclasses import replace
     >>> from quartering.hull.ship import ship
+    >>> from quartering.study.grid import axis
     >>> one = grid(ship("wigley"), 5.0, 60.0, 100.0, 1.0)
     >>> evaluated(replace(one, loadings={"gm": axis("gm", [1.0, 1.2]), "K_ppp": axis("K_ppp", [1.0, 2.0])})).sizes["loading"]
     2
