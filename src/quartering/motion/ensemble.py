@@ -21,17 +21,21 @@ if TYPE_CHECKING:
 MOST_PERIODS: Final = 10_000
 """Longest march taken [wave periods]: most ships that capsize do so within tens."""
 
+_AT_ONCE = 64
+"""Periods between which an interrupt is heard."""
+
 
 @kernel
-def _march(first, last, chain, mean, cos, sin, h, forcing, steps, limit, states, times):
+def _march(first, last, chain, mean, cos, sin, h, forcing, begin, steps, limit, states, times):
     """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, 2): cosine and sine at half steps.
 
-    ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes `limit`; ``times`` (rows, W) is when it did, NaN before.
+    ``begin`` steps, whole periods, have been taken before. ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes
+    `limit`; ``times`` (rows, W) is when it did, NaN before.
     """
     room, excitation = room_for(chain), np.empty((3, 3, WIDTH))
     total = room[2]
     for row in range(first, last):
-        y, going = states[row], WIDTH
+        y, going = states[row], np.isnan(times[row]).sum()
         for n in range(steps):
             if going == 0:
                 break
@@ -47,7 +51,7 @@ def _march(first, last, chain, mean, cos, sin, h, forcing, steps, limit, states,
                         y[s, l] += h / 6.0 * total[s, l]
             for l in range(WIDTH):
                 if np.isnan(times[row, l]) and not abs(y[1, l]) <= limit:
-                    times[row, l] = (n + 1) * h
+                    times[row, l] = (begin + n + 1) * h
                     going -= 1
 
 
@@ -103,10 +107,10 @@ def capsize_times(
     phase = np.pi * np.arange(2 * steps) / steps
     forcing = np.column_stack([np.cos(phase), np.sin(phase)])
     times = np.full((rows, WIDTH), np.nan)
-    in_threads(
-        _march, rows, chain(model.system), mean[0], cos[0], sin[0], 2 * np.pi / model.frequency / steps,
-        forcing, periods * steps, limit, going, times, smallest=1,
-    )  # fmt: skip
+    wave = (chain(model.system), mean[0], cos[0], sin[0], 2 * np.pi / model.frequency / steps, forcing)
+    for begin in range(0, periods, _AT_ONCE):
+        ahead = min(_AT_ONCE, periods - begin)
+        in_threads(_march, rows, *wave, begin * steps, ahead * steps, limit, going, times, smallest=1)
     ends = going.transpose(0, 2, 1).reshape(rows * WIDTH, -1)
     return times.ravel()[: len(states)], ends[: len(states), :4]
 
