@@ -103,6 +103,10 @@ def content_digest(path: str | Path) -> str:
     Returns
     -------
     str                   32 hexadecimal digits
+
+    Notes
+    -----
+    Source: none; a digest.
     """
     file, digest = Path(path), hashlib.sha256()
     beside = file.with_suffix(".3")

@@ -55,5 +55,9 @@ def file_digest(path: str | Path) -> str:
     Returns
     -------
     str    32 hexadecimal digits
+
+    Notes
+    -----
+    Source: none; a digest.
     """
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()[:32]

@@ -226,6 +226,10 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
 def quoted(given: Any) -> str:
     """What was given as a message repeats it: whole, or its beginning.
 
+    Notes
+    -----
+    Source: none; wording.
+
     Examples
     --------
     >>> quoted("straight"), len(quoted([0.5] * 1000))

@@ -75,6 +75,10 @@ def read_text(path: Path) -> str:
     Raises
     ------
     InputError    a file that cannot be read, or is no text
+
+    Notes
+    -----
+    Source: none; reading of files.
     """
     try:
         return path.read_text(encoding="utf-8")
@@ -99,6 +103,10 @@ def parsed(text: str, path: Path) -> Any:
     Raises
     ------
     InputError    no YAML, or a key given twice: with the line
+
+    Notes
+    -----
+    Source: none; reading of files.
     """
     try:
         return yaml.load(text, Loader=_Loader)
@@ -126,6 +134,10 @@ def key_lines(text: str, path: Path) -> dict[tuple[str, ...], int]:
     Raises
     ------
     InputError    nested too deeply
+
+    Notes
+    -----
+    Source: none; reading of files.
 
     Examples
     --------

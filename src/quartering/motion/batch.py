@@ -22,6 +22,10 @@ def joined(systems: Sequence[System]) -> System:
     -------
     System
 
+    Notes
+    -----
+    Source: none needed; a change of order in memory.
+
     Examples
     --------
     >>> from quartering.motion.equations import Model
@@ -63,6 +67,10 @@ def rows(system: System, which: slice | NDArray[np.intp]) -> System:
     -------
     System
 
+    Notes
+    -----
+    Source: none needed; a change of order in memory.
+
     Examples
     --------
     >>> from quartering.motion.equations import Model
@@ -83,6 +91,10 @@ def apart(systems: System) -> list[System]:
     Returns
     -------
     list of n System
+
+    Notes
+    -----
+    Source: none needed; a change of order in memory.
 
     Examples
     --------
@@ -105,6 +117,10 @@ def copies(system: System, count: int) -> System:
     Returns
     -------
     System
+
+    Notes
+    -----
+    Source: none needed; a change of order in memory.
 
     Examples
     --------

@@ -106,6 +106,10 @@ def checked_number(name: str, value: float) -> float:
     Raises
     ------
     InputError
+
+    Notes
+    -----
+    Source: none; a check.
     """
     if not np.isfinite(value):
         raise InputError(f"term {name!r} is {value}; every coefficient must be a finite number (leave out what is 0)")

@@ -54,7 +54,12 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
 
 
 def compiled() -> bool:
-    """Are kernels of every module a map compiles in the cache, and newer than their source?"""
+    """Are kernels of every module a map compiles in the cache, and newer than their source?
+
+    Notes
+    -----
+    Source: none; bookkeeping.
+    """
     return all(_cached(module) for module in (diffraction, harmonic, variation))
 
 
