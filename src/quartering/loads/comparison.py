@@ -169,13 +169,10 @@ def _dataset(
         "ratio": ("wave_length", length / ship.hull.length, {"units": "1", "long_name": "wave length over ship length"}),
         "meaning": ("form", [MEANINGS[name] for name in names]),
     }  # fmt: skip
-    references = [
-        "H71",
-        "STF70",
-        *(["Morino74"] if ship.hull.ends != "strips" else []),
-        *(["Ancellin19"] if PANELS in force else []),
-    ]
-    references += [ship.database.reference] if ship.database is not None else []
+    references = ["H71", "STF70"]
+    references += [] if ship.hull.ends == "strips" else ["Morino74"]
+    references += ["Ancellin19"] if PANELS in force else []
+    references += [] if ship.database is None else [ship.database.reference]
     return xr.Dataset(fields, coords=coords).assign_attrs(
         axes="body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         ship=ship.name, speed=float(speed), reference_point=REFERENCE_POINT, heading_convention=HEADING_CONVENTION,

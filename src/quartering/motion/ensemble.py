@@ -18,6 +18,7 @@ from quartering.threads import in_threads
 
 if TYPE_CHECKING:
     import xarray as xr
+
 MOST_PERIODS: Final = 10_000
 """Longest march taken [wave periods]: most ships that capsize do so within tens."""
 

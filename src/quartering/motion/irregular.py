@@ -132,11 +132,8 @@ def irregular(
     amplitude[w.size : -1, :, :count] = -turned.imag.transpose(2, 0, 1)
     amplitude[-1] = model.system.mean[0][:, None]
     amplitude = amplitude.reshape(2 * w.size + 1, -1)
-    states, peak, square = (
-        np.zeros((rows, model.system.states, WIDTH)),
-        np.zeros((rows, WIDTH)),
-        np.zeros((rows, WIDTH)),
-    )
+    states = np.zeros((rows, model.system.states, WIDTH))
+    peak, square = np.zeros((rows, WIDTH)), np.zeros((rows, WIDTH))
     capsize, links = np.full((rows, WIDTH), np.nan), chain(model.system)
     for begin in range(0, steps, _CHUNK):
         samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
