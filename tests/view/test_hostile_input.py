@@ -23,8 +23,8 @@ LONG = "x" * 300
 SHIPS = {
     "empty": ("", "list of keys"),
     "list": ("- 1\n- 2\n", "list of keys"),
-    "tab": ("base: wigley\n\tname: x\n", "line 2"),
-    "open": ("base: wigley\nloading: {gm: {value: 1 m\n", "line 3"),
+    "tab": ("base: wigley\n\tname: x\n", "line 2: a tab stands where spaces indent"),
+    "open": ("base: wigley\nloading: {gm: {value: 1 m\n", "line 3: `{` of line 2 is not closed"),
     "twice": ("base: wigley\nname: x\nbase: box\n", "line 3: `base` is given twice (first in line 1)"),
     "number": ("base: wigley\n1: 2\n", "line 2: the key 1 is no word"),
     "misspelt": ("base: wigley\ndraft: 5 m\n", "did you mean `draught`"),
@@ -41,7 +41,7 @@ SHIPS = {
 }
 CASES = {
     "empty": ("", "list of keys"),
-    "tab": ("ship: wigley\n\tspeed: 3\n", "line 2"),
+    "tab": ("ship: wigley\n\tspeed: 3\n", "line 2: a tab stands where spaces indent"),
     "misspelt": (CASE + "speeed: 3\n", "line 6"),
     "deep": (CASE + "loading: " + "[" * 5000 + "]" * 5000 + "\n", "nested too deeply"),
     "number": (CASE + "1: 2\n", "line 6: the key 1 is no word"),

@@ -147,7 +147,7 @@ def case_schema() -> str:
 def _read(path: str | Path) -> tuple[Case, _Place, str]:
     text = read_text(Path(path))
     content = parsed(text, Path(path))
-    place = _Place(str(path), key_lines(text, Path(path)))
+    place = _Place(str(path), key_lines(text))
     if not isinstance(content, dict):
         raise place.says((), f"a case is a list of keys with values: {', '.join(Case.model_fields)}")
     if "ship" not in content and ("base" in content or "lines" in content):
