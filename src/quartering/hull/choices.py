@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from typing import Literal, cast, get_args
 
 from quartering.conventions import InputError
 
 Linear = Literal["default", "strip"]
 Righting = Literal["polynomial", "spline"]
+Velocities = Literal["relative", "absolute"]
+"""What lift acts on: the velocity relative to the water the wave moves, or the ship's own, as in the paper."""
 Sections = Literal["auto", "lewis", "close-fit"]
 """How the section problem is solved: on the Lewis form, on the section's own contour, or whichever suits."""
 Ends = Literal["strips", "three-dimensional"]
@@ -65,6 +68,36 @@ def checked_righting(name: str, righting: str) -> Righting:
     if righting not in get_args(Righting):
         raise InputError(f'{name}: righting = "{righting}"; allowed are "polynomial" (odd, to phi^7) and "spline"')
     return cast(Righting, righting)
+
+
+def checked_velocities(name: str, velocities: str) -> Velocities:
+    """The velocity that lift, and measured or given added mass, act on.
+
+    Parameters
+    ----------
+    name : str          ship or file named in the message
+    velocities : str    "relative" or "absolute"
+
+    Returns
+    -------
+    str    the same
+
+    Raises
+    ------
+    InputError    another word; the message has the nearest one
+
+    Examples
+    --------
+    >>> checked_velocities("my ship", "absolute")
+    'absolute'
+    """
+    if velocities not in get_args(Velocities):
+        near = get_close_matches(str(velocities).lower(), get_args(Velocities), n=1, cutoff=0.0)[0]
+        raise InputError(
+            f'{name}: velocities = "{velocities}"; did you mean "{near}"? Allowed are "relative" (to the water, which the wave '
+            'moves) and "absolute" (over ground, as in the paper)'
+        )
+    return cast(Velocities, velocities)
 
 
 def checked_ends(name: str, ends: str, database: str | None = None) -> Ends:

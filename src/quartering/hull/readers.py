@@ -146,6 +146,7 @@ def _assembled(where: str, keys: ShipKeys) -> Ship:
         autopilot=_autopilot(where, keys, base),
         rudder=_rudder(where, keys, base),
         righting=keys.righting or (base.righting if base else "polynomial"),
+        velocities=keys.velocities or (base.velocities if base else "relative"),
         roll_method=method,
         bilge_keels=keels,
         database=database,

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from quartering.conventions import InputError
-from quartering.hull.choices import Ends, Linear, Righting, Sections
+from quartering.hull.choices import Ends, Linear, Righting, Sections, Velocities
 from quartering.hull.roll_method import roll_method
 from quartering.hull.units import split_quantity
 
@@ -158,6 +158,7 @@ class ShipKeys(_Strict):
     autopilot: AutopilotKeys | None = None
     rudder: RudderKeys | None = None
     righting: Righting | None = None
+    velocities: Velocities | None = None
     database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
     bilge_keels: BilgeKeelKeys | None = None
     drag_coefficient: Given | None = None

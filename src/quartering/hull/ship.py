@@ -16,10 +16,12 @@ from quartering.hull.choices import (
     Linear,
     Righting,
     Sections,
+    Velocities,
     checked_ends,
     checked_linear,
     checked_righting,
     checked_sections,
+    checked_velocities,
 )
 from quartering.hull.loading import Loading, reloaded
 from quartering.hull.offsets import Hull, at_draught
@@ -62,6 +64,7 @@ class Ship:
     roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
     bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
     database : Database or None              own coefficients and wave forces in place of strip theory
+    velocities : str                         lift acts on the velocity "relative" to the water, or "absolute", as in the paper
     """
 
     name: str
@@ -80,6 +83,7 @@ class Ship:
     roll_method: RollMethod = "fraction"
     bilge_keels: BilgeKeels | None = None
     database: Database | None = None
+    velocities: Velocities = "relative"
 
     def __post_init__(self) -> None:
         for mapping in ("overrides", "multipliers", "provenance"):
@@ -103,6 +107,7 @@ class Ship:
         righting: Righting | None = None,
         bilge_keels: tuple[float | str, float | str] | None = None,
         database: Database | str | Path | None = None,
+        velocities: Velocities | None = None,
     ) -> Ship:
         """The same ship with some values changed.
 
@@ -121,6 +126,7 @@ class Ship:
         righting : str                                 "polynomial" or "spline"
         bilge_keels : (float or str, float or str)     length and breadth of one of the pair, for "ikeda" [m]; (0, 0): none
         database : Database, str or Path               own coefficients and wave forces: a file; "none" goes without
+        velocities : str                               "relative" (to the water) or "absolute" (the paper's equations)
 
         Returns
         -------
@@ -175,6 +181,7 @@ class Ship:
             roll_method=method,
             bilge_keels=keels,
             database=own_database,
+            velocities=checked_velocities(self.name, velocities or self.velocities),
         )
 
     @property

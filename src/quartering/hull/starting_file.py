@@ -30,6 +30,7 @@ loading:
   water_density: {density:<13} # sea water 1025, fresh water 1000
 
 linear: {linear:<22} # sway-yaw derivatives: default (lift from regression) or strip (potential flow alone)
+velocities: {velocities:<18} # lift acts on the velocity relative to the water, or absolute, as in the paper
 righting: {righting:<20} # righting curve in the equations: polynomial (odd, to phi^7) or spline (the curve itself)
 sections: {sections:<20} # section coefficients: auto, lewis (ship-like sections, fast) or close-fit (any section)
 ends: {ends:<24} # water round stem and stern: strips (none), or three-dimensional
@@ -115,6 +116,7 @@ def _text(base: str, ship: Ship) -> str:
         density=f"{loading.density:g} kg/m3",
         linear=ship.linear,
         righting=ship.righting,
+        velocities=ship.velocities,
         sections=hull.section_method,
         ends=hull.ends,
         drag=f"{ship.drag_coefficient:g}",

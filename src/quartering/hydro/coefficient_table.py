@@ -50,6 +50,8 @@ class Coefficients:
     varying : mapping of str to (n,) measured terms that vary with the speed; they add to restoring, cubic and extra
     righting : OddSpline or None     moment K over phi beyond K_phi phi of a ship whose righting curve is a spline [N m]
     rudder : (n, 3) float            Y_delta, K_delta, N_delta of a ship with an autopilot; None without one
+    relative : (n, 3, 3) float       of `linear`, what acts on moving water beside the diffraction: lift. Columns v, r count
+    relative_mass : (n, 3, 3) float  the same of the added mass: measured or given less that of the potential flow
     """
 
     ship: str
@@ -67,6 +69,8 @@ class Coefficients:
     varying: Mapping[str, Floats] = field(default_factory=dict)
     rudder: Floats | None = None
     righting: OddSpline | None = None
+    relative: Floats = field(kw_only=True)
+    relative_mass: Floats = field(kw_only=True)
 
     def table(self, condition: int = 0) -> tuple[Entry, ...]:
         """Every coefficient of one condition with unit, source and kind, in a fixed order.

@@ -86,17 +86,19 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     roll = free_roll(ship)
     check_frequencies(ship, np.append(omega, roll.frequency))
     body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
-    linear, added = _velocity_and_added_mass(ship, omega, u, lift)
+    linear, added, potential = _velocity_and_added_mass(ship, omega, u, lift)
     viscous = _beyond_measured(added_damping(ship, u, roll), lift)
     linear[:, 1, 1] += viscous.linear
     linear = given.matrix(LINEAR_NAMES, linear)
+    added = given.matrix(INERTIA_NAMES, added)
+    relative, relative_mass = linear - potential[0], potential[1] - added
     linear[:, 0, 2] -= body["m"] * u
     known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES, RUDDER_NAMES)
     return Coefficients(
         ship=ship.name,
         frequency=omega,
         speed=u,
-        inertia=rigid_inertia(body) - given.matrix(INERTIA_NAMES, added),
+        inertia=rigid_inertia(body) - added,
         linear=linear,
         restoring=given.matrix(RESTORING_NAMES, _restoring(ship)),
         cubic=given.matrix(CUBIC_NAMES, _cross_flow(ship, measured)),
@@ -108,6 +110,8 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         varying=MappingProxyType(given.varying(_varying(ship, viscous, measured))),
         righting=_righting(ship, given),
         rudder=None if rudder is None else given.matrix((RUDDER_NAMES,), rudder[:, None])[:, 0],
+        relative=relative,
+        relative_mass=relative_mass,
     )
 
 
@@ -150,22 +154,26 @@ def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:
 
 def _velocity_and_added_mass(
     ship: Ship, omega: Floats, speed: Floats, measured: MeasuredParts | None
-) -> tuple[Floats, Floats]:
-    """Velocity and acceleration derivatives of the hull before overrides, (n, 3, 3) each."""
+) -> tuple[Floats, Floats, tuple[Floats, Floats]]:
+    """Velocity and acceleration derivatives of the hull before overrides, (n, 3, 3) each; then those of the potential flow.
+
+    The last two are the derivatives whose action on moving water the diffraction force holds: lift, and added mass that
+    was measured, are what the first two have beyond them.
+    """
     z0 = ship.loading.kg - ship.hull.draught
     at = ship_moments(ship).at(omega).about(hydrostatics(ship).lcb, z0)
     if ship.linear == "strip":
         floor = frequency_floor(ship.hull.beam)
-        return derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
+        linear, added = derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
+        return linear.copy(), added, (linear, added)
+    waves, mass = -moment_matrix(at.b), -moment_matrix(at.a)
     if measured is None:
         lift = hull_lift(ship, speed)
         if ship.roll_method != "fraction":
             lift[:, 1, 1] = 0.0  # the component method has the lift of a rolling hull
-        return lift - moment_matrix(at.b), -moment_matrix(at.a)
+        return lift + waves, mass, (waves, mass)
     slow = ship_moments(ship).at(0.0).about(hydrostatics(ship).lcb, z0)
-    return measured.linear - moment_matrix(at.b), added_mass_shift(measured, -moment_matrix(slow.a)) - moment_matrix(
-        at.a
-    )
+    return measured.linear + waves, added_mass_shift(measured, -moment_matrix(slow.a)) + mass, (waves, mass)
 
 
 def _restoring(ship: Ship) -> Floats:

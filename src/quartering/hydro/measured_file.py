@@ -135,6 +135,10 @@ def assembled_set(name: str, data: Mapping[str, Any]) -> MeasuredSet:
     if data["rigid_body"] == "inside" and data["system"] == "si":
         raise InputError("rigid_body: inside is for prime values; in SI take m U out of Y_r first")
     condition, body, g = _numbers(data["condition"]), _numbers(data["body"]), _numbers(data["g"])
+    for key, unit in (("length", "m"), ("speed", "m/s"), ("density", "kg/m3")):
+        if not condition.get(key, 0.0) > 0.0:
+            given = f"{key}: {condition[key]:g}" if key in condition else f"no {key}"
+            raise InputError(f"condition: {given} is given; write what the set was measured at, above 0 {unit}")
     printed: dict[str, float] = {}
     terms: dict[tuple[str, int], float] = {}
     for block, power in _POWERS.items():

@@ -13,7 +13,7 @@ from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.moments import section_table
 from quartering.loads.database_forces import database_force_phasors
-from quartering.loads.forces import FORMS, Form, wave_force_phasors
+from quartering.loads.forces import FORMS, Form, keeps_speed_terms, relative_phasors, wave_force_phasors
 from quartering.loads.stations import stations
 from quartering.loads.validity import conditions_held, warn_of_conditions, warn_outside_database
 from quartering.loads.waves import Floats, Phasors
@@ -26,7 +26,7 @@ MEANINGS: Final[dict[str, str]] = {
     PRESSURE_ALONE: "pressure of the undisturbed wave alone, no diffraction",
     **FORMS,
     PANELS: "three-dimensional panels (Capytaine) at zero speed",
-    OWN: "the ship's own database at zero speed, with speed terms of strip theory",
+    OWN: "the ship's own database at zero speed, with the ship's terms of speed",
 }
 """Form of the wave force -> what it is."""
 MOST_CONDITIONS: Final = 100_000
@@ -67,7 +67,8 @@ def compare_forces(
 
     Notes
     -----
-    The differences count phase as well as size.
+    The differences count phase as well as size.  All forms but "froude-krylov" and "paper" hold the lift of the ship in
+    moving water, see `wave_forces`.
     Source: [H71] eqs. (B-3)-(B-11), Figs. 2-4; [STF70] exciting force; [Ancellin19].  Valid: deep water, linear wave.
 
     Examples
@@ -93,6 +94,7 @@ def compare_forces(
         force[OWN] = _own_forces(ship, length, mu, speed)
     if bem is not None:
         force[PANELS] = _panel_forces(bem, length, mu, speed)
+    _add_lift(force, ship, length, mu, speed)
     made = _dataset(ship, length, mu, speed, force, omega)
     return made if bem is None else made.assign_attrs(panels=str(bem.attrs.get("method", "of unknown make")))
 
@@ -104,10 +106,24 @@ def _strip_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> tuple
     hull = strips(ship.hull), stations(ship), section_table(ship.hull, density)
     force: dict[str, Phasors] = {}
     for form in get_args(Form):
-        pressure, scattered, omega = wave_force_phasors(*hull, k, speed, heading, form=form, density=density)
+        pressure, scattered, omega = wave_force_phasors(
+            *hull, k, speed, heading, form=form, density=density, speed_terms=keeps_speed_terms(ship)
+        )
         force.setdefault(PRESSURE_ALONE, pressure.reshape(*shape, 3))
         force[form] = (pressure + scattered).reshape(*shape, 3)
     return force, omega.reshape(shape)
+
+
+def _add_lift(force: dict[str, Phasors], ship: Ship, length: Floats, mu: Floats, speed: float) -> None:
+    """Add the force of lift and measured added mass in moving water to every form but the paper's."""
+    k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
+    u = np.full(k.size, float(speed))
+    lift = np.full((k.size, 3), np.nan + 0j)
+    held = conditions_held(ship, k, u, heading, "paper-corrected")
+    if held.any():
+        lift[held] = relative_phasors(ship, k[held], u[held], heading[held])
+    for form in set(force) - {PRESSURE_ALONE, "paper"}:
+        force[form] = force[form] + lift.reshape(length.size, mu.size, 3)
 
 
 def _own_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> Phasors:
@@ -117,7 +133,8 @@ def _own_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> Phasors
     held = conditions_held(ship, k, u, heading)
     force = np.full((k.size, 3), np.nan + 0j)
     if held.any():
-        force[held] = sum(database_force_phasors(ship, k[held], u[held], heading[held])[:2])
+        terms = keeps_speed_terms(ship)
+        force[held] = sum(database_force_phasors(ship, k[held], u[held], heading[held], speed_terms=terms)[:2])
     warn_outside_database(ship, int((~held).sum()), held.size)
     return force.reshape(length.size, mu.size, 3)
 
@@ -177,6 +194,6 @@ def _dataset(
         axes="body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         ship=ship.name, speed=float(speed), reference_point=REFERENCE_POINT, heading_convention=HEADING_CONVENTION,
         signal="cos cos(|omega| t) + sin sin(|omega| t); at t = 0 the surface at G passes its mean level going down",
-        ends=ship.hull.ends,
+        ends=ship.hull.ends, velocities=ship.velocities,
         references=", ".join(dict.fromkeys(references)),
     )  # fmt: skip

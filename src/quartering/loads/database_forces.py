@@ -39,7 +39,7 @@ class _Surfaces(NamedTuple):
 
 
 def database_force_phasors(
-    ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats
+    ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, *, speed_terms: bool = True
 ) -> tuple[Phasors, Phasors, Floats]:
     """Froude-Krylov and diffraction force of many conditions from a ship's own database, per metre of wave amplitude.
 
@@ -49,6 +49,7 @@ def database_force_phasors(
     wavenumber : (n,) float    k > 0 [1/m]
     speed : (n,) float         U >= 0 [m/s]
     heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
+    speed_terms : bool         keep the term with U below, see `contour_diffraction`
 
     Returns
     -------
@@ -86,11 +87,11 @@ def database_force_phasors(
         at_rest = found["total"] - pressure
     else:
         pressure, at_rest = found["froude_krylov"], found["diffraction"]
-    scattered = _at_speed(ship, at_rest, sigma, omega, speed)
+    scattered = _at_speed(ship, at_rest, sigma, omega, speed, speed_terms)
     return folded(omega, pressure)[1], folded(omega, scattered)[1], omega
 
 
-def _at_speed(ship: Ship, at_rest: Phasors, sigma: Floats, omega: Floats, speed: Floats) -> Phasors:
+def _at_speed(ship: Ship, at_rest: Phasors, sigma: Floats, omega: Floats, speed: Floats, speed_terms: bool) -> Phasors:
     """Diffraction at speed from that at rest; what stays at rest is left as it is."""
     moving = np.flatnonzero(speed > 0.0)
     out = at_rest.copy()
@@ -103,7 +104,8 @@ def _at_speed(ship: Ship, at_rest: Phasors, sigma: Floats, omega: Floats, speed:
         slow = np.where(np.abs(w) > 0.0, w, 1.0)
         momentum = (_radiation(ship, slow) @ motion)[..., 0]
         out[moving] = 1j * w[:, None] * momentum
-        out[moving, 2] += U * momentum[:, 0]
+        if speed_terms:
+            out[moving, 2] += U * momentum[:, 0]
     return out
 
 

@@ -24,6 +24,7 @@ def contour_diffraction(
     heading: ArrayLike,
     *,
     density: float = WATER_DENSITY,
+    speed_terms: bool = True,
 ) -> Phasors:
     """Diffraction sway force, roll moment and yaw moment of many conditions, per metre of wave amplitude.
 
@@ -35,6 +36,7 @@ def contour_diffraction(
     speed : (n,) float         U >= 0 [m/s]
     heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
     density : float            of the water [kg/m3]
+    speed_terms : bool         keep the terms with U; without them the speed acts through the encounter frequency alone
 
     Returns
     -------
@@ -48,7 +50,8 @@ def contour_diffraction(
         Y = -i w int G2 dx - U G2(x_A),  K likewise with G4,  N = -int (i w x + U) G2 dx - U x_A G2(x_A)
 
     (the derivative along the ship is integrated by parts), then K about G = K - z0 Y. For w < 0 the potentials of |w|
-    are conjugated.
+    are conjugated. Every term with U has its twin among the derivatives of strip theory (N_v, N_p, N_r and those of the aft
+    end); where lift takes the place of those, the terms here go too.
     Source: [STF70] exciting force, body axes x forward, z down.  Valid: deep water, slender ship, and w sqrt(B/g) not
     small when U > 0 (the speed terms assume that the section's wave is short against the ship).
 
@@ -71,7 +74,7 @@ def contour_diffraction(
     sigma = np.sqrt(GRAVITY * k)
     omega = encounter_frequency(sigma, U, mu)
     first, weights = frequency_weights(table.frequency, np.abs(omega))
-    waves = np.stack([k, k * along, across, sigma, omega, U], axis=1)
+    waves = np.stack([k, k * along, across, sigma, omega, U if speed_terms else np.zeros_like(U)], axis=1)
     s = stations
     forces: Phasors = _contour_forces(
         s.x, s.weight, table.y, table.z, table.ny, table.nz, table.psi, first, weights, waves,

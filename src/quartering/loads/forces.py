@@ -19,12 +19,14 @@ from quartering.conventions import (
 )
 from quartering.hull.immersed import strips
 from quartering.hull.strips import Strips
+from quartering.hydro.coefficients import coefficients
 from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.moments import section_table
 from quartering.hydro.table import SectionTable
 from quartering.loads.database_forces import database_force_phasors
 from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.froude_krylov import froude_krylov
+from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.relative_motion import relative_motion_diffraction
 from quartering.loads.stations import Stations, stations
 from quartering.loads.validity import warn_of_conditions
@@ -43,6 +45,11 @@ FORMS: Final[dict[str, str]] = {
 }
 """Diffraction form -> what it is."""
 
+LIFT_WORDS: Final = "given lift and added mass act on the velocity relative to the water"
+LIFT_FOR_SPEED_TERMS: Final = (
+    "lift, and measured or given added mass, on the velocity relative to the water, in place of the speed terms"
+)
+
 
 def wave_force_phasors(
     hull: Strips,
@@ -54,6 +61,7 @@ def wave_force_phasors(
     *,
     form: Form = "stf",
     density: float = WATER_DENSITY,
+    speed_terms: bool = True,
 ) -> tuple[Phasors, Phasors, Floats]:
     """Froude-Krylov and diffraction force of many conditions, per metre of wave amplitude.
 
@@ -67,6 +75,7 @@ def wave_force_phasors(
     heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
     form : str                 diffraction: "stf", "relative-motion", "paper-corrected" or "paper"
     density : float            of the water [kg/m3]
+    speed_terms : bool         keep the diffraction's terms with U, see `contour_diffraction`
 
     Returns
     -------
@@ -100,9 +109,9 @@ def wave_force_phasors(
     omega = encounter_frequency(np.sqrt(GRAVITY * k), U, mu)
     pressure = froude_krylov(hull, place, k, mu, density=density)
     if form == "stf":
-        scattered = contour_diffraction(place, table, k, U, mu, density=density)
+        scattered = contour_diffraction(place, table, k, U, mu, density=density, speed_terms=speed_terms)
     else:
-        scattered = relative_motion_diffraction(hull, place, table, k, U, mu, form=form)
+        scattered = relative_motion_diffraction(hull, place, table, k, U, mu, form=form, speed_terms=speed_terms)
     return folded(omega, pressure)[1], folded(omega, scattered)[1], omega
 
 
@@ -129,8 +138,32 @@ def form_words(ship: Ship, form: Form) -> str:
     True
     """
     if ship.database is None or form != "stf":
-        return FORMS[form] if ship.hull.ends == "strips" else f"{FORMS[form]}; {ENDS_WORDS}"
-    return f"{ship.database.name}, zero speed, with speed terms of strip theory"
+        words = FORMS[form] if ship.hull.ends == "strips" else f"{FORMS[form]}; {ENDS_WORDS}"
+    else:
+        words = f"{ship.database.name}, zero speed, with speed terms of strip theory"
+    if form == "paper" or ship.velocities == "absolute":
+        return words
+    return f"{words}; {LIFT_WORDS if keeps_speed_terms(ship) else LIFT_FOR_SPEED_TERMS}"
+
+
+def keeps_speed_terms(ship: Ship) -> bool:
+    """Does the diffraction of a ship keep its terms with U?
+
+    Parameters
+    ----------
+    ship : Ship
+
+    Returns
+    -------
+    bool    not where lift on the velocity relative to the water takes their place, as among the derivatives
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> keeps_speed_terms(ship("box")), keeps_speed_terms(ship("box").with_(linear="strip"))
+    (False, True)
+    """
+    return ship.linear == "strip" or ship.velocities == "absolute"
 
 
 def ship_force_phasors(
@@ -144,7 +177,8 @@ def ship_force_phasors(
 
     Returns
     -------
-    tuple    as `wave_force_phasors`; form "stf" of a ship with its own database comes from there
+    tuple    as `wave_force_phasors`; form "stf" of a ship with its own database comes from there. `ship_lift_phasors` is
+             the third part of the force
 
     Raises
     ------
@@ -160,14 +194,45 @@ def ship_force_phasors(
     >>> ship_force_phasors(ship("box"), [0.1], [0.0], [90.0])[0].shape
     (1, 3)
     """
+    speed_terms = keeps_speed_terms(ship)
     if ship.database is not None and form == "stf":
         k, U, mu = (v.copy() for v in np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading))))
-        return database_force_phasors(ship, k, U, mu)
+        return database_force_phasors(ship, k, U, mu, speed_terms=speed_terms)
     density = ship.loading.density
     return wave_force_phasors(
         strips(ship.hull), stations(ship), section_table(ship.hull, density), wavenumber, speed, heading,
-        form=form, density=density,
+        form=form, density=density, speed_terms=speed_terms,
     )  # fmt: skip
+
+
+def relative_phasors(
+    ship: Ship, wavenumber: ArrayLike, speed: ArrayLike, heading: ArrayLike, form: Form = "stf"
+) -> Phasors:
+    """Force of lift and measured or given added mass in moving water, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    ship, wavenumber, speed, heading, form    as in `wave_force_phasors`
+
+    Returns
+    -------
+    (n, 3) complex    phasors of e^{i |omega| t}; 0 in form "paper" and with velocities "absolute"
+
+    Raises
+    ------
+    InputError        what `coefficients` refuses
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> bool(abs(relative_phasors(ship("box"), [0.1], [5.0], [90.0])[0, 0]) > 0)
+    True
+    """
+    k, U, mu = np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading)))
+    if form == "paper" or ship.velocities == "absolute":
+        return np.zeros((k.size, 3), dtype=complex)
+    omega = encounter_frequency(np.sqrt(GRAVITY * k), U, mu)
+    return ship_lift_phasors(ship, coefficients(ship, omega, U), k, U, mu)
 
 
 def wave_forces(
@@ -186,9 +251,10 @@ def wave_forces(
 
     Returns
     -------
-    Dataset    froude_krylov, diffraction, total (part, mode) [N; N m for roll and yaw about G]: the force is
+    Dataset    froude_krylov, diffraction, lift, total (part, mode) [N; N m for roll and yaw about G]: the force is
                cos cos(|omega| t) + sin sin(|omega| t); encounter_frequency [rad/s]; leading dims speed, heading where
-               several were given
+               several were given. `lift` is that of the water's velocity, with what measured or given added mass adds; it
+               is 0 in form "paper" and for a ship with velocities "absolute"
 
     Raises
     ------
@@ -220,9 +286,10 @@ def wave_forces(
     grid_speed, grid_heading = (part.ravel() for part in np.meshgrid(U, mu, indexing="ij"))
     k = np.full(grid_speed.shape, wave.wavenumber)
     pressure, scattered, omega = ship_force_phasors(ship, k, grid_speed, grid_heading, form)
+    lift = relative_phasors(ship, k, grid_speed, grid_heading, form)
     dims = tuple(name for name, values in (("speed", U), ("heading", mu)) if values.ndim)
     shape = U.shape + mu.shape
-    parts = {"froude_krylov": pressure, "diffraction": scattered, "total": pressure + scattered}
+    parts = {"froude_krylov": pressure, "diffraction": scattered, "lift": lift, "total": pressure + scattered + lift}
     dataset = xr.Dataset(
         {name: _real_parts(name, wave.amplitude * phasors.reshape(*shape, 3), dims) for name, phasors in parts.items()},
         coords={"part": ["cos", "sin"], "mode": list(MODES), "unit": ("mode", ["N", "N m", "N m"])},
@@ -242,7 +309,8 @@ def _real_parts(name: str, phasors: Phasors, dims: tuple[str, ...]) -> xr.DataAr
     long_name = {
         "froude_krylov": "Froude-Krylov force and moments",
         "diffraction": "diffraction force and moments",
-        "total": "wave force and moments, Froude-Krylov plus diffraction",
+        "lift": "force and moments of lift and measured or given added mass in moving water",
+        "total": "wave force and moments, all parts together",
     }[name]
     attributes = {"units": "N (sway), N m (roll, yaw)", "long_name": long_name, "symbol": "Y, K, N"}
     return xr.DataArray(
@@ -260,6 +328,7 @@ def _provenance(ship: Ship, wave: Wave, form: Form, omega: Floats) -> dict[str, 
         "form": form,
         "form_meaning": form_words(ship, form),
         "heading_convention": HEADING_CONVENTION,
+        "velocities": ship.velocities,
         "reference_point": REFERENCE_POINT,
         "axes": "x to the bow, y to starboard, z down; positive roll: starboard down; positive yaw: bow to starboard",
         "signal": "cos cos(|omega| t) + sin sin(|omega| t); at t = 0 the surface at G passes its mean level going down",

@@ -27,6 +27,7 @@ def relative_motion_diffraction(
     heading: ArrayLike,
     *,
     form: RelativeForm,
+    speed_terms: bool = True,
 ) -> Phasors:
     """Diffraction force of many conditions from added mass and damping of the sections, per metre of wave amplitude.
 
@@ -39,6 +40,7 @@ def relative_motion_diffraction(
     speed : (n,) float         U >= 0 [m/s]
     heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
     form : str                 "paper" (as printed), "paper-corrected" (sign of the wave slope) or "relative-motion"
+    speed_terms : bool         keep the terms with U of "relative-motion", see `contour_diffraction`
 
     Returns
     -------
@@ -83,7 +85,9 @@ def relative_motion_diffraction(
     if consistent:
         mass = interpolated(_complex_mass(table.frequency, table.a, table.b), first, weights)
         mass = np.where(omega[..., None] < 0, mass.conj(), mass)
-        phasors = _along_ship(stations, _momentum(mass, sway, roll), k * along, omega, U)
+        phasors = _along_ship(
+            stations, _momentum(mass, sway, roll), k * along, omega, U if speed_terms else np.zeros_like(U)
+        )
         phasors[:, 1] -= stations.z0 * phasors[:, 0]
         return phasors
     a, b = (about_gravity_centre(values, stations.z0) for values in (table.a, table.b))

@@ -12,6 +12,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
+from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
@@ -118,7 +119,7 @@ def _with_curve(table: TermTable, c: Coefficients) -> TermTable:
 def excitation(
     ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form = "stf"
 ) -> tuple[NDArray[np.complex128], Floats]:
-    """Wave force per metre of amplitude and encounter frequency of a ship at many conditions.
+    """Wave force on the hull per metre of amplitude, without lift, and encounter frequency of a ship at many conditions.
 
     Parameters
     ----------
@@ -131,7 +132,8 @@ def excitation(
 
     Notes
     -----
-    Source: [H71] Appendix B, [STF70].
+    Froude-Krylov and diffraction alone: they depend on the loading through the height of G only, and `ship_system` adds
+    the lift of the loading.  Source: [H71] Appendix B, [STF70].
 
     Examples
     --------
@@ -185,6 +187,8 @@ def ship_system(
     """
     force, omega = excitation(ship, wavenumber, speed, heading, form) if known is None else known
     c = coefficients(ship, omega, speed)
+    if form != "paper":
+        force = force + ship_lift_phasors(ship, c, wavenumber, speed, heading)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
     table = _term_table(c)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -11,6 +12,7 @@ import xarray as xr
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
+from quartering.loads.lift import ship_water_velocity
 from quartering.loads.waves import Wave
 from quartering.motion.batch import joined
 from quartering.motion.change import OFFSETS, change_of_motion, difference
@@ -96,7 +98,8 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     u, _, _ = harmonic_balance(model.system, orders, from_rest=True)
     if not np.isfinite(u).all():
         raise InputError("no periodic motion in this condition, so nothing to differentiate; try a lower wave")
-    rows = coefficient_rows(model) + _design_rows(ship, wave, speed, heading, model)
+    water = None if ship.velocities == "absolute" else _water(ship, wave, speed, heading)
+    rows = coefficient_rows(model, water) + _design_rows(ship, wave, speed, heading, model)
     here, slopes, why = derivatives(model.system, [row.change for row in rows], u[0], orders)
     attributes: dict[str, object] = {f"base_{name}": float(here[i]) for i, name in enumerate(_COLUMNS)}
     attributes |= {"ship": ship.name, "references": ", ".join(model.references)}
@@ -167,12 +170,14 @@ def derivatives(
     return here, slopes, stability.why
 
 
-def coefficient_rows(model: Model) -> list[Row]:
+def coefficient_rows(model: Model, water: Mapping[str, complex] | None = None) -> list[Row]:
     """Every term of a model that is not zero: the equations are linear in each.
 
     Parameters
     ----------
     model : Model
+    water : mapping, optional    velocity of the water beside v and r, phasors of e^{i omega t} [m/s, rad/s]: a change of lift
+                                 acts on the velocity relative to it
 
     Returns
     -------
@@ -181,12 +186,21 @@ def coefficient_rows(model: Model) -> list[Row]:
     rows = []
     for name, value in model.terms.items():
         if value != 0.0:
-            calm = np.zeros(3)
-            alone = Model(model.inertia, {name: value}, model.frequency, calm, calm, autopilot=model.autopilot).system
+            row, _, factor = name.partition("_")
+            force = -value * (water or {}).get(factor, 0j) * np.eye(3)["YKN".index(row)]
+            alone = Model(
+                model.inertia, {name: value}, model.frequency, force.real, -force.imag, autopilot=model.autopilot
+            ).system
             linear = alone.linear.copy()
             linear[:, 3:] = 0.0  # the rudder's own equation is the autopilot's
             rows.append(Row(name, unit(name), value, replace(alone, linear=linear, frequency=np.zeros(1)), _EXACT))
     return rows
+
+
+def _water(ship: Ship, wave: Wave, speed: float, heading: float) -> dict[str, complex]:
+    """Velocity of the water beside sway and yaw of a ship."""
+    w0, w1 = ship_water_velocity(ship, wave.wavenumber, speed, heading)
+    return {"v": wave.amplitude * complex(w0[0]), "r": wave.amplitude * complex(w1[0])}
 
 
 def _design_rows(ship: Ship, wave: Wave, speed: float, heading: float, model: Model) -> list[Row]:

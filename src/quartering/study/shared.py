@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY
 from quartering.hull.ship import Ship
-from quartering.loads.forces import Form
+from quartering.loads.forces import Form, keeps_speed_terms
 from quartering.loads.validity import conditions_held
 from quartering.loads.waves import encounter_frequency
 from quartering.motion.batch import rows
@@ -36,7 +36,7 @@ def systems(
     Yields
     ------
     ShipSystem    of each ship, NaN where its own database does not hold the condition; forces are found again only where
-                  the hull in the water, its density or (for a form other than "stf") the height of G changes
+                  the hull in the water, its density, its speed terms or (for a form other than "stf") the height of G changes
 
     Notes
     -----
@@ -53,7 +53,7 @@ def systems(
     known: dict[tuple[object, ...], tuple[Phasors, Floats, Bools, float]] = {}
     for ship in ships:
         kg = ship.loading.kg
-        key = (id(ship.hull), ship.loading.density, None if form == "stf" else kg)
+        key = (id(ship.hull), ship.loading.density, keeps_speed_terms(ship), None if form == "stf" else kg)
         if key not in known:
             known[key] = *_held_excitation(ship, wavenumber, speed, heading, form), kg
         force, omega, held, at_kg = known[key]
