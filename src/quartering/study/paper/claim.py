@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
 from typing import Final, Literal, NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from quartering.hull.ship import Ship, ship
+from quartering.hull.ship import Ship
 from quartering.study.paper.conditions import speed_of, wave_of
-from quartering.study.paper.model import PAPER_SHIP
 from quartering.study.sweep import sweep
 
 Answer = Literal["holds", "holds in part", "does not hold"]
@@ -70,26 +68,6 @@ def graded(holds: bool, in_part: bool, evidence: str) -> Finding:
     return Finding("holds" if holds else "holds in part" if in_part else "does not hold", evidence)
 
 
-@cache
-def paper_ship(name: str = PAPER_SHIP) -> Ship:
-    """The ship the claims are measured on, as loaded in the library.
-
-    Parameters
-    ----------
-    name : str    of another one
-
-    Returns
-    -------
-    Ship
-
-    Examples
-    --------
-    >>> paper_ship().name
-    'Series 60, CB 0.60'
-    """
-    return ship(name)
-
-
 def over_headings(
     one: Ship, steepness: int, ratio: float = 1.0, harmonics: int = 3, headings: ArrayLike = HEADINGS
 ) -> xr.Dataset:
@@ -109,6 +87,7 @@ def over_headings(
 
     Examples
     --------
+    >>> from quartering.study.paper.model import paper_ship
     >>> over_headings(paper_ship("wigley"), 50)["roll"].dims
     ('heading',)
     """

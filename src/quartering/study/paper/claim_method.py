@@ -10,8 +10,9 @@ from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
-from quartering.study.paper.claim import MODERATE, STEEP, Finding, graded, paper_ship
+from quartering.study.paper.claim import MODERATE, STEEP, Finding, graded
 from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.model import paper_ship
 
 _PERIODS = 40
 

@@ -6,8 +6,9 @@ import numpy as np
 import xarray as xr
 
 from quartering.loads.comparison import compare_forces
-from quartering.study.paper.claim import HEADINGS, MODERATE, Finding, graded, over_headings, paper_ship
+from quartering.study.paper.claim import HEADINGS, MODERATE, Finding, graded, over_headings
 from quartering.study.paper.conditions import speed_of
+from quartering.study.paper.model import paper_ship
 
 _LARGE, _RIGHT, _CLOSE = 0.2, 0.1, 0.05
 _FINE = np.arange(10.0, 171.0, 1.0)

@@ -21,11 +21,10 @@ from quartering.study.paper.claim import (
     Finding,
     graded,
     over_headings,
-    paper_ship,
 )
 from quartering.study.paper.conditions import speed_of, wave_of
 from quartering.study.paper.mechanism import onset, roll_alone
-from quartering.study.paper.model import modified_model, table_ratios
+from quartering.study.paper.model import modified_model, paper_ship, table_ratios
 from quartering.study.sensitivity import sensitivity
 from quartering.study.sweep import sweep
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from types import MappingProxyType
 from typing import Final
 
@@ -28,6 +29,26 @@ I3, which the paper says it varies; the letters Y and K are as scanned. K_ppp is
 PAPER_SHIP: Final = "series60-cb60"
 
 
+@cache
+def paper_ship(name: str = PAPER_SHIP) -> Ship:
+    """A built-in ship with the paper's equations: lift and drag act on velocities over ground.
+
+    Parameters
+    ----------
+    name : str
+
+    Returns
+    -------
+    Ship
+
+    Examples
+    --------
+    >>> paper_ship().name, paper_ship().velocities
+    ('Series 60, CB 0.60', 'absolute')
+    """
+    return ship(name).with_(velocities="absolute")
+
+
 def table_ratios() -> dict[str, float]:
     """Modified over original value of each coefficient of Table I.
 
@@ -52,7 +73,7 @@ def modified_model(of: Ship | None = None, strength: float = 1.0) -> Ship:
 
     Parameters
     ----------
-    of : Ship, optional    by default Series 60, CB 0.60, as built in
+    of : Ship, optional    by default Series 60, CB 0.60, with the paper's equations
     strength : float       0 the ship as it is, 1 the table, values between in proportion
 
     Returns
@@ -77,7 +98,7 @@ def modified_model(of: Ship | None = None, strength: float = 1.0) -> Ship:
     if not 0.0 <= strength <= 1.0:
         raise InputError(f"strength {strength} of the modification: give a value from 0 (none) to 1 (Table I)")
     factors = {name: 1.0 + strength * (ratio - 1.0) for name, ratio in table_ratios().items()}
-    return (of or ship(PAPER_SHIP)).with_(coefficients=factors)
+    return (of or paper_ship()).with_(coefficients=factors)
 
 
 FEEDING: Final = -35.0
@@ -89,7 +110,7 @@ def feeding_model(of: Ship | None = None, multiplier: float = FEEDING) -> Ship:
 
     Parameters
     ----------
-    of : Ship, optional    by default Series 60, CB 0.60, as built in
+    of : Ship, optional    by default Series 60, CB 0.60, with the paper's equations
     multiplier : float     of the ship's own K_prr, in place of the table's 0
 
     Returns
@@ -108,4 +129,4 @@ def feeding_model(of: Ship | None = None, multiplier: float = FEEDING) -> Ship:
     -35.0
     """
     factors = table_ratios() | {"K_prr": multiplier}
-    return (of or ship(PAPER_SHIP)).with_(coefficients=factors)
+    return (of or paper_ship()).with_(coefficients=factors)

@@ -9,7 +9,7 @@ from typing import Final, NamedTuple
 import numpy as np
 import xarray as xr
 
-from quartering.hull.ship import Ship, ship
+from quartering.hull.ship import Ship
 from quartering.hull.units import quantity
 from quartering.loads.comparison import compare_forces
 from quartering.loads.waves import Wave
@@ -27,7 +27,7 @@ from quartering.study.paper.conditions import (
     wave_of,
 )
 from quartering.study.paper.curves import coefficient_curves, loading_curves, response_curves
-from quartering.study.paper.model import FEEDING, PAPER_SHIP, feeding_model, modified_model
+from quartering.study.paper.model import FEEDING, PAPER_SHIP, feeding_model, modified_model, paper_ship
 from quartering.study.paper.motions import disturbance, integration_check, time_check
 
 CB60: Final = PAPER_SHIP
@@ -47,7 +47,7 @@ DISTURBANCE, START_ROLL, DURATION = 0.01, 5.0, 300.0
 @lru_cache(maxsize=4)
 def forces_of(name: str) -> xr.Dataset:
     """Wave forces of a built-in ship with and without the strip correction, in the figures' conditions (Figs. 2-4)."""
-    one = ship(name)
+    one = paper_ship(name)
     found = compare_forces(one, one.hull.length * np.array(RATIOS), HEADINGS, speed_of(one))
     return found.sel(form=["froude-krylov", "paper", "paper-corrected", "stf"])
 
@@ -55,12 +55,12 @@ def forces_of(name: str) -> xr.Dataset:
 @lru_cache(maxsize=4)
 def responses_of(name: str) -> xr.Dataset:
     """Response of a built-in ship in the figures' conditions (Figs. 5-10)."""
-    return response_curves(ship(name))
+    return response_curves(paper_ship(name))
 
 
 def integration_of(name: str) -> tuple[xr.Dataset, xr.Dataset, Wave]:
     """Approximate motion and integration over heading, one motion in time, and their wave (Fig. 11)."""
-    one = ship(name)
+    one = paper_ship(name)
     wave, speed = wave_of(one, 1.0, CHECK_STEEPNESS), speed_of(one)
     model = equations(one, wave, speed, CHECK_HEADING)
     time = time_check(model, steady_motion(model, 1, start="rest"))
@@ -116,7 +116,7 @@ def instability_wave(one: Ship) -> Wave:
 @lru_cache(maxsize=4)
 def gyradii_of(name: str, froude: float) -> Mapping[str, xr.Dataset]:
     """Response and stability of a built-in ship for several radii of gyration (Figs. 14-19)."""
-    one = ship(name)
+    one = paper_ship(name)
     return {
         axis: loading_curves(one, axis, _lengths(one, axis, values), froude=froude)
         for axis, values in (("gyradius_roll", GYRADII_ROLL), ("gyradius_yaw", GYRADII_YAW))
@@ -126,7 +126,7 @@ def gyradii_of(name: str, froude: float) -> Mapping[str, xr.Dataset]:
 @lru_cache(maxsize=4)
 def heights_of(name: str) -> Mapping[str, xr.Dataset]:
     """Response and stability of a built-in ship for several metacentric heights (Figs. 20, 21)."""
-    one = ship(name)
+    one = paper_ship(name)
     return {"gm": loading_curves(one, "gm", _lengths(one, "gm", HEIGHTS))}
 
 
@@ -138,7 +138,7 @@ def _lengths(one: Ship, name: str, values: tuple[str, ...]) -> list[float]:
 
 def coefficients_of(name: str) -> dict[str, xr.Dataset]:
     """K2 and exponents against the change of each coefficient, the ship as estimated and where yaw feeds roll (Fig. 22)."""
-    one = ship(name)
+    one = paper_ship(name)
     cases = {
         "as estimated, heading 30 deg": (one, 30.0),
         f"Table I ratios, K_prr × {FEEDING:g} (invented), heading 15 deg": (feeding_model(one), INSTABILITY_HEADING),
