@@ -56,6 +56,9 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "gyradius_yaw": Symbol("k_zz", "m", "radius of gyration in yaw, without added mass"),
     "bilge_keel_length": Symbol("l_BK", "m", "length of one bilge keel of the pair"),
     "bilge_keel_breadth": Symbol("b_BK", "m", "breadth of one bilge keel of the pair"),
+    "velocities": Symbol(
+        "velocities", "1", "velocity that lift acts on: relative to the water, or absolute (over ground)"
+    ),
     "speed": Symbol("U", "m/s", "forward speed"),
     "heading": Symbol("mu", "deg", "heading to the waves: " + HEADING_CONVENTION),
     "wave_length": Symbol("lambda", "m", "wave length"),

@@ -22,7 +22,8 @@ from quartering.hull.yaml_text import key_lines, parsed, read_text
 from quartering.names import checked_values
 from quartering.study.case_keys import Case, LoadingAxes, Values
 from quartering.study.case_values import checked_headings, range_values, single_value, steepness
-from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid, grid
+from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid, axis, grid
+from quartering.study.loadings import CHOICE_AXES
 
 _KINDS: Final[dict[str, Kind]] = {
     "speed": "speed", "heading": "angle", "wave_length": "length", "wave_height": "length", STEEPNESS: "ratio",
@@ -110,7 +111,7 @@ def case_grid(path: str | Path) -> Grid:
     except InputError as error:
         raise place.says(("heading",), str(error)) from None
     loading = {
-        name: _values(place, ("loading", name), value, _KINDS[name], own)
+        name: axis(name, value) if name in CHOICE_AXES else _values(place, ("loading", name), value, _KINDS[name], own)
         for name, value in case.loading
         if value is not None
     }

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
+from quartering.hull.choices import Velocities
 from quartering.loads.forces import Form
 from quartering.motion.harmonic import MOST_HARMONICS
 
@@ -42,6 +43,9 @@ class LoadingAxes(_Strict):
         description="of one of the pair [m, L]; in place of roll_damping: with keels it is by Ikeda's components",
     )
     bilge_keel_breadth: Values | None = Field(default=None, description="of one of the pair [m, B]; 0 is no keel")
+    velocities: Velocities | list[Velocities] | None = Field(
+        default=None, description="velocity that lift acts on: relative to the water, or absolute, as in the paper"
+    )
 
 
 class Case(_Strict):

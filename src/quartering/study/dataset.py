@@ -20,6 +20,7 @@ from quartering.motion.status import Status
 from quartering.stability.first_order import RESONANCES
 from quartering.stability.kind import Kind
 from quartering.study.conditions import RESULTS
+from quartering.study.loadings import CHOICE_AXES
 
 EXTRA_DIMS = {
     "q": ("resonance",),
@@ -114,6 +115,9 @@ def attributes(name: str) -> dict[str, object]:
     if symbol is None:
         return {"units": "1", "long_name": f"multiplier of {name}", "symbol": name}
     known: dict[str, object] = {"units": symbol.unit, "long_name": symbol.meaning, "symbol": symbol.symbol}
+    if name in CHOICE_AXES:
+        known["flag_values"] = np.arange(len(CHOICE_AXES[name]), dtype=np.int8)
+        known["flag_meanings"] = " ".join(CHOICE_AXES[name])
     flags = {"verdict": Kind, "status": Status}.get(name)
     if flags is not None:
         known["flag_values"] = np.array([int(flag) for flag in flags], dtype=np.int8)
@@ -188,7 +192,9 @@ def _heading(ship: Ship, form: Form, harmonics: int) -> Mapping[str, object]:
         "axes": "body axes: x to the bow, y to starboard, z down, origin at G",
         "heading_convention": HEADING_CONVENTION,
         "reference_point": REFERENCE_POINT,
+        "velocities": ship.velocities,
         "diffraction": form_words(ship, form),
+        "diffraction_form": form,
         "steady_motion": "modified Struble method" if harmonics == 1 else f"harmonic balance to order {harmonics}",
         "references": ", ".join(dict.fromkeys(("H71", "STF70", *c.references))),
         "Conventions": "CF-1.8",

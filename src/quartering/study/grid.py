@@ -18,7 +18,7 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.harmonic import checked_harmonics
-from quartering.study.loadings import base_of, loaded
+from quartering.study.loadings import CHOICE_AXES, base_of, coded, loaded
 
 Floats = NDArray[np.float64]
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
@@ -179,7 +179,8 @@ def grid(
     speed, heading, wave_length, wave_height : (n,) float    [m/s, deg, m, m]
     steepness : (n,) float                                   H/lambda, in place of wave_height [1]
     harmonics, form                                          as in `sweep`
-    **axes : (l,) float                                      loading values or multipliers of coefficients by name
+    **axes : (l,) float                                      loading values or multipliers of coefficients by name;
+                                                             velocities: words
 
     Returns
     -------
@@ -240,6 +241,8 @@ def axis(name: str, values: ArrayLike) -> Floats:
     >>> axis("speed", 7.5).tolist()
     [7.5]
     """
+    if name in CHOICE_AXES:
+        values = [coded(name, value) for value in np.atleast_1d(np.asarray(values)).tolist()]
     try:
         array = np.atleast_1d(np.array(values, dtype=float))
     except (TypeError, ValueError):

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from difflib import get_close_matches
+from typing import Any, Final, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError
+from quartering.hull.choices import Velocities
 from quartering.hull.ship import Ship
 from quartering.hydro.freeroll import free_roll
 from quartering.hydro.own_moments import check_frequencies
 
 KEEL_AXES = ("bilge_keel_length", "bilge_keel_breadth")
+CHOICE_AXES: Final[dict[str, tuple[str, ...]]] = {"velocities": get_args(Velocities)}
+"""Axes of words; their values are the places of the words, as flags."""
 LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught", *KEEL_AXES)
 
 
@@ -23,8 +28,8 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     ----------
     ship : Ship
     values : mapping of str to float    gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; bilge_keel_length,
-                                        bilge_keel_breadth [m], which a ship without keels needs both of, 0 for none; the others
-                                        multiply the coefficient of that name
+                                        bilge_keel_breadth [m], which a ship without keels needs both of, 0 for none; a word of
+                                        `CHOICE_AXES` by its place; the others multiply the coefficient of that name
 
     Returns
     -------
@@ -45,11 +50,12 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     """
     if not values:
         return ship
-    own = {name: value for name, value in values.items() if name in LOADING_AXES and name not in KEEL_AXES}
-    multipliers = {name: value for name, value in values.items() if name not in LOADING_AXES}
+    own: dict[str, Any] = {n: value for n, value in values.items() if n in LOADING_AXES and n not in KEEL_AXES}
+    own |= {name: words[int(values[name])] for name, words in CHOICE_AXES.items() if name in values}
+    multipliers = {name: value for name, value in values.items() if name not in (*LOADING_AXES, *CHOICE_AXES)}
     keels = {name: values[name] for name in KEEL_AXES if name in values}
     if not keels:
-        return _known_roll(ship.with_(**own, coefficients=multipliers))  # type: ignore[arg-type]
+        return _known_roll(ship.with_(**own, coefficients=multipliers))
     if "roll_damping" in own:
         raise InputError(
             "roll_damping as a fraction of critical stands for the bilge keels too, and bilge_keel_length and "
@@ -57,8 +63,38 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
         )
     method = "ikeda" if ship.roll_method == "fraction" else ship.roll_method
     sizes = _keels(ship, keels)
-    made = ship.with_(**own, roll_damping=method, bilge_keels=sizes, coefficients=multipliers)  # type: ignore[arg-type]
+    made = ship.with_(**own, roll_damping=method, bilge_keels=sizes, coefficients=multipliers)
     return _known_roll(made)
+
+
+def coded(name: str, value: Any) -> Any:
+    """The place of a word among those of an axis of words; any other value as it is.
+
+    Parameters
+    ----------
+    name : str    of the axis
+    value         a word, or a place already
+
+    Returns
+    -------
+    number
+
+    Raises
+    ------
+    InputError    a word that is none of the axis', a place there is not; the message has the nearest word
+
+    Examples
+    --------
+    >>> coded("velocities", "absolute"), coded("gm", 0.8)
+    (1, 0.8)
+    """
+    if name not in CHOICE_AXES:
+        return value
+    words = CHOICE_AXES[name]
+    if value in (*words, *range(len(words))):
+        return words.index(value) if isinstance(value, str) else value
+    near = get_close_matches(str(value).lower(), words, n=1, cutoff=0.0)[0]
+    raise InputError(f'{name} = {value!r}; did you mean "{near}"? Allowed are {", ".join(words)}')
 
 
 def _known_roll(ship: Ship) -> Ship:
@@ -132,4 +168,6 @@ def own_value(ship: Ship, name: str) -> float:
         return ship.hull.draught
     if name in KEEL_AXES:
         return (ship.bilge_keels or (0.0, 0.0))[KEEL_AXES.index(name)]
+    if name in CHOICE_AXES:
+        return float(CHOICE_AXES[name].index(getattr(ship, name)))
     return float(getattr(ship.loading, name)) if name in LOADING_AXES else 1.0

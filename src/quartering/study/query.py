@@ -14,6 +14,7 @@ import xarray as xr
 from quartering.conventions import SYMBOLS, InputError
 from quartering.stability.kind import Kind
 from quartering.study.grid import CONDITION_AXES, STEEPNESS
+from quartering.study.loadings import coded
 
 Measure = Literal["roll", "margin"]
 OF_CONDITIONS: Final = frozenset({*CONDITION_AXES, STEEPNESS, "resonance", "rank"})
@@ -132,13 +133,14 @@ def sea_of(result: xr.Dataset) -> str | None:
     return next((name for name in ("wave_height", STEEPNESS) if name in result["verdict"].dims), None)
 
 
-def cut(result: xr.Dataset, **where: float) -> xr.Dataset:
+def cut(result: xr.Dataset, **where: float | str) -> xr.Dataset:
     """The part of a result at given values, the nearest ones taken.
 
     Parameters
     ----------
     result : xarray.Dataset    of `sweep`, `polar` or `open_result`
-    **where : float            value by name: heading=30 [deg], wave_height=4 [m], or of a loading: gm=0.7 [m], K_ppp=2
+    **where : float or str     value by name: heading=30 [deg], wave_height=4 [m], or of a loading: gm=0.7 [m], K_ppp=2,
+                               velocities="absolute"
 
     Returns
     -------
@@ -159,7 +161,8 @@ def cut(result: xr.Dataset, **where: float) -> xr.Dataset:
     _check_result(result)
     dims = result["verdict"].dims
     allowed = [str(n) for n, v in result.coords.items() if v.dims == ("loading",) or (v.dims == (n,) and n in dims)]
-    for name, value in where.items():
+    for name, given in where.items():
+        value = coded(name, given)
         if name not in allowed:
             raise InputError(f"a cut at {name} is asked for; this result can be cut at {', '.join(allowed)}")
         values = result[name].values
@@ -170,7 +173,9 @@ def cut(result: xr.Dataset, **where: float) -> xr.Dataset:
     return result
 
 
-def write_csv(result: xr.Dataset, path: str | Path, variables: Sequence[str] | None = None, **where: float) -> int:
+def write_csv(
+    result: xr.Dataset, path: str | Path, variables: Sequence[str] | None = None, **where: float | str
+) -> int:
     """Write a slice of a result as a table: one line a condition, units in the head.
 
     Parameters
@@ -178,7 +183,7 @@ def write_csv(result: xr.Dataset, path: str | Path, variables: Sequence[str] | N
     result : xarray.Dataset              of `sweep`, `polar` or `open_result`
     path : str or Path                   complete or not there at all
     variables : sequence of str          columns after the coordinates; by default the amplitudes, exponent and verdict
-    **where : float                      as in `cut`
+    **where : float or str               as in `cut`
 
     Returns
     -------

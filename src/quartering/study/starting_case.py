@@ -41,7 +41,7 @@ def starting_case(name: str) -> str:
         ("loading:                           # every combination is computed; leave out what stays", ""),
         (
             "  gm: [0.6 m, 0.8 m, 1.0 m, 1.2 m]",
-            "or kg, gyradius_roll, gyradius_yaw, roll_damping, draught, bilge_keel_length, bilge_keel_breadth",
+            "or kg, gyradius_roll, gyradius_yaw, roll_damping, draught, bilge_keel_length, bilge_keel_breadth, velocities",
         ),
         ("# coefficients:", "multipliers of coefficients"),
         ("#   K_ppp: [0.5, 1, 2]", "half, as it is, and twice the cubic roll damping"),

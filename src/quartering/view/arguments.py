@@ -20,4 +20,10 @@ Autopilot = Annotated[
         help="Autopilot: gain,rate gain [s],lag [s], such as 1,10s,2s; or none. Otherwise the ship file's own."
     ),
 ]
+Velocities = Annotated[
+    str | None,
+    typer.Option(
+        help="Lift acts on the velocity relative (to the water) or absolute (the paper). Otherwise the ship file's own."
+    ),
+]
 Form = Annotated[str, typer.Option(help="Diffraction force: stf, relative-motion, paper-corrected or paper.")]

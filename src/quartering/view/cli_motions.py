@@ -15,6 +15,7 @@ from quartering.view.arguments import (
     Picture,
     Ship,
     Speed,
+    Velocities,
     WaveHeight,
     WaveLength,
 )
@@ -30,13 +31,14 @@ def verdict(
     harmonics: Harmonics = 1,
     form: Form = "stf",
     autopilot: Autopilot = None,
+    velocities: Velocities = None,
     json: Json = False,
 ) -> None:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
     with answering():
         from quartering.view.commands.verdict import judge
 
-        judge(ship, (heading, speed, wave_length, wave_height), harmonics, form, autopilot, json)
+        judge(ship, (heading, speed, wave_length, wave_height), harmonics, form, autopilot, velocities, json)
 
 
 def simulate(
@@ -48,6 +50,7 @@ def simulate(
     roll: Annotated[str, typer.Option(help="Roll angle at the start [deg].")] = "5",
     duration: Annotated[str, typer.Option(help="Duration: 300 [s] or 5min.")] = "300",
     autopilot: Autopilot = None,
+    velocities: Velocities = None,
     output: Picture = None,
     json: Json = False,
 ) -> None:
@@ -55,7 +58,9 @@ def simulate(
     with answering():
         from quartering.view.commands.simulate import run_simulation
 
-        run_simulation(ship, (heading, speed, wave_length, wave_height), roll, duration, autopilot, output, json)
+        run_simulation(
+            ship, (heading, speed, wave_length, wave_height), roll, duration, autopilot, output, velocities, json
+        )
 
 
 def branch(
@@ -72,6 +77,7 @@ def branch(
     ] = "wave_height",
     limits: Annotated[str | None, typer.Option(help="From and to: 1:6 [m], 20:160 [deg], 5kn:15kn.")] = None,
     harmonics: Harmonics = 9,
+    velocities: Velocities = None,
     output: Picture = None,
     json: Json = False,
 ) -> None:
@@ -79,7 +85,9 @@ def branch(
     with answering():
         from quartering.view.commands.branch import follow_motions
 
-        follow_motions(ship, (heading, speed, wave_length, wave_height), over, limits, harmonics, output, json)
+        follow_motions(
+            ship, (heading, speed, wave_length, wave_height), over, limits, harmonics, output, velocities, json
+        )
 
 
 def basin(
@@ -92,6 +100,7 @@ def basin(
         str | None, typer.Option(help="Heights of the integrity curve: 0:8:9 [m]; by default up to twice the height.")
     ] = None,
     periods: Annotated[int, typer.Option(help="Wave periods to go on for.")] = 16,
+    velocities: Velocities = None,
     output: Picture = None,
     json: Json = False,
 ) -> None:
@@ -99,4 +108,4 @@ def basin(
     with answering():
         from quartering.view.commands.basin import erode
 
-        erode(ship, (heading, speed, wave_length, wave_height), wave_heights, periods, output, json)
+        erode(ship, (heading, speed, wave_length, wave_height), wave_heights, periods, output, velocities, json)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view.arguments import Json, Picture, Ship, Speed
+from quartering.view.arguments import Json, Picture, Ship, Speed, Velocities
 from quartering.view.outcome import answering
 
 
@@ -67,6 +67,7 @@ def forces(
         list[str] | None,
         typer.Option(help="Form to show beside stf, repeatable; by default all but bem (Capytaine, at --speed 0)."),
     ] = None,
+    velocities: Velocities = None,
     output: Picture = None,
     json: Json = False,
 ) -> None:
@@ -74,4 +75,4 @@ def forces(
     with answering():
         from quartering.view.commands.forces import compare_forms
 
-        compare_forms(ship, speed, wave_lengths, form or [], output, json)
+        compare_forms(ship, speed, wave_lengths, form or [], output, velocities, json)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view.arguments import Form, Harmonics, Json, Picture, Ship
+from quartering.view.arguments import Form, Harmonics, Json, Picture, Ship, Velocities
 from quartering.view.outcome import answering
 
 
@@ -23,6 +23,7 @@ def polar(
     ] = None,
     harmonics: Harmonics = 1,
     form: Form = "stf",
+    velocities: Velocities = None,
     output: Annotated[
         str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
     ] = None,
@@ -33,7 +34,7 @@ def polar(
         from quartering.view.commands.polar import draw_map
 
         waves = (wave_lengths, steepness, wave_height)
-        draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, output, json)
+        draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, output, velocities, json)
 
 
 _RANGE = "from:to or from:to:count"
@@ -64,6 +65,7 @@ def vary(
     ] = None,
     harmonics: Harmonics = 1,
     form: Form = "stf",
+    velocities: Velocities = None,
     output: Annotated[
         str | None, typer.Option("-o", "--output", help="Picture (.png, .svg, .pdf) or dataset (.nc) to write.")
     ] = None,
@@ -80,11 +82,11 @@ def vary(
         if tornado is not None:
             from quartering.view.commands.tornado import draw_tornado
 
-            draw_tornado(ship, condition, ranges, coefficient or [], tornado, harmonics, form, output, json)
+            draw_tornado(ship, condition, ranges, coefficient or [], tornado, harmonics, form, output, velocities, json)
         else:
             from quartering.view.commands.vary import draw_variation
 
-            draw_variation(ship, condition, ranges, coefficient or [], harmonics, form, output, json)
+            draw_variation(ship, condition, ranges, coefficient or [], harmonics, form, output, velocities, json)
 
 
 def sweep(

@@ -17,6 +17,7 @@ from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
+from quartering.study.loadings import CHOICE_AXES
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -27,6 +28,9 @@ ESTIMATES = ("regression", "cross-flow", "estimated")
 """Kinds of coefficient that are estimates."""
 
 _LOADING = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
+
+
+OVER_GROUND = " Lift and drag act on velocities over ground (absolute), as in the paper."
 
 
 def froude(speed: float, length: float) -> float:
@@ -157,7 +161,8 @@ def estimated_names(ds: xr.Dataset) -> list[str]:
 def notes(ds: xr.Dataset) -> list[str]:
     """Small print of a map: what is estimated, and how it was computed."""
     words = estimated_words(estimated_names(ds), provenance_of(str(ds.attrs["provenance"])))
-    return [f"{words} Steady motion: {ds.attrs['steady_motion']}; {ds.attrs['source']}."]
+    ground = OVER_GROUND if ds.attrs.get("velocities") == "absolute" else ""
+    return [f"{words}{ground} Steady motion: {ds.attrs['steady_motion']}; {ds.attrs['source']}."]
 
 
 def ship_notes(one: Ship) -> str:
@@ -170,7 +175,21 @@ def ship_notes(one: Ship) -> str:
     True
     """
     estimated = [entry.name for entry in coefficients(one, 0.5, 0.0).table() if entry.kind in ESTIMATES]
-    return f"{estimated_words(estimated, one.provenance)} quartering {version('quartering')}."
+    ground = OVER_GROUND if one.velocities == "absolute" else ""
+    return f"{estimated_words(estimated, one.provenance)}{ground} quartering {version('quartering')}."
+
+
+def value_words(name: str, value: float, unit: str) -> str:
+    """A value with its unit, or the word that it is the place of.
+
+    Examples
+    --------
+    >>> value_words("gm", 0.8, "m"), value_words("velocities", 1.0, "1")
+    ('0.8 m', 'absolute')
+    """
+    if name in CHOICE_AXES:
+        return CHOICE_AXES[name][int(value)]
+    return f"{float(value):.4g}{in_unit(unit)}"
 
 
 def wave_words(ds: xr.Dataset) -> str:
@@ -260,5 +279,6 @@ def forces_note(compared: xr.Dataset) -> str:
     meanings = "; ".join(f"{form}: {MEANINGS[form]}" for form in map(str, compared["form"].to_numpy()))
     mesh = f" Panels: {compared.attrs['panels']}." if PANELS in compared["form"] else ""
     ends = "" if compared.attrs["ends"] == "strips" else f" Strips {ENDS_WORDS}."
+    ends += OVER_GROUND if compared.attrs["velocities"] == "absolute" else ""
     papers = (REFERENCES[key].partition(")")[0] + ")" for key in compared.attrs["references"].split(", "))
     return f"Moments about {compared.attrs['reference_point']}. {meanings}.{ends}{mesh} Sources: {'; '.join(papers)}."

@@ -14,7 +14,7 @@ from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.ensemble import basin
 from quartering.motion.of_ship import equations
 from quartering.stability.ahead import announce_compilation
-from quartering.view.commands.conditions import condition, sizes
+from quartering.view.commands.conditions import condition, sizes, velocity_words
 from quartering.view.options import values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
@@ -30,10 +30,11 @@ def erode(
     heights: str | None,
     periods: int,
     output: str | None,
+    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Integrate from a grid of starts in each wave, print what is left of the basin, draw it where asked."""
-    one, wave, speed, heading = condition(name, typed)
+    one, wave, speed, heading = condition(name, typed, velocities=velocities)
     path = claim(output, PICTURES) if output is not None else None
     limit = min(vanishing_angle(one), 90.0)
     rate = coefficients(one, 0.0, 0.0).roll_frequency * limit
@@ -86,6 +87,7 @@ def erode(
     if path is not None:
         show(f"Wrote {path}")
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
+    words += velocity_words(velocities)
     first = [f"quartering basin {name} {words} -o basin.png"] if path is None else []
     show(next_steps(*first, f"quartering branch {name} {words} --over wave_height"))
 

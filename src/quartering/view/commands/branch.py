@@ -14,7 +14,7 @@ from quartering.stability.kind import Kind
 from quartering.study.branch import branch
 from quartering.study.case_values import checked_headings
 from quartering.study.loadings import LOADING_AXES
-from quartering.view.commands.conditions import condition, sizes
+from quartering.view.commands.conditions import condition, sizes, velocity_words
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import working
@@ -45,10 +45,11 @@ def follow_motions(
     limits: str | None,
     harmonics: int,
     output: str | None,
+    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Follow the branches, print what happens along them, draw them where asked."""
-    one, wave, speed, heading = condition(name, typed)
+    one, wave, speed, heading = condition(name, typed, velocities=velocities)
     path = claim(output, PICTURES) if output is not None else None
     ends = _limits(one, wave, over, limits)
     announce_compilation()
@@ -73,7 +74,8 @@ def follow_motions(
         show(f"Wrote {path}")
     again = f" --harmonics {harmonics}" if harmonics != 9 else ""
     again += f" --limits {limits}" if limits is not None else ""
-    show(next_steps(*_next(ds, name, typed, over, again if path is None else None)))
+    typed_words = velocity_words(velocities)
+    show(next_steps(*_next(ds, f"{name}{typed_words}", typed, over, again if path is None else None)))
 
 
 def _limits(one: Ship, wave: Wave, over: str, text: str | None) -> tuple[float, float] | None:

@@ -9,9 +9,9 @@ import xarray as xr
 from rich.table import Table
 
 from quartering.conventions import InputError
-from quartering.hull.ship import Ship, ship
+from quartering.hull.ship import Ship
 from quartering.loads.comparison import MEANINGS, MEASURE, OWN, PANELS, compare_forces
-from quartering.view.commands.conditions import sizes
+from quartering.view.commands.conditions import ship_as, sizes, velocity_words
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
@@ -23,10 +23,16 @@ _UNITS = {"sway": "N/m", "roll": "N m/m", "yaw": "N m/m"}
 
 
 def compare_forms(
-    name: str, speed: str, wave_lengths: str, forms: Sequence[str], output: str | None, as_json: bool
+    name: str,
+    speed: str,
+    wave_lengths: str,
+    forms: Sequence[str],
+    output: str | None,
+    velocities: str | None,
+    as_json: bool,
 ) -> None:
     """Print and draw force amplitudes per metre of wave amplitude, and how far the forms are apart."""
-    one = ship(name)
+    one = ship_as(name, velocities)
     chosen = _chosen(forms, one)
     path = claim(output, PICTURES) if output is not None else None
     u = value(speed, "speed", sizes(one), "--speed")
@@ -48,7 +54,8 @@ def compare_forms(
     show(_by_wave(compared, title), forces_note(compared))
     if path is not None:
         show(f"Wrote {path}")
-    show(next_steps(f"quartering verdict {name} --heading 60 --speed {speed} --wave-length 1L --wave-height 2"))
+    there = f"--heading 60 --speed {speed} --wave-length 1L --wave-height 2{velocity_words(velocities)}"
+    show(next_steps(f"quartering verdict {name} {there}"))
 
 
 def _chosen(forms: Sequence[str], one: Ship) -> list[str]:

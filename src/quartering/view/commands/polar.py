@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import InputError
-from quartering.hull.ship import Ship, ship
+from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
@@ -20,7 +20,7 @@ from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.case_values import checked_headings, steepness
 from quartering.study.polar import polar
-from quartering.view.commands.conditions import sizes
+from quartering.view.commands.conditions import ship_as, sizes, velocity_words
 from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import bar
@@ -44,10 +44,11 @@ def draw_map(
     harmonics: int,
     form: str,
     output: str | None,
+    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Compute the map, write dataset and picture, print what stands out."""
-    one = ship(name)
+    one = ship_as(name, velocities)
     units = sizes(one)
     data = claim(f"{stem(name)}-polar.nc" if output is None else output, (".nc",))
     picture = claim(data.with_suffix(".png"), (".png",))
@@ -78,7 +79,12 @@ def draw_map(
     worst = max((s for s in summary if np.isfinite(s.worst_roll)), key=lambda s: s.worst_roll)
     height = float(ds["wave_height"].sel(wave_length=worst.wave_length))
     condition = f"--heading {worst.heading:g} --speed {worst.speed:.4g} --wave-length {worst.wave_length:.4g}"
-    show(next_steps(f"quartering verdict {name} {condition} --wave-height {height:.3g}", f"quartering report {data}"))
+    show(
+        next_steps(
+            f"quartering verdict {name} {condition} --wave-height {height:.3g}{velocity_words(velocities)}",
+            f"quartering report {data}",
+        )
+    )
 
 
 def _waves(one: Ship, typed: tuple[str, str | None, str | None]) -> list[Wave]:

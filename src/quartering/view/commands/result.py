@@ -8,13 +8,15 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from quartering.conventions import InputError, headed, in_unit, written
+from quartering.conventions import InputError, headed, written
 from quartering.stability.kind import Kind
+from quartering.study.loadings import CHOICE_AXES, coded
 from quartering.study.query import OF_CONDITIONS, Measure, cut, sea_of, worst, worst_by, write_csv
 from quartering.study.result import open_result
 from quartering.study.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import value_words
 
 
 def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
@@ -24,6 +26,7 @@ def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
     names = [str(n) for n in found.coords if n != "rank"]
     rows = [
         {name: float(found[name][i]) for name in (*names, "roll_peak", "exponent")}
+        | {name: value_words(name, float(found[name][i]), "1") for name in names if name in CHOICE_AXES}
         | {"verdict": Kind(int(found["verdict"][i])).label}
         for i in range(found.sizes["rank"])
     ]
@@ -63,7 +66,9 @@ def show_result(
     rows = [_row(stacked.isel(line=i)) for i in range(stacked.sizes["line"])]
     title = f"{ds.attrs['title']}: {_sizes(ds)}"
     if taken:
-        title += "; at " + ", ".join(f"{_head(name, part)} {value:.4g}" for name, value in taken.items())
+        title += "; at " + ", ".join(
+            f"{_head(name, part)} {value_words(name, value, '1')}" for name, value in taken.items()
+        )
     show(table(title, ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, (0, 1, 2, 3, 4, 5)))
     show(*(f"Wrote {path}" for path in files.values() if path))
     names = [
@@ -71,7 +76,7 @@ def show_result(
         for n in ("wave_height", "steepness", *_loading_names(ds))
         if n in ds.coords and ds[n].dims in ((n,), ("loading",))
     ]
-    example = "".join(f" --at {name}={float(ds[name][0]):.4g}" for name in names)
+    example = "".join(f" --at {name}={value_words(name, float(ds[name][0]), '1')}" for name in names)
     show(next_steps(f"quartering worst {result}", f"quartering show {result}{example} -o map.png --csv slice.csv"))
 
 
@@ -89,7 +94,7 @@ def opened(result: str) -> xr.Dataset:
 
 
 def split_cut(typed: str) -> tuple[str, float]:
-    """Dimension and value of "wave_height=4"; a steepness may be 1/30, as in a case file.
+    """Dimension and value of "wave_height=4"; a steepness may be 1/30, as in a case file, and velocities a word.
 
     Examples
     --------
@@ -99,6 +104,8 @@ def split_cut(typed: str) -> tuple[str, float]:
     ('steepness', 0.02)
     """
     name, sign, number = typed.partition("=")
+    if name.strip() in CHOICE_AXES:
+        return name.strip(), float(coded(name.strip(), number.strip()))
     above, bar, below = number.partition("/")
     try:
         return name.strip(), float(above) / (float(below) if bar else 1.0)
@@ -148,7 +155,7 @@ def map_of(part: xr.Dataset) -> xr.Dataset:
             raise InputError(f"a map needs all values of {dim}; leave out --at {dim}")
     height = part["wave_height"].values * np.ones(part.sizes["wave_length"])
     flat = part.drop_vars("wave_height").assign_coords(wave_height=("wave_length", height, part["wave_height"].attrs))
-    if own := ", ".join(f"{written(n)} {float(flat[n]):.4g}{in_unit(_unit(n, flat))}" for n in _loading_names(flat)):
+    if own := ", ".join(f"{written(n)} {value_words(n, float(flat[n]), _unit(n, flat))}" for n in _loading_names(flat)):
         flat = flat.assign_attrs(
             loading=f"{own}{several}; the rest as the ship's own", natural_roll_frequency=small_roll_frequency(flat)
         )

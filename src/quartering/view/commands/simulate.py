@@ -12,7 +12,7 @@ from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
 from quartering.stability.ahead import announce_compilation
-from quartering.view.commands.conditions import condition, sizes
+from quartering.view.commands.conditions import condition, sizes, velocity_words
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json
@@ -26,10 +26,11 @@ def run_simulation(
     duration: str,
     autopilot: str | None,
     output: str | None,
+    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Integrate from a roll angle, print what happened, draw it where asked."""
-    one, wave, speed, heading = condition(name, typed, autopilot)
+    one, wave, speed, heading = condition(name, typed, autopilot, velocities)
     path = claim(output, PICTURES) if output is not None else None
     seconds = value(duration, "time", sizes(one), "--duration")
     heel = value(roll, "angle", sizes(one), "--roll")
@@ -72,6 +73,7 @@ def run_simulation(
     show(ship_notes(one))
     condition_words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     condition_words += f" --autopilot {autopilot}" if autopilot else ""
+    condition_words += velocity_words(velocities)
     show(next_steps(f"quartering verdict {name} {condition_words}"))
 
 

@@ -16,7 +16,7 @@ from quartering.loads.forces import Form
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.tornado import MEASURES, tornado
-from quartering.view.commands.conditions import condition
+from quartering.view.commands.conditions import condition, velocity_words
 from quartering.view.commands.vary import KINDS, condition_option_words, is_range, option, store
 from quartering.view.output import PICTURES, claim
 from quartering.view.progress import bar
@@ -39,13 +39,14 @@ def draw_tornado(
     harmonics: int,
     form: str,
     output: str | None,
+    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Change every value by a share, print the largest effects, draw or store them where asked."""
     if ranges or coefficients or any(is_range(text) for text in typed.values()):
         raise InputError("--tornado changes every value itself; leave the ranges out, or leave out --tornado")
     words = (typed["heading"], typed["speed"], typed["wave_length"], typed["wave_height"])
-    one, wave, speed, heading = condition(name, words)
+    one, wave, speed, heading = condition(name, words, velocities=velocities)
     path = claim(output, (*PICTURES, ".nc")) if output is not None else None
     share = quantity(change, "ratio", what="--tornado")
     chosen: Form = form  # type: ignore[assignment]  # tornado refuses an unknown one
@@ -73,7 +74,7 @@ def draw_tornado(
     if path is not None:
         show(f"Wrote {path}")
     first = str(ds["parameter"].values[0])
-    options = condition_option_words(typed)
+    options = condition_option_words(typed) + velocity_words(velocities)
     show(next_steps(f"quartering vary {name}{options} {_range_words(one, ds, first)} -o {first}.png"))
 
 

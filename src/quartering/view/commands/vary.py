@@ -11,7 +11,7 @@ import xarray as xr
 from rich.table import Table
 
 from quartering.conventions import InputError, headed, in_unit, written
-from quartering.hull.ship import Ship, ship
+from quartering.hull.ship import Ship
 from quartering.hull.units import Kind as Quantity
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
@@ -21,7 +21,7 @@ from quartering.study.case_values import checked_headings
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import KEEL_AXES, loaded
 from quartering.study.vary import varied, vary
-from quartering.view.commands.conditions import sizes
+from quartering.view.commands.conditions import ship_as, sizes, velocity_words
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
@@ -48,10 +48,11 @@ def draw_variation(
     harmonics: int,
     form: str,
     output: str | None,
+    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Vary one or two values, print what happens, draw or store it where asked."""
-    as_is = ship(name)
+    as_is = ship_as(name, velocities)
     path = claim(output, (*PICTURES, ".nc")) if output is not None else None
     one, left = _keeled(as_is, ranges)
     fixed, parameters = _parameters(one, typed, left, coefficients)
@@ -81,7 +82,7 @@ def draw_variation(
     show(*notes(ds))
     if path is not None:
         show(f"Wrote {path}")
-    words = condition_option_words(typed)
+    words = condition_option_words(typed) + velocity_words(velocities)
     step = f"quartering vary {name}{words} --tornado 10% -o tornado.png"
     show(next_steps(step, f"quartering polar {name}"))
 

@@ -16,7 +16,7 @@ from quartering.study.query import OF_CONDITIONS, Measure, worst
 from quartering.study.sensitivity import sensitivity
 from quartering.view.commands.verdict import Examined, examine, helps
 from quartering.view.report.source import Source
-from quartering.view.wording import speed_words
+from quartering.view.wording import speed_words, value_words
 
 _COUNT, _PARAMETERS = 8, 12
 
@@ -123,5 +123,5 @@ def _where(source: Source, place: dict[str, float]) -> str:
         f"wave {place['wave_length']:.4g} x {place['wave_height']:.3g} m (λ/L {place['wave_length'] / length:.3g})"
     )
     units = {name: SYMBOLS[name].unit if name in SYMBOLS else "1" for name in place}
-    own = [f"{written(k)} {value:.4g}{in_unit(units[k])}" for k, value in place.items() if k not in OF_CONDITIONS]
+    own = [f"{written(k)} {value_words(k, value, units[k])}" for k, value in place.items() if k not in OF_CONDITIONS]
     return ", ".join([words, *own])

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.digest import fingerprint
+from quartering.hull.choices import Velocities
 from quartering.hull.readers import available_ships
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import quantity
-from quartering.loads.forces import FORMS, Form
+from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
 from quartering.study.loadings import base_of
@@ -61,8 +62,7 @@ class Source(NamedTuple):
     @property
     def form(self) -> Form:
         """Diffraction form of the result."""
-        named = {meaning: name for name, meaning in FORMS.items()}
-        return cast(Form, named[self.result.attrs["diffraction"]])
+        return cast(Form, self.result.attrs["diffraction_form"])
 
 
 def report_source(what: str, ship_given: str | None, kind: str) -> Source:
@@ -114,19 +114,24 @@ def _ship_of(result: xr.Dataset, what: str, given: str | None) -> Ship:
     """The ship given, or the one the result names, or the built-in one that is equal."""
     named = given or str(result.attrs.get("ship_argument", ""))
     if named and (given or Path(named).is_file() or named in {entry.name for entry in available_ships()}):
-        one = ship(named)
+        one = ship(named).with_(velocities=_velocities(result))
         wrong = _difference(one, result)
         if wrong:
             raise InputError(f'ship "{named}" is not the one of "{what}": {wrong}; give that ship with --ship')
         return one
     for entry in available_ships():
-        one = ship(entry.name)
+        one = ship(entry.name).with_(velocities=_velocities(result))
         if one.name == result.attrs["ship"] and not _difference(one, result):
             return one
     raise InputError(
         f'"{what}" is of "{result.attrs["ship"]}" with {result.attrs["loading"]}; no built-in ship is that; '
         "name its ship file with --ship my.yaml"
     )
+
+
+def _velocities(result: xr.Dataset) -> Velocities:
+    """What lift acts on in a result; one that does not say is older than the choice, and absolute."""
+    return cast(Velocities, result.attrs.get("velocities", "absolute"))
 
 
 def _difference(one: Ship, result: xr.Dataset) -> str:
