@@ -245,19 +245,28 @@ def _arcs(corners: Floats) -> Floats:
 
 
 def _refuse_crossing(y: Floats, z: Floats) -> None:
+    """Refuse a contour of which two pieces cross; a contour that never descends cannot."""
+    if (np.diff(z) <= 0.0).all():
+        return
+    # Piece n, from p_n to p_n + d_n, crosses piece m when the ends of each lie on opposite sides of the other's line.
+    # A distance from a line is known to rounding only, so ends nearer than `_SAME` of the size count as on the line:
+    # without that, pieces of one straight side cross by chance.
     p = y + 1j * z
-    a, d = p[:-1], np.diff(p)
-    i, j = np.triu_indices(a.size, 2)
+    start, step, same = p[:-1], np.diff(p), _SAME * float(np.abs(p).max())
+    unit = step / np.abs(step)
+    for m in range(step.size - 2):
+        after = slice(m + 2, None)
+        others = [(unit[m].conj() * (end - start[m])).imag for end in (start[after], p[m + 3 :])]
+        own = [(unit[after].conj() * (end - start[after])).imag for end in (start[m], p[m + 1])]
+        crossing = np.flatnonzero(_opposite(others, same) & _opposite(own, same))
+        if crossing.size:
+            n = m + 2 + int(crossing[0])
+            raise InputError(
+                f"the section's contour crosses itself: the piece from ({y[m]:g}, {z[m]:g}) m crosses the one from "
+                f"({y[n]:g}, {z[n]:g}) m; give the points in order from the keel up"
+            )
 
-    def side(origin: np.ndarray, step: np.ndarray, point: np.ndarray) -> Floats:
-        return np.asarray((step.conj() * (point - origin)).imag)
 
-    apart = side(a[i], d[i], a[j]) * side(a[i], d[i], a[j] + d[j]) < 0.0
-    across = side(a[j], d[j], a[i]) * side(a[j], d[j], a[i] + d[i]) < 0.0
-    crossing = np.flatnonzero(apart & across)
-    if crossing.size:
-        m, n = int(i[crossing[0]]), int(j[crossing[0]])
-        raise InputError(
-            f"the section's contour crosses itself: the piece from ({y[m]:g}, {z[m]:g}) m crosses the one from "
-            f"({y[n]:g}, {z[n]:g}) m; give the points in order from the keel up"
-        )
+def _opposite(distances: list[Floats], same: float) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    """Do both ends of a piece lie on opposite sides of a line, by more than ``same``?"""
+    return np.asarray((np.minimum(*distances) < -same) & (np.maximum(*distances) > same))
