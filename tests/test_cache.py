@@ -28,14 +28,22 @@ def folder(tmp_path, monkeypatch):
 def test_a_table_read_from_disk_is_the_one_computed_to_the_bit(folder, monkeypatch):
     first = radiation_table(strips(DTC), W, 1025.0)
     assert len(list(folder.iterdir())) == 1
-    monkeypatch.setattr(table, "radiation", lambda *_, **__: pytest.fail("computed again"))
+    monkeypatch.setattr(table, "close_fit", lambda *_, **__: pytest.fail("computed again"))
     again = radiation_table(strips(DTC), W, 1025.0)
-    for name in ("frequency", "a", "b", "y", "z", "ny", "nz", "psi", "a_zero", "a_infinite", "close_fit"):
+    for name in ("frequency", "a", "b", "y", "z", "ny", "nz", "psi", "a_zero", "a_infinite"):
         one, other = getattr(first, name), getattr(again, name)
         assert one.tobytes() == other.tobytes()
         assert one.dtype == other.dtype
         assert other.flags.c_contiguous
         assert other.flags.writeable
+
+
+@pytest.mark.usefixtures("folder")
+def test_a_table_of_lewis_forms_read_from_disk_has_its_forms(monkeypatch):
+    first = radiation_table(strips(DTC), W, 1025.0, method="lewis")
+    monkeypatch.setattr(table, "radiation", lambda *_, **__: pytest.fail("computed again"))
+    again = radiation_table(strips(DTC), W, 1025.0, method="lewis")
+    assert first.a.tobytes() == again.a.tobytes()
     assert first.forms.a1.tobytes() == again.forms.a1.tobytes()
 
 

@@ -40,7 +40,7 @@ def wigley_sections(x):
 
 def wigley_matrices(x, weight, omega):
     """Added mass and damping (6, 6) of Wigley III about the waterplane centre, from Lewis sections at x."""
-    table = radiation_table(wigley_sections(x), [omega], 1000.0)
+    table = radiation_table(wigley_sections(x), [omega], 1000.0, method="lewis")
     heave = radiation(table.forms, [omega], "heave", density=1000.0)
     a = section_matrix(table.a, heave.added_mass[..., 0, 0])
     b = section_matrix(table.b, heave.damping[..., 0, 0])

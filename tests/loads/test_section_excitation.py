@@ -22,7 +22,7 @@ def lewis_strip(beam, draught, area, frequency):
     one = np.ones(1)
     blank = np.zeros((1, 1))
     outline = Strips(0 * one, one, blank, blank, blank, blank, one * beam / 2, one * draught, one * area)
-    table = radiation_table(outline, frequency, WATER_DENSITY)
+    table = radiation_table(outline, frequency, WATER_DENSITY, method="lewis")
     keel_up = (table.y, table.z, table.nz, -table.ny)
     strip = Strips(0 * one, one, *(part[:, ::-1] for part in keel_up), one * beam / 2, one * draught, one * area)
     return strip, table

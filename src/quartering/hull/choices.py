@@ -12,7 +12,7 @@ Righting = Literal["polynomial", "spline"]
 Velocities = Literal["relative", "absolute"]
 """What lift acts on: the velocity relative to the water the wave moves, or the ship's own, as in the paper."""
 Sections = Literal["auto", "lewis", "close-fit"]
-"""How the section problem is solved: on the Lewis form, on the section's own contour, or whichever suits."""
+"""How the section problem is solved: on the section's own contour ("auto", "close-fit") or on its Lewis form."""
 Ends = Literal["strips", "three-dimensional"]
 
 

@@ -32,7 +32,7 @@ loading:
 linear: {linear:<22} # sway-yaw derivatives: default (lift from regression) or strip (potential flow alone)
 velocities: {velocities:<18} # lift acts on the velocity relative to the water, or absolute, as in the paper
 righting: {righting:<20} # righting curve in the equations: polynomial (odd, to phi^7) or spline (the curve itself)
-sections: {sections:<20} # section coefficients: auto, lewis (ship-like sections, fast) or close-fit (any section)
+sections: {sections:<20} # section coefficients: auto (the section's own contour, as close-fit) or lewis (Lewis forms)
 ends: {ends:<24} # water round stem and stern: strips (none), or three-dimensional
 drag_coefficient: {drag:<12} # cross-flow drag of the sections, 1; gives the cubic coefficients; {drag_note}
 

@@ -20,6 +20,7 @@ from quartering.hydro.coefficient_table import BODY_NAMES, Coefficients, rigid_i
 from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
 from quartering.hydro.freeroll import free_roll
 from quartering.hydro.given import Given
+from quartering.hydro.hull_table import section_references
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
@@ -148,7 +149,7 @@ def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:
     drag = ("Hoerner65",) if measured is None or not measured.drag else ()
     own = (measured.reference,) if measured else lift
     ends = () if ship.hull.ends == "strips" else ("Morino74",)
-    water = ("STF70", "Tasai61", *ends) if ship.database is None else (ship.database.reference,)
+    water = ("STF70", *section_references(ship.hull), *ends) if ship.database is None else (ship.database.reference,)
     return ("H71", *water, *drag, *own, *damping_references(ship))
 
 

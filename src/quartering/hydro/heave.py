@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
 from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
 from quartering.hydro.closefit import close_fit, close_fit_limits
 from quartering.hydro.lewis import added_mass_at_infinite_frequency
 from quartering.hydro.multipole import CONTOUR_POINTS, radiation
-from quartering.hydro.table import REFINEMENT, SectionTable, own_outline
+from quartering.hydro.table import REFINEMENT, SectionTable, own_outlines
 
 PANELS = REFINEMENT * (CONTOUR_POINTS + 1)
 """Panels on the half contour, as for sway and roll."""
@@ -58,13 +56,11 @@ def heave_sections(strips: Strips, table: SectionTable) -> Heave:
     >>> heave.a.shape == (1, len(box.x)), round(float(heave.a_infinite[0] / 1000.0 / 100.0), 2)  # 2.14 is known exactly
     (True, 2.14)
     """
-    solved = radiation(table.forms, table.frequency, "heave", density=table.density)
-    a, b = solved.added_mass[..., 0, 0].copy(), solved.damping[..., 0, 0].copy()
-    infinite = added_mass_at_infinite_frequency(table.forms, table.density)[1].copy()
-    own = np.flatnonzero(table.close_fit)
-    if own.size:
-        outlines = [own_outline(strips, int(s)) for s in own]
-        fitted = close_fit(outlines, table.frequency, "heave", density=table.density, panels=PANELS)
-        a[:, own], b[:, own] = fitted.added_mass[..., 0, 0], fitted.damping[..., 0, 0]
-        *_, infinite[own] = close_fit_limits(outlines, table.density, panels=PANELS)
-    return Heave(a, b, infinite)
+    if table.forms is not None:
+        solved = radiation(table.forms, table.frequency, "heave", density=table.density)
+        infinite = added_mass_at_infinite_frequency(table.forms, table.density)[1]
+        return Heave(solved.added_mass[..., 0, 0], solved.damping[..., 0, 0], infinite)
+    outlines, which = own_outlines(strips)
+    solved = close_fit(outlines, table.frequency, "heave", density=table.density, panels=PANELS)
+    *_, infinite = close_fit_limits(outlines, table.density, panels=PANELS)
+    return Heave(solved.added_mass[:, which, 0, 0], solved.damping[:, which, 0, 0], infinite[which])

@@ -54,3 +54,13 @@ def hull_table(hull: Hull, frequency: ArrayLike, density: float) -> SectionTable
     table = with_ends(table, immersed, end_effect(hull))
     kept = slice(with_still.size - wanted.size, None)
     return replace(table, frequency=table.frequency[kept], a=table.a[kept], b=table.b[kept], psi=table.psi[kept])
+
+
+def section_words(hull: Hull) -> str:
+    """How the sections of a hull are solved, in words."""
+    return f"sections on their {'Lewis forms' if hull.section_method == 'lewis' else 'own contours'}"
+
+
+def section_references(hull: Hull) -> tuple[str, ...]:
+    """Sources of the solution of a hull's sections."""
+    return ("Ursell49", "Tasai61", "Lewis29") if hull.section_method == "lewis" else ("Frank67", "Kress90")

@@ -131,7 +131,8 @@ def strip_outline(
     """
     if y.size < 2 or not y.max() > _SAME * draught:
         raise InputError(
-            f"{name} has no breadth or no contour points, so its contour cannot be solved; use Lewis forms"
+            f"{name} has no breadth or no contour points, so its contour cannot be solved; "
+            "take Lewis forms (sections: lewis)"
         )
     length = np.hypot(dy, dz)
     keep = length > 0.0
@@ -203,7 +204,10 @@ def _cleaned(y: Floats, z: Floats) -> tuple[Floats, Floats]:
     y, z = y[: top + 1], z[: top + 1]
     size = max(float(y.max()), float(z.max()))
     if not y.max() > _SAME * size:
-        raise InputError("the section has no breadth under water: its contour lies in the centre plane")
+        raise InputError(
+            "the section has no breadth under water: its contour lies in the centre plane; give half breadths, or take "
+            'the Lewis form of 0.02 of its draught (method "lewis")'
+        )
     wide = np.flatnonzero(y > _SAME * size)
     last = min(int(wide[-1]) + 1, y.size - 1)
     y, z = np.array(y[: last + 1]), np.array(z[: last + 1])

@@ -14,9 +14,8 @@ from quartering.hull.choices import Sections
 from quartering.hull.section import Floats, Section
 from quartering.hydro.closefit import close_fit
 from quartering.hydro.lewis import LewisForms, area_coefficient_limits, lewis_forms
-from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
 from quartering.hydro.multipole import Radiation, radiation
-from quartering.hydro.outline import Outline, section_outline
+from quartering.hydro.outline import section_outline
 from quartering.hydro.resolution import warn_of_mismatch, worst
 
 PANELS: Final = 50
@@ -48,28 +47,27 @@ def section_coefficients(
     section : Section
     frequency : (f,) float   w >= 0 [rad/s]
     method : "auto", "lewis" or "close-fit"
-        "lewis" takes the Lewis form of the section's breadth, draught and immersed area, "close-fit" its own contour,
-        "auto" the Lewis form where the contour lies within 1 % of it (of the root of its area), else the contour.
+        "auto" and "close-fit" solve the section on its own contour, "lewis" on the Lewis form of its breadth, draught
+        and immersed area.
     density : float          of the water, > 0 [kg/m3]
     panels : int             on the half contour, for close-fit
 
     Returns
     -------
     xr.Dataset               a22 b22 a24 b24 a44 b44 a33 b33 over frequency, SI per metre of length, axes z down;
-                             a33 is infinite at w = 0; attribute `method` names the one used, `contour_difference`
-                             the largest distance from the Lewis form over the root of the area
+                             a33 is infinite at w = 0; attribute `method` names the one used: close-fit or lewis
 
     Raises
     ------
     InputError               unknown method; a frequency negative or not finite; density not positive; a contour that
-                             is open, crosses itself or starts above the water (not for "lewis")
+                             is open, crosses itself, starts above the water or has no breadth (not for "lewis")
 
     Warns
     -----
     RangeWarning             the contour is not resolved: damping by pressure and by waves differ by more than 3 %;
-                             a Lewis form was asked for (or the section lies in the centre plane) and the section is not
-                             Lewis-like, so the nearest form stands for it: no breadth at the waterline (0.02 of the
-                             draught is taken as half breadth) or an area outside the forms' range
+                             a Lewis form was asked for and there is none of these sizes, so the nearest stands for it:
+                             no breadth at the waterline (0.02 of the draught is taken as half breadth) or an area
+                             outside the forms' range
 
     Notes
     -----
@@ -89,37 +87,21 @@ def section_coefficients(
         raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Sections))}")
     if not (np.isfinite(density) and density > 0.0):
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
-    forms = lewis_forms(section.half_breadth, section.draught, immersed_area(section))
-    outline = None if method == "lewis" else _own_outline(section, method)
-    difference = np.nan if outline is None else contour_difference(outline, forms)
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
-    like = not (forms.clipped[0] or forms.stretched[0]) and difference < LEWIS_LIKE
-    if outline is not None and (method == "close-fit" or not like):
-        lateral = close_fit([outline], w, "lateral", density=density, panels=panels)
-        heave = close_fit([outline], w, "heave", density=density, panels=panels)
-        used, references, remark = "close-fit", "Frank67, Kress90", ""
-        residual = np.concatenate([lateral.residual, heave.residual], axis=-1)
-        warn_of_mismatch(worst(residual, w), ["the section"], stacklevel=2)
-    else:
-        used, references, remark = "lewis", "Ursell49, Tasai61, Lewis29", _remark(forms)
+    if method == "lewis":
+        forms = lewis_forms(section.half_breadth, section.draught, immersed_area(section))
+        remark = _remark(forms)
         if remark:
             warnings.warn(remark, RangeWarning, stacklevel=2)
         lateral = radiation(forms, w, "lateral", density=density)
         heave = radiation(forms, w, "heave", density=density)
-    choice: dict[str, str | float] = {
-        "method": used,
-        "contour_difference": difference,
-        "remark": remark,
-        "references": references,
-    }
-    return _dataset(w, lateral, heave, forms, density, choice)
-
-
-def _own_outline(section: Section, method: Sections) -> Outline | None:
-    """The section's contour; none for a bare centre plane when a Lewis form may stand for it."""
-    if method == "auto" and not section.y.any():
-        return None
-    return section_outline(section)
+        return _dataset(w, lateral, heave, density, _words_of_forms(forms) | {"remark": remark})
+    outline = section_outline(section)
+    lateral = close_fit([outline], w, "lateral", density=density, panels=panels)
+    heave = close_fit([outline], w, "heave", density=density, panels=panels)
+    residual = np.concatenate([lateral.residual, heave.residual], axis=-1)
+    warn_of_mismatch(worst(residual, w), ["the section"], stacklevel=2)
+    return _dataset(w, lateral, heave, density, {"method": "close-fit", "remark": "", "references": "Frank67, Kress90"})
 
 
 def immersed_area(section: Section) -> float:
@@ -171,8 +153,19 @@ def _remark(forms: LewisForms) -> str:
     return "the section is not Lewis-like: " + "; ".join(parts) if parts else ""
 
 
+def _words_of_forms(forms: LewisForms) -> dict[str, str | float]:
+    """Attributes of a dataset of a Lewis form."""
+    return {
+        "method": "lewis",
+        "references": "Ursell49, Tasai61, Lewis29",
+        "lewis_half_breadth": float(forms.half_breadth[0]),
+        "lewis_draught": float(forms.draught[0]),
+        "lewis_area_coefficient": float(forms.area_coefficient[0]),
+    }
+
+
 def _dataset(
-    w: Floats, lateral: Radiation, heave: Radiation, forms: LewisForms, density: float, choice: dict[str, str | float]
+    w: Floats, lateral: Radiation, heave: Radiation, density: float, said: dict[str, str | float]
 ) -> xr.Dataset:
     values = {"a33": heave.added_mass[:, 0, 0, 0], "b33": heave.damping[:, 0, 0, 0]}
     for modes, i, j in (("22", 0, 0), ("24", 0, 1), ("44", 1, 1)):
@@ -189,9 +182,6 @@ def _dataset(
         "time_factor": "exp(+i omega t)",
         "water_density": density,
         "water_density_units": "kg m-3",
-        "lewis_half_breadth": float(forms.half_breadth[0]),
-        "lewis_draught": float(forms.draught[0]),
-        "lewis_area_coefficient": float(forms.area_coefficient[0]),
-        **choice,
+        **said,
     }
     return xr.Dataset(variables, coords={"frequency": axis}, attrs=attributes)

@@ -16,7 +16,7 @@ from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
 from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.heave import heave_sections
-from quartering.hydro.hull_table import hull_table
+from quartering.hydro.hull_table import hull_table, section_references, section_words
 from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip import frequency_floor
 from quartering.hydro.surge import spheroid_surge
@@ -106,9 +106,8 @@ def hydrodynamics6(
     return dataset.assign_attrs(
         ship=ship.name, speed=float(speed), reference_point=said, surge=surge, density=density,
         axes=f"{axes} axes: x to the bow, y to starboard, z down; pitch positive bow up",
-        method=f"strip theory, {int(table.close_fit.sum())} of {len(immersed.x)} sections on their own contours, the others "
-        f"on Lewis forms{said_ends}; low frequencies: {low_frequency}",
-        references="STF70, Tasai61, Ursell49, Lewis29, Frank67, Lamb32" + (", Morino74" if said_ends else ""),
+        method=f"strip theory, {section_words(hull)}{said_ends}; low frequencies: {low_frequency}",
+        references=", ".join(["STF70", *section_references(hull), "Lamb32", *(["Morino74"] if said_ends else [])]),
     )  # fmt: skip
 
 

@@ -26,7 +26,7 @@ from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
 from quartering.hydro.ends import ENDS_WORDS
-from quartering.hydro.hull_table import hull_table
+from quartering.hydro.hull_table import hull_table, section_references, section_words
 from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.own_moments import check_frequencies, ship_moments
@@ -277,8 +277,8 @@ def _database_derivatives(
 
 def _attributes(ship: Ship, speed: float, low_frequency: LowFrequency) -> dict[str, str | float]:
     """What a dataset of hydrodynamic coefficients says of itself."""
-    method = "strip theory, sections by the hull's choice (Lewis form or true contour)"
-    references = "STF70, Tasai61, Lewis29, Frank67"
+    method = f"strip theory, {section_words(ship.hull)}"
+    references = ", ".join(["STF70", *section_references(ship.hull)])
     if ship.hull.ends == "three-dimensional":
         method, references = f"{method}, {ENDS_WORDS}", f"{references}, Morino74"
     if ship.database is not None:

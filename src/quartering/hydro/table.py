@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any, Final, get_args
 
 import numpy as np
@@ -22,7 +22,6 @@ from quartering.hydro.lewis import (
     added_mass_at_zero_frequency,
     lewis_forms,
 )
-from quartering.hydro.likeness import LEWIS_LIKE, contour_difference
 from quartering.hydro.multipole import CONTOUR_POINTS, Radiation, radiation
 from quartering.hydro.outline import Outline, strip_outline
 from quartering.hydro.resolution import warn_of_mismatch, worst
@@ -31,8 +30,6 @@ from quartering.hydro.wavemaker import Complexes
 FREQUENCY_RANGE: Final = (0.02, 3.5)
 """Lowest and highest w sqrt(B/2g) of the standard frequencies [1]."""
 STANDARD_FREQUENCIES: Final = 96
-FEWEST_POINTS: Final = 8
-"""Contour points below which a strip says too little of its shape to be solved on its own contour."""
 REFINEMENT: Final = 2
 """Panels of a close-fit solution for added mass and damping, over those on whose ends its potentials are kept."""
 FEWEST_KEPT: Final = 8
@@ -45,7 +42,7 @@ class SectionTable:
     """Sway and roll coefficients and contour potentials of all sections of a hull, about their waterline points.
 
     Axes y to starboard, z down from the calm plane; phasors e^{+i w t}; per metre of length, both sides. The contour is
-    the section's own (close-fit) or that of the Lewis form that stands for it. On it, from the waterline to the keel,
+    the section's own or, with Lewis forms, theirs. On it, from the waterline to the keel,
     a_ij + b_ij/(i w) = -2 density sum(psi_i n_j) with n_2 = ny and n_4 = y nz - z ny.
 
     Parameters
@@ -58,9 +55,9 @@ class SectionTable:
     psi : (f, s, n, 2) complex   potential per unit velocity in sway [m] and roll [m2]
     a_zero : (s, 3) float        limit of a for w -> 0
     a_infinite : (s, 3) float    limit of a for w -> infinity
-    forms : LewisForms           of all sections, with those that had to be replaced by the nearest admissible one
+    forms : LewisForms or None   that the sections were solved on, with those that had to be replaced by the nearest
+                                 admissible one; None when all were solved on their own contours
     density : float              of the water [kg/m3]
-    close_fit : (s,) bool        which sections were solved on their own contours
     """
 
     frequency: Floats
@@ -73,9 +70,8 @@ class SectionTable:
     psi: Complexes
     a_zero: Floats
     a_infinite: Floats
-    forms: LewisForms
+    forms: LewisForms | None
     density: float
-    close_fit: NDArray[np.bool_]
 
 
 def radiation_table(
@@ -85,13 +81,13 @@ def radiation_table(
 
     Parameters
     ----------
-    strips : Strips          (s,) sections; strips without contour points are taken as Lewis forms by "auto"
+    strips : Strips          (s,) sections
     frequency : (f,) float   w >= 0, ascending [rad/s]
     density : float          of the water, > 0 [kg/m3]
     points : int             points on the half contour, at least 18
     method : "auto", "lewis" or "close-fit"
-        "auto" takes the Lewis form where the contour lies within 1 % of it (of the root of its area), the section's own
-        contour elsewhere.
+        "auto" and "close-fit" solve each section on its own contour, "lewis" on the Lewis form of its breadth, draught
+        and area.
 
     Returns
     -------
@@ -100,7 +96,7 @@ def radiation_table(
     Raises
     ------
     InputError               frequencies not ascending, negative or not finite; density not positive; unknown method;
-                             "close-fit" for strips without contour points
+                             strips without contour points (not for "lewis")
 
     Warns
     -----
@@ -119,7 +115,7 @@ def radiation_table(
     >>> import numpy as np
     >>> one = np.ones((1, 1))
     >>> half_circle = Strips(np.zeros(1), np.ones(1), one, one, one, one, np.ones(1), np.ones(1), np.full(1, np.pi / 2))
-    >>> table = radiation_table(half_circle, [0.0, np.sqrt(9.81)], density=1.0)
+    >>> table = radiation_table(half_circle, [0.0, np.sqrt(9.81)], density=1.0, method="lewis")
     >>> np.round(table.a[:, 0, 0] / (np.pi / 2), 4).tolist()
     [1.0, 0.3818]
     """
@@ -130,7 +126,7 @@ def radiation_table(
         raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
     if method not in get_args(Sections):
         raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Sections))}")
-    found = dict(_found(strips, w, density, points, method))
+    found = dict(_found(strips, w, density, points, "lewis" if method == "lewis" else "close-fit"))
     names = [f"section {i + 1} (x = {x:g} m)" for i, x in enumerate(strips.x)]
     warn_of_mismatch(found.pop("mismatch"), names, stacklevel=2)
     return _table(found, density)
@@ -138,100 +134,100 @@ def radiation_table(
 
 def _found(strips: Strips, w: Floats, density: float, points: int, method: Sections) -> Mapping[str, NDArray[Any]]:
     """Arrays of a table by name, from disk where they are worth keeping."""
+    solved = _of_lewis_forms if method == "lewis" else _of_own_contours
     if w.size < FEWEST_KEPT:
-        return _solved(strips, w, density, points, method)
+        return solved(strips, w, density, points)
     s = strips
     content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), points, method)
     name = f"sections-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    return remembered(name, lambda: _solved(strips, w, density, points, method))
+    return remembered(name, lambda: solved(strips, w, density, points))
 
 
-def _solved(strips: Strips, w: Floats, density: float, points: int, method: Sections) -> dict[str, NDArray[Any]]:
+def _of_lewis_forms(strips: Strips, w: Floats, density: float, points: int) -> dict[str, NDArray[Any]]:
     """Arrays of a table by name; those of its Lewis forms after "forms."."""
     forms = lewis_forms(strips.half_breadth, strips.draught, strips.area)
-    lateral = radiation(forms, w, "lateral", density=density, points=points)
+    solution = radiation(forms, w, "lateral", density=density, points=points)
     zero = added_mass_at_zero_frequency(forms, density)
     infinite = added_mass_at_infinite_frequency(forms, density)[0]
-    chosen = _outlines(strips, forms, method)
-    own, mismatch = np.array(sorted(chosen), dtype=np.intp), np.zeros((2, forms.scale.size))
-    if own.size:
-        outlines, fine = [chosen[s] for s in own], REFINEMENT * (points + 1)
-        fitted = close_fit(outlines, w, "lateral", density=density, panels=points + 1)
-        refined = close_fit(outlines, w, "lateral", density=density, panels=fine)
-        fitted = replace(fitted, added_mass=refined.added_mass, damping=refined.damping)
-        lateral = _replaced(lateral, own, fitted)
-        zero[own], infinite[own], _ = close_fit_limits(outlines, density, panels=fine)
-        mismatch[:, own] = worst(refined.residual, w)
+    shapes = {f"forms.{field.name}": getattr(forms, field.name) for field in fields(forms)}
+    return _arrays(w, solution, zero, infinite, np.zeros((2, forms.scale.size))) | shapes
+
+
+def _of_own_contours(strips: Strips, w: Floats, density: float, points: int) -> dict[str, NDArray[Any]]:
+    """Arrays of a table by name; equal sections are solved once."""
+    outlines, which = own_outlines(strips)
+    kept = close_fit(outlines, w, "lateral", density=density, panels=points + 1)
+    fine = close_fit(outlines, w, "lateral", density=density, panels=REFINEMENT * (points + 1))
+    zero, infinite, _ = close_fit_limits(outlines, density, panels=REFINEMENT * (points + 1))
+    values = {
+        name: getattr(fine if name in ("added_mass", "damping") else kept, name)
+        for name in Radiation.__dataclass_fields__
+    }
+    solution = Radiation(**{n: v[which] if n in ("point", "normal") else v[:, which] for n, v in values.items()})
+    return _arrays(w, solution, zero[which], infinite[which], worst(fine.residual, w)[:, which])
+
+
+def _arrays(
+    w: Floats, solution: Radiation, zero: Floats, infinite: Floats, mismatch: Floats
+) -> dict[str, NDArray[Any]]:
     return {
         "frequency": w,
-        "a": _triplet(lateral.added_mass),
-        "b": _triplet(lateral.damping),
-        "y": lateral.point.real,
-        "z": lateral.point.imag,
-        "ny": lateral.normal.real,
-        "nz": lateral.normal.imag,
-        "psi": lateral.potential,
+        "a": _triplet(solution.added_mass),
+        "b": _triplet(solution.damping),
+        "y": solution.point.real,
+        "z": solution.point.imag,
+        "ny": solution.normal.real,
+        "nz": solution.normal.imag,
+        "psi": solution.potential,
         "a_zero": zero,
         "a_infinite": infinite,
         "mismatch": mismatch,
-        "close_fit": np.isin(np.arange(forms.scale.size), own),
-    } | {f"forms.{field.name}": getattr(forms, field.name) for field in fields(forms)}
+    }
 
 
 def _table(arrays: Mapping[str, NDArray[Any]], density: float) -> SectionTable:
     """Table of named arrays, contiguous so that no kernel is compiled for another layout."""
     flat = {name: np.ascontiguousarray(value) for name, value in arrays.items()}
-    forms = LewisForms(**{field.name: flat.pop(f"forms.{field.name}") for field in fields(LewisForms)})
-    return SectionTable(**flat, forms=forms, density=float(density))
+    shapes = {name.removeprefix("forms."): flat.pop(name) for name in arrays if name.startswith("forms.")}
+    return SectionTable(**flat, forms=LewisForms(**shapes) if shapes else None, density=float(density))
 
 
-def own_outline(strips: Strips, section: int) -> Outline:
-    """Outline of one section's own contour.
+def own_outlines(strips: Strips) -> tuple[list[Outline], NDArray[np.intp]]:
+    """Outlines of a hull's sections, each once.
 
     Parameters
     ----------
-    strips : Strips
-    section : int     which, counted from 0
+    strips : Strips    (s,) sections
 
     Returns
     -------
-    Outline
+    list of Outline    the different ones, in the order of the sections
+    (s,) int           which of them each section has
 
     Raises
     ------
-    InputError        it has no contour points or no breadth: named by number and place
+    InputError         a section has no contour points or no breadth: named by number and place
 
-    Notes
-    -----
-    Source: geometry, `strip_outline`.
+    Examples
+    --------
+    >>> from quartering.hull.immersed import strips
+    >>> from quartering.hull.offsets import box_hull
+    >>> outlines, which = own_outlines(strips(box_hull(100.0, 20.0, 5.0, 10.0)))
+    >>> len(outlines), int(which.max())
+    (1, 0)
     """
+    s = strips
+    number: dict[bytes, int] = {}
+    contour = np.concatenate([s.y, s.z, s.dy, s.dz, s.half_breadth[:, None], s.draught[:, None]], axis=1)
+    which = [number.setdefault(row.tobytes(), len(number)) for row in contour]
+    return [_own_outline(strips, which.index(k)) for k in range(len(number))], np.array(which, dtype=np.intp)
+
+
+def _own_outline(strips: Strips, section: int) -> Outline:
+    """Outline of one section, counted from 0."""
     s, i = strips, section
     called = f"section {i + 1} (x = {s.x[i]:g} m)"
     return strip_outline(s.y[i], s.z[i], s.dy[i], s.dz[i], float(s.half_breadth[i]), float(s.draught[i]), called)
-
-
-def _outlines(strips: Strips, forms: LewisForms, method: Sections) -> dict[int, Outline]:
-    """Outlines of the sections that are to be solved on their own contours, by number."""
-    if method == "lewis" or (method == "auto" and strips.y.shape[1] < FEWEST_POINTS):
-        return {}
-    chosen = {}
-    for i in range(strips.y.shape[0]):
-        if method == "auto" and not strips.y[i].any():
-            continue
-        outline = own_outline(strips, i)
-        like = not (forms.clipped[i] or forms.stretched[i]) and contour_difference(outline, forms, i) < LEWIS_LIKE
-        if method == "close-fit" or not like:
-            chosen[i] = outline
-    return chosen
-
-
-def _replaced(lewis: Radiation, own: NDArray[np.intp], fitted: Radiation) -> Radiation:
-    """Solution of all sections, those in ``own`` from the second."""
-    fields = {name: getattr(lewis, name).copy() for name in Radiation.__dataclass_fields__}
-    for name, value in fields.items():
-        at = (own,) if name in ("point", "normal") else (slice(None), own)
-        value[at] = getattr(fitted, name)
-    return Radiation(**fields)
 
 
 def _triplet(matrix: Floats) -> Floats:

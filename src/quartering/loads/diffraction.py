@@ -63,7 +63,7 @@ def contour_diffraction(
     >>> from quartering.hydro.table import radiation_table
     >>> one, blank = np.ones(1), np.zeros((1, 1))
     >>> circle = Strips(0 * one, one, blank, blank, blank, blank, one, one, one * np.pi / 2)
-    >>> table = radiation_table(circle, [0.01], density=1025.0)
+    >>> table = radiation_table(circle, [0.01], density=1025.0, method="lewis")
     >>> place = Stations(x=0 * one, weight=one, z0=0.0, x_aft=0.0, transom=False)
     >>> Y = contour_diffraction(place, table, [1e-5], [0.0], [90.0])[0, 0]
     >>> round(float(Y.real / (-1025.0 * np.pi / 2 * 9.81e-5)), 3)
