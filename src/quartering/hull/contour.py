@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Literal
 
 import numpy as np
@@ -59,27 +58,38 @@ def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Cur
     if outline == "straight":
         point = np.repeat(point, 2, axis=0)[1:-1]
     chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(point, axis=0).T))])
-    breaks = [0, *(np.flatnonzero(np.diff(chord) <= 0.0) + 1), len(chord)]
-    slope = np.concatenate([_slopes(chord[a:b], point[a:b]) for a, b in pairwise(breaks) if b > a])
-    return Curve(chord, point, slope)
+    return Curve(chord, point, _slopes(chord, point))
 
 
 def _slopes(s: Floats, point: Floats) -> Floats:
-    """Slopes of the monotone cubic through ``point`` (n, 2) over ``s`` (n,)."""
-    if len(s) == 1:
-        return np.zeros_like(point)
+    """Slopes of the monotone cubics through ``point`` (n, 2) over ``s`` (n,), one from knuckle to knuckle.
+
+    Within a run, the mean of the neighbouring secants a, b over intervals h, k that keeps the cubic monotone,
+    3 (h + k)/((2k + h)/a + (2h + k)/b), or 0 where they differ in sign; at its ends the three-point formula, limited; a
+    run of two points is straight. Source: [Fritsch84].
+    """
     h = np.diff(s)[:, None]
-    secant = np.diff(point, axis=0) / h
-    if len(s) == 2:
-        return np.repeat(secant, 2, axis=0)
-    w1, w2 = 2 * h[1:] + h[:-1], h[1:] + 2 * h[:-1]
-    left, right = secant[:-1], secant[1:]
-    same = left * right > 0
+    run = h[:, 0] > 0.0  # an interval of no length is a knuckle
+    slope = np.zeros_like(point)
+    if not run.any():
+        return slope
     with np.errstate(divide="ignore", invalid="ignore"):
-        inner = np.where(same, (w1 + w2) / (w1 / left + w2 / right), 0.0)
-    first = _end_slope(h[0], h[1], secant[0], secant[1])
-    last = _end_slope(h[-1], h[-2], secant[-1], secant[-2])
-    return np.concatenate([first[None], inner, last[None]])
+        secant = np.diff(point, axis=0) / h
+    # the interval before point i is i - 1, the one after it is i
+    before, after = np.append(False, run), np.append(run, False)
+    inner = np.flatnonzero(before & after)
+    left, right = secant[inner - 1], secant[inner]
+    w1, w2 = 2 * h[inner] + h[inner - 1], h[inner] + 2 * h[inner - 1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope[inner] = np.where(left * right > 0, (w1 + w2) / (w1 / left + w2 / right), 0.0)
+    for ends, step in ((np.flatnonzero(after & ~before), 1), (np.flatnonzero(before & ~after), -1)):
+        near = ends - (step < 0)  # the interval at the end, and the next one if it is of the same run
+        following = np.clip(near + step, 0, run.size - 1)
+        alone = ~run[following] | (following == near)
+        slope[ends[alone]] = secant[near[alone]]
+        near, following, ends = near[~alone], following[~alone], ends[~alone]
+        slope[ends] = _end_slope(h[near], h[following], secant[near], secant[following])
+    return slope
 
 
 def _end_slope(h0: Floats, h1: Floats, secant0: Floats, secant1: Floats) -> Floats:

@@ -9,13 +9,9 @@ import numpy as np
 from quartering.conventions import InputError
 from quartering.hull.contour import Curve, along, chord_at_height
 from quartering.hull.offsets import Hull
+from quartering.hull.panels import POINTS_PER_PANEL, Nodes, panel_ends, panel_nodes
 from quartering.hull.quadrature import gauss
-from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
-
-POINTS_PER_PANEL = 2
-
-Nodes = tuple[Floats, Floats, Floats, Floats]
 
 
 @lru_cache(maxsize=64)
@@ -87,8 +83,8 @@ def _refuse_gaps(hull: Hull, wet: list[int]) -> None:
 def _offset_nodes(hull: Hull, station: int, points: int) -> Nodes:
     """Nodes of a contour given by offsets: Gauss rules on panels of its curve."""
     curve, end = immersed_curve(hull, station)
-    ends = np.array(_panels(curve, end, points // POINTS_PER_PANEL))
-    y, height, dy, dheight = (part.ravel() for part in _panel_nodes(curve, ends[:-1], ends[1:]))
+    ends = panel_ends(curve, end, points // POINTS_PER_PANEL)
+    y, height, dy, dheight = (part.ravel() for part in panel_nodes(curve, ends[:-1], ends[1:]))
     return y, hull.draught - height, dy, -dheight
 
 
@@ -123,79 +119,6 @@ def immersed_curve(hull: Hull, station: int) -> tuple[Curve, float]:
 def _waterline_breadth(hull: Hull, station: int) -> float:
     curve, end = immersed_curve(hull, station)
     return float(along(curve, np.array([end]))[0][0])
-
-
-def _panels(curve: Curve, end: float, count: int) -> list[float]:
-    """Panel ends: offset points, merged where the rule loses least of the area's moments, or long ones halved."""
-    inner = np.unique(curve.chord[(curve.chord > 1e-9 * end) & (curve.chord < end * (1 - 1e-9))])
-    ends = [0.0, *(float(s) for s in inner), end]
-    below = curve.point[: max(2, int(np.searchsorted(curve.chord, end)))]
-    size = max(float(below[:, 0].max()), 1e-3 * end), float(np.ptp(below[:, 1])) or end
-    exact = list(_moments(_gauss_nodes(curve, np.array(ends)), size))
-    loss = _merge_loss(curve, ends, exact, size, list(range(1, len(ends) - 1)))
-    while len(ends) - 1 > count:
-        k = int(np.argmin(loss)) + 1
-        exact[k - 1 : k + 1] = [exact[k - 1] + exact[k]]
-        del ends[k], loss[k - 1]
-        near = [j for j in (k - 1, k) if 1 <= j < len(ends) - 1]
-        for j, value in zip(near, _merge_loss(curve, ends, exact, size, near), strict=True):
-            loss[j - 1] = value
-    while len(ends) - 1 < count:
-        widths = np.diff(ends)
-        k = int(np.argmax(widths > (1 - 1e-9) * widths.max()))
-        ends.insert(k + 1, 0.5 * (ends[k] + ends[k + 1]))
-    return ends
-
-
-def _merge_loss(
-    curve: Curve, ends: list[float], exact: list[Floats], size: tuple[float, float], at: list[int]
-) -> list[float]:
-    """What one panel in place of two, either side of each end in ``at``, loses of their moments [m2].
-
-    A trace of the panel's length is added: where nothing is lost, as on a straight side, short panels go first.
-    """
-    if not at:
-        return []
-    start, end = np.array([ends[k - 1] for k in at]), np.array([ends[k + 1] for k in at])
-    rough = _moments(_panel_nodes(curve, start, end), size)
-    lost = np.abs(rough - np.stack([exact[k - 1] + exact[k] for k in at])).sum(axis=1)
-    return [float(value) for value in lost + 1e-7 * (end - start) ** 2]
-
-
-def _moments(nodes: Nodes, size: tuple[float, float]) -> Floats:
-    """Integrals of (y dh, y h dh / H, y2 dy / B, h2 dh / H) over pieces of a contour (pieces, 4) [m2]."""
-    y, h, dy, dh = nodes
-    breadth, height = size
-    f = np.stack([y * dh, y * h * dh / height, y * y * dy / breadth, h * h * dh / height], axis=-1)
-    return np.asarray(f.sum(axis=1))
-
-
-def _gauss_nodes(curve: Curve, ends: Floats) -> Nodes:
-    """Nodes (pieces, 4) of the curve itself between neighbouring offset points: exact for its moments."""
-    u, du = gauss(4, 0.0, 1.0)
-    width = np.diff(ends)[:, None]
-    s = ends[:-1, None] + width * u
-    y, h, dy, dh = (part.reshape(s.shape) for part in along(curve, s.ravel()))
-    return y, h, dy * width * du, dh * width * du
-
-
-def _panel_nodes(curve: Curve, start: Floats, end: Floats) -> Nodes:
-    """Gauss nodes (panels, 2) of the cubics that join panel ends with the curve's own points and tangents there.
-
-    The differentials of a panel sum exactly to the step between its ends, however many offset points lie within.
-    """
-    y0, h0, ty0, th0 = along(curve, start, side="right")
-    y1, h1, ty1, th1 = along(curve, end, side="left")
-    u, du = gauss(POINTS_PER_PANEL, 0.0, 1.0)
-    width = end - start
-
-    def cubic(v0: Floats, v1: Floats, t0: Floats, t1: Floats) -> tuple[Floats, Floats]:
-        m0, m1, step = (t0 * width)[:, None], (t1 * width)[:, None], (v1 - v0)[:, None]
-        c2, c3 = 3 * step - 2 * m0 - m1, m0 + m1 - 2 * step
-        return v0[:, None] + u * (m0 + u * (c2 + u * c3)), (m0 + u * (2 * c2 + 3 * u * c3)) * du
-
-    (y, dy), (h, dh) = cubic(y0, y1, ty0, ty1), cubic(h0, h1, th0, th1)
-    return y, h, dy, dh
 
 
 def _wigley_nodes(hull: Hull, x: float, points: int) -> Nodes:
