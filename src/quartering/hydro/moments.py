@@ -119,7 +119,7 @@ class HullMoments:
 
         Notes
         -----
-        Source: [Tasai61] sections, cubic spline in frequency.  Valid: as `default_frequencies`.
+        Source: [Frank67] sections, cubic spline in frequency.  Valid: as `default_frequencies`.
         """
         omega = np.asarray(frequency, dtype=float)
         if not (np.isfinite(omega).all() and (omega >= 0).all()):
@@ -146,7 +146,7 @@ def hull_moments(hull: Hull, density: float) -> HullMoments:
 
     Notes
     -----
-    Source: [STF70] integrals over the length; sections [Tasai61].  Valid: as `radiation_table`.
+    Source: [STF70] integrals over the length; sections [Frank67].  Valid: as `radiation_table`.
 
     Examples
     --------
