@@ -7,6 +7,8 @@ from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from quartering.hull.refusals import allowed, own_words
 
+pytestmark = pytest.mark.quick
+
 
 class _Keys(BaseModel):
     model_config = ConfigDict(allow_inf_nan=False)
