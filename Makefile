@@ -39,7 +39,7 @@ types:
 	$(BIN)/mypy
 
 tests-quick:
-	$(PYTEST) -m quick
+	$(PYTEST) -m quick tests
 
 tests-all:
 	$(PYTEST)
