@@ -1,22 +1,48 @@
 # Two commands: `make demo` draws the stability map of a Series 60 ship, `make test` checks everything.
 # Both set themselves up in .venv; a machine needs python3 (3.11 or newer), make and a C compiler's libraries only.
+# The checks have three tiers: `make quick` while writing, `make test` before a merge, `make soak` by hand before a release.
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+CONSTRAINTS := constraints.txt
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check $(CONSTRAINTS:%=--constraint %)
+PYTEST := $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 
-.PHONY: demo test docs browser bench clean
+.PHONY: demo quick test soak test-latest docs browser bench constraints clean lint types tests-quick tests-all
 
 demo: $(VENV)/.demo
 	mkdir -p demo
 	$(BIN)/quartering polar series60-cb60 -o demo/series60-cb60-polar.nc
 
+# The type checker uses one core: the tests run beside it.
+quick: $(VENV)/.dev
+	@$(MAKE) --no-print-directory --jobs 2 lint types tests-quick
+
 test: $(VENV)/.dev
+	@$(MAKE) --no-print-directory --jobs 2 lint types tests-all
+
+# Kills at any moment, peak memory, interrupts of whole programs: long, and in part by chance.
+soak: $(VENV)/.dev
+	$(BIN)/python -m pytest -m soak
+
+# The newest releases of everything, in place of the versions of constraints.txt: red here is news, not a fault.
+test-latest:
+	@$(MAKE) --no-print-directory test VENV=.venv-latest CONSTRAINTS=
+
+lint:
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
-	$(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
+
+types:
+	$(BIN)/mypy
+
+tests-quick:
+	$(PYTEST) -m quick tests
+
+tests-all:
+	$(PYTEST)
 
 docs: $(VENV)/.docs
 	$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs build/docs
@@ -36,6 +62,7 @@ bench: $(VENV)/.dev
 	$(BIN)/python benchmarks/hull_database.py
 	$(BIN)/python benchmarks/conditions.py
 	$(BIN)/python benchmarks/irregular.py
+	$(BIN)/python -m pytest -q -s -p tests.view.conftest benchmarks/explorer.py
 
 $(VENV)/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
@@ -43,18 +70,28 @@ $(VENV)/pyvenv.cfg:
 	$(PYTHON) -m venv $(VENV) || { rm -rf $(VENV); \
 	  echo "python3 cannot make a virtual environment; install its venv module (Debian: python3-venv)"; exit 2; }
 
-$(VENV)/.demo: $(VENV)/pyvenv.cfg pyproject.toml
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+$(VENV)/.demo: $(VENV)/pyvenv.cfg pyproject.toml $(CONSTRAINTS)
+	$(PIP) --editable .
 	touch $@
 
-$(VENV)/.dev: $(VENV)/pyvenv.cfg pyproject.toml
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+$(VENV)/.dev: $(VENV)/pyvenv.cfg pyproject.toml $(CONSTRAINTS)
+	$(PIP) --editable '.[dev]'
 	touch $@ $(VENV)/.demo
 
 $(VENV)/.docs: $(VENV)/.dev
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	$(PIP) --editable '.[docs]'
 	touch $@
 
+# At each release, after `make test-latest`: the head of the file stays, the names and versions are written anew.
+constraints:
+	rm -rf build/constraints
+	$(PYTHON) -m venv build/constraints
+	build/constraints/bin/python -m pip install --quiet --disable-pip-version-check '.[dev,docs]'
+	grep '^#' constraints.txt > build/constraints/head
+	build/constraints/bin/python -m pip freeze --quiet --exclude quartering 2>/dev/null \
+	  | grep -E '^[A-Za-z0-9._-]+==[^ ]+$$' > build/constraints/versions
+	cat build/constraints/head build/constraints/versions > constraints.txt
+
 clean:
-	rm -rf $(VENV) demo build docs/gallery docs/reference .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
+	rm -rf $(VENV) .venv-latest demo build docs/gallery docs/reference .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis
 	find src tests -name __pycache__ -type d -prune -exec rm -rf {} +

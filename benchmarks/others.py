@@ -1,4 +1,7 @@
-"""The same conditions by other tools, each as one would use it: a function of a sample's numbers for every tool.
+"""The same conditions by other tools, each used simply: a function of a sample's numbers for every tool.
+
+They check answers. As measures of speed they are weak: products by powers, a general solver for every sample, one condition
+at a time.
 
 A sample holds linear (n, 3, 4), coefficients (n, 3, t), powers (t, 4), cos and sin (n, 3) and frequency (n,) of the equations
 of motion. Each function returns seconds a condition after compilation, amplitudes of the fundamental (n, 3) and, where the tool

@@ -1,8 +1,9 @@
-"""The main job timed, beside general-purpose integration on a sample of the same conditions.
+"""The main job timed, and checked by general-purpose integration on a sample of the same conditions.
 
 The map of Series 60, CB 0.60: 37 headings x 20 wave lengths x 3 speeds = 2,220 conditions, each with response, K2, q and
-Floquet multipliers. The alternative is what one would write with scipy alone: solve_ivp (DOP853) through the transient to
-the steady motion, then the variational equations over one period. Prints medians and the ratio, measured in one run.
+Floquet multipliers. The check is written with scipy alone: solve_ivp (DOP853) through the transient to the steady motion, then
+the variational equations over one period, in plain Python. Its time is printed, but no ratio: it is no rival
+(docs/how_fast.md).
 
 Usage: python benchmarks/polar.py
 """
@@ -116,10 +117,7 @@ def main():
         roll_errors.append(abs(motion.amplitude[1] / roll - 1))
         multiplier_errors.append(max(np.abs(found - m).min() for m in multipliers))
     alone = statistics.median(times)
-    each = whole[0] / count
     print(f"scipy solve_ivp, a condition {alone:8.3f}   (median of {SAMPLE})")
-    print(f"ratio: solve_ivp takes {alone / each:,.0f} times as long a condition as the whole map,")
-    print(f"       {alone * count / inner[0]:,.0f} times as long as the dynamics kernels")
     print(
         f"agreement on the sample: roll within {max(roll_errors):.1e}, multipliers within {max(multiplier_errors):.1e}"
     )

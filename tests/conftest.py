@@ -1,4 +1,4 @@
-"""Compiled kernels are thrown away when any source changed.
+"""Compiled kernels are thrown away when any source changed; what a run left out is said at its end.
 
 The compiler's cache looks at a kernel's own file only; a kernel whose callee in another file changed would stay stale.
 """
@@ -8,13 +8,15 @@ import os
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 os.environ.setdefault("NUMBA_OPT", "1")  # as on the command line: compiled sooner, and as fast
+LEFT_OUT = pytest.StashKey[dict[str, int]]()
 SOURCES = Path(__file__).parents[1] / "src" / "quartering"
 
-# Seeds are explicit: the same examples every time, so that a red run means a change.
-settings.register_profile("same", derandomize=True)
+# Seeds are explicit: the same examples every time, so that a red run means a change; and no clock decides, so that a busy
+# machine changes nothing.
+settings.register_profile("same", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("same")
 
 
@@ -28,6 +30,34 @@ def pytest_configure(config):
     for compiled in SOURCES.rglob("__pycache__/*.nb[ic]"):
         compiled.unlink(missing_ok=True)
     config.cache.set("quartering/kernels", digest.hexdigest())
+
+
+def pytest_deselected(items):
+    """Count what a tier leaves out. In a run on several processes each of them collects everything: one count is enough."""
+    if not items:
+        return
+    config, soak = items[0].config, sum("soak" in item.keywords for item in items)
+    left = getattr(config, "workeroutput", config.stash.setdefault(LEFT_OUT, {}))
+    left["soak"], left["others"] = left.get("soak", 0) + soak, left.get("others", 0) + len(items) - soak
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node):
+    node.config.stash.setdefault(LEFT_OUT, {}).update(
+        {key: count for key, count in getattr(node, "workeroutput", {}).items() if key in ("soak", "others")}
+    )
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    left, skipped = config.stash.get(LEFT_OUT, {}), len(terminalreporter.stats.get("skipped", []))
+    if soak := left.get("soak", 0):
+        terminalreporter.line(
+            f"{soak} tests of the long tier were left out (kills, peak memory): `make soak` runs them"
+        )
+    if config.option.markexpr == "quick" and (others := left.get("others", 0)):
+        terminalreporter.line(f"{others} tests of the other tiers were left out: `make test` runs them")
+    if skipped:
+        terminalreporter.line(f"{skipped} tests were skipped, each with its reason above")
 
 
 @pytest.fixture(autouse=True, scope="session")

@@ -19,6 +19,8 @@ from quartering.hull.readers import available_ships
 from quartering.hull.ship import ship
 from quartering.hull.stations import hull_from_offsets
 
+pytestmark = pytest.mark.quick
+
 SHIPS = [entry.name for entry in available_ships()]
 SERIES60 = [name for name in SHIPS if name.startswith("series60")]
 FROM_OFFSETS = [name for name in SHIPS if name not in ("box", "wigley")]

@@ -10,6 +10,8 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.mesh_files import box_triangles
 from quartering.hull.ship import ship
 
+pytestmark = pytest.mark.quick
+
 S60 = ship("series60-cb60").hull
 SIZE = {"length": S60.length, "beam": S60.beam, "draught": S60.draught}
 WHOLE = hydrostatics(S60)

@@ -18,6 +18,8 @@ from quartering.hull.ship import ship
 from quartering.hull.starting_file import write_ship
 from quartering.hull.units import quantity, split_quantity
 
+pytestmark = pytest.mark.quick
+
 SHIPS = [entry.name for entry in available_ships()]
 STATIONS = ("offsets", "stations")
 

@@ -9,6 +9,8 @@ from quartering.conventions import InputError
 from quartering.hull import yaml_text
 from quartering.hull.yaml_text import key_lines, parsed
 
+pytestmark = pytest.mark.quick
+
 # The lines and the kinds of fault follow from YAML 1.1; the sentences are ours.
 FAULTS = {
     "deep list": ("a: 1\nb: " + "[" * 5000 + "]" * 5000, 2, "nested too deeply"),

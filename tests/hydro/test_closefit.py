@@ -1,6 +1,5 @@
 """Close-fit sections against published tables, closed forms, the multipole solution and themselves."""
 
-import time
 import warnings
 from dataclasses import replace
 
@@ -403,13 +402,3 @@ def test_no_warning_where_the_section_is_solved_on_its_own_contour():
         warnings.simplefilter("error", RangeWarning)
         hollow = section_coefficients(Section(y=[0.0, 0.2, 2.0], z=[1.0, 0.5, 0.0]), [0.5, 1.0])
     assert hollow.attrs["method"] == "close-fit"
-
-
-def test_a_whole_hull_takes_much_less_than_a_second():
-    sections = outlines("s175")
-    w = np.linspace(0.1, 2.0, 40)
-    close_fit(sections, w)
-    start = time.perf_counter()
-    for mode in ("lateral", "heave"):
-        close_fit([*sections], w, mode)
-    assert time.perf_counter() - start < 1.0

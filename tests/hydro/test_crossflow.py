@@ -16,6 +16,8 @@ from quartering.hydro.crossflow import (
     reference_velocity,
 )
 
+pytestmark = pytest.mark.quick
+
 X, WEIGHT = np.polynomial.legendre.leggauss(12)
 X, WEIGHT = 60.0 * X - 3.0, 60.0 * WEIGHT
 DRAUGHT = 6.5 * (1 - 0.3 * (X / 63) ** 2)

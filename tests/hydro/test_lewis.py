@@ -14,6 +14,8 @@ from quartering.hydro.lewis import (
 from quartering.hydro.multipole import radiation
 from tests.hydro.section_cases import read_table
 
+pytestmark = pytest.mark.quick
+
 ratios = st.floats(0.02, 50.0)
 shares = st.floats(0.03, 0.9)
 

@@ -18,6 +18,8 @@ from quartering.hydro.manoeuvring import (
 from quartering.hydro.transfer import cubic_tensor
 from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, canonical, dimension, unit
 
+pytestmark = pytest.mark.quick
+
 NAMES = sorted({"m", "I_x", "I_z", "K_phi", "K_phiphiphi", "K_phi5"}.union(*LINEAR_NAMES, *INERTIA_NAMES, *CUBIC_NAMES))
 coordinate = st.floats(-30.0, 30.0)
 

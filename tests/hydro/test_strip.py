@@ -10,6 +10,8 @@ from quartering.hydro.integrals import about_gravity_centre, moment_matrix, sect
 from quartering.hydro.strip import derivatives_from_moments, strip_derivatives
 from quartering.hydro.transfer import transfer
 
+pytestmark = pytest.mark.quick
+
 # Gauss-Legendre nodes: the integrands of the reference are polynomials, so its integrals are exact.
 X, WEIGHT = np.polynomial.legendre.leggauss(8)
 X, WEIGHT = 50 * X, 50 * WEIGHT

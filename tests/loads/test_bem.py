@@ -45,7 +45,6 @@ def test_without_capytaine_the_message_says_what_to_install(monkeypatch):
         bem_forces(qt.ship("wigley"), [100.0])
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("capytaine")
 @pytest.mark.parametrize("name", ["wigley", "series60-cb60"])
 def test_pressure_of_the_undisturbed_wave_is_the_same_in_both(name):
@@ -59,7 +58,6 @@ def test_pressure_of_the_undisturbed_wave_is_the_same_in_both(name):
         assert (np.abs(theirs - ours) < 0.03 * np.maximum(np.abs(ours), size)).all()
 
 
-@pytest.mark.slow
 def test_the_border_is_crossed_as_the_reader_of_capytaine_files_crosses_it(capytaine, tmp_path):
     """Agreement of two translations of Capytaine's own dataset."""
     ship = qt.ship("series60-cb60")
@@ -79,7 +77,6 @@ def test_the_border_is_crossed_as_the_reader_of_capytaine_files_crosses_it(capyt
             np.testing.assert_allclose(here[name], there[name], rtol=1e-6, atol=1e-6 * float(abs(there[name]).max()))
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("capytaine")
 @pytest.mark.parametrize("name", ["wigley", "series60-cb60"])
 def test_beam_sea_sway_force_is_within_ten_per_cent_beyond_0_8_ship_lengths(name):
@@ -89,7 +86,6 @@ def test_beam_sea_sway_force_is_within_ten_per_cent_beyond_0_8_ship_lengths(name
     assert (np.abs(np.abs(ratio) - 1) < 0.1).all(), np.abs(ratio).round(3)
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("capytaine")
 @pytest.mark.parametrize(("name", "most"), [("wigley", 0.2), ("series60-cb60", 0.25)])
 def test_beam_sea_roll_moment_differs_by_the_ends_of_the_ship(name, most):
@@ -112,7 +108,6 @@ def test_beam_sea_roll_moment_differs_by_the_ends_of_the_ship(name, most):
     assert (np.abs(fourth) < 0.65 * np.abs(first)).all(), fourth
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("capytaine")
 def test_radiation_is_symmetric_and_damped():
     """Reciprocity, to what 480 panels a side give, and energy; frequencies come back as they were asked for."""
@@ -127,7 +122,6 @@ def test_radiation_is_symmetric_and_damped():
         assert (np.diag(ds.damping[k]) > 0).all()
 
 
-@pytest.mark.slow
 @pytest.mark.usefixtures("capytaine")
 @pytest.mark.parametrize(
     ("arguments", "said"),

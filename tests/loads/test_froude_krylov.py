@@ -8,6 +8,8 @@ from quartering.hull.strips import Strips
 from quartering.loads.froude_krylov import froude_krylov
 from tests.loads.hulls import box, gauss, phasor, rows, stations_of, wigley
 
+pytestmark = pytest.mark.quick
+
 RG = WATER_DENSITY * GRAVITY
 REFERENCE = rows("froude_krylov_reference.csv")
 BOX = box(100.0, 20.0, 5.0)

@@ -232,7 +232,6 @@ def test_midship_and_density_of_the_file_count(folder, tmp_path):
         )  # fmt: skip
 
 
-@pytest.mark.slow
 def test_a_ship_runs_from_panels(tmp_path):
     """Capytaine's own results at a frequency and heading of the file come out of the ship unchanged."""
     pytest.importorskip("capytaine", reason="the extra `bem` (Capytaine) is not installed")

@@ -66,7 +66,6 @@ def test_long_waves_roll_a_free_ship_by_her_righting_arm_whatever_her_added_mass
     assert abs(2 * share[1] - share[0] - 1) < 0.02
 
 
-@pytest.mark.slow
 def test_moment_that_rolls_a_free_ship_is_that_of_panels(measured):
     """Agreement: about the axis she rolls about, the aim holds that the moment on the ship held fast misses."""
     name, ratio = measured
@@ -77,7 +76,6 @@ def test_moment_that_rolls_a_free_ship_is_that_of_panels(measured):
         assert (np.abs(ratio["about the waterline"] - 1) > AIM).all()
 
 
-@pytest.mark.slow
 def test_forces_and_coefficients_belong_together(measured):
     """Agreement: roll away from its resonance by strips alone; the force of panels on strips' coefficients is worse."""
     _, ratio = measured
@@ -86,14 +84,12 @@ def test_forces_and_coefficients_belong_together(measured):
     assert (mixed > 2 * alone).all(), ratio
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("quantity", ["sway force", "about the waterline", "free to sway and yaw", "roll"])
 def test_three_dimensional_ends_meet_the_aim_on_a_ship_held_fast(with_ends, quantity):
     """Agreement: sway force and roll moment of the ship held fast, and the moment and roll of the free ship, within 10 %."""
     assert (np.abs(with_ends[quantity] - 1) < AIM).all(), with_ends[quantity]
 
 
-@pytest.mark.slow
 def test_three_dimensional_ends_halve_the_error_of_the_held_moment_at_least(measured, with_ends):
     """The largest difference from panels, with the ends and without."""
     before, after = (np.abs(ratio["about the waterline"] - 1).max() for ratio in (measured[1], with_ends))
@@ -101,7 +97,6 @@ def test_three_dimensional_ends_halve_the_error_of_the_held_moment_at_least(meas
     assert with_ends["lever over draught"].max() < measured[1]["lever over draught"].max()
 
 
-@pytest.mark.slow
 def test_strips_and_panels_part_at_the_ends_of_the_ship():
     """Sway-roll added mass, column by column of panels: the two outer eighths hold 96 % of the difference."""
     pytest.importorskip("capytaine")

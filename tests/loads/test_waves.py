@@ -6,6 +6,8 @@ from hypothesis import strategies as st
 from quartering.conventions import GRAVITY, InputError
 from quartering.loads.waves import Wave, encounter_frequency, folded, heading_components, least_encounter_frequency
 
+pytestmark = pytest.mark.quick
+
 headings = st.floats(-720, 720)
 
 

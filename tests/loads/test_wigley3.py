@@ -129,7 +129,6 @@ def test_three_dimensional_ends_bring_forces_to_those_of_panels(mode, heading):
     assert (np.abs(ratio - 1) < 0.06).all(), ratio
 
 
-@pytest.mark.slow
 def test_our_mesh_gives_the_tabulated_panel_forces():
     """Capytaine 3.0.0 on another mesh, extrapolated (bar up to 4 %): sway within 3 %, roll 6 % of the largest."""
     pytest.importorskip("capytaine", reason="the extra `bem` (Capytaine) is not installed")

@@ -13,6 +13,8 @@ from quartering.motion.terms import term_table
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
 
+pytestmark = pytest.mark.quick
+
 IDLE = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0}
 
 

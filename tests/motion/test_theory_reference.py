@@ -8,6 +8,8 @@ from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
 from tests.reference import CASES, COUPLED, DYNAMICS, coupled_model, model_of
 
+pytestmark = pytest.mark.quick
+
 
 def start_near(solution: dict) -> np.ndarray:
     one = solution["one_harmonic"]

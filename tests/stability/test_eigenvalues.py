@@ -7,6 +7,8 @@ from hypothesis import strategies as st
 
 from quartering.stability.eigenvalues import eigenvalues
 
+pytestmark = pytest.mark.quick
+
 
 def apart(found, expected):
     """Largest distance (n,) from an expected eigenvalue to the nearest found one, and back, over the largest of them."""

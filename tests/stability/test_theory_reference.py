@@ -10,6 +10,8 @@ from quartering.stability.variation import transition_matrices, variational_harm
 from quartering.stability.verdict import stability
 from tests.reference import CASES, COUPLED, DYNAMICS, complexes, coupled_model, model_of
 
+pytestmark = pytest.mark.quick
+
 SETS = {"harmonics_1": (1,), "harmonics_1_3": (1, 3), "harmonics_H9": (1, 3, 5, 7, 9)}
 
 

@@ -12,6 +12,8 @@ from quartering.study.case import case_grid, case_schema, read_case
 from quartering.study.starting_case import SCHEMA, starting_case
 from quartering.study.sweep import fill
 
+pytestmark = pytest.mark.quick
+
 START = starting_case("series60-cb60")
 LENGTH = qt.ship("series60-cb60").hull.length
 

@@ -55,7 +55,6 @@ def test_a_grid_travels_to_another_process():
     np.testing.assert_array_equal(executor.evaluate_block(there, 2)["roll"], executor.evaluate_block(wanted, 2)["roll"])
 
 
-@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore")
 def test_a_killed_worker_costs_nothing_but_time(tmp_path):
     """Agreement bit by bit with threads; a real cluster of two processes, one killed with SIGKILL while it works."""
@@ -80,7 +79,6 @@ def test_a_killed_worker_costs_nothing_but_time(tmp_path):
     xr.testing.assert_identical(result.load(), expected)
 
 
-@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore")
 def test_local_workers_begin_and_end_with_the_sweep():
     pytest.importorskip("distributed")

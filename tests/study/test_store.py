@@ -144,6 +144,19 @@ CHILD = textwrap.dedent(
 )
 
 
+def test_a_sweep_killed_at_work_goes_on_from_its_blocks(stored, tmp_path):
+    """Real SIGKILL on a real process, given by itself between two blocks; the soak kills at any moment."""
+    folder = tmp_path / "s"
+    killed = CHILD.replace("time.sleep(0.05)", "os.kill(os.getpid(), signal.SIGKILL) if done > 0.3 * of else None")
+    command = [sys.executable, "-W", "ignore", "-c", "import os, signal\n" + killed, str(folder)]
+    assert subprocess.run(command, cwd=os.getcwd(), check=False).returncode == -signal.SIGKILL
+    kept = [name for name in _blocks(folder) if not name.startswith(".")]
+    assert 0 < len(kept) < len(_blocks(stored))
+    qt.sweep(SHIP, **CONDITIONS, store=folder)
+    assert {name: data for name, data in _blocks(folder).items() if not name.startswith(".")} == _blocks(stored)
+
+
+@pytest.mark.soak
 def test_a_sweep_killed_five_times_at_random_equals_an_uninterrupted_one(stored, tmp_path):
     """Real SIGKILL on a real process; the block files are compared byte for byte."""
     folder, random = tmp_path / "s", np.random.default_rng(6)
@@ -151,14 +164,14 @@ def test_a_sweep_killed_five_times_at_random_equals_an_uninterrupted_one(stored,
     for _ in range(5):
         process = subprocess.Popen([sys.executable, "-W", "ignore", "-c", CHILD, str(folder)], cwd=os.getcwd())
         wanted = len(seen and _blocks(folder)) + int(random.integers(1, 3))
-        limit = time.monotonic() + 60
+        limit = time.monotonic() + 600
         while process.poll() is None and time.monotonic() < limit:
             if (folder / "blocks").is_dir() and len(list((folder / "blocks").glob("[0-9]*.nc"))) >= wanted:
                 time.sleep(float(random.uniform(0, 0.05)))
                 process.send_signal(signal.SIGKILL)
                 break
             time.sleep(0.002)
-        process.wait(60)
+        process.wait(600)
         seen.append(len(list((folder / "blocks").glob("[0-9]*.nc"))))
     assert seen == sorted(seen)
     assert seen[0] < len(_blocks(stored))
@@ -410,7 +423,7 @@ MEASURE = textwrap.dedent(
 )
 
 
-@pytest.mark.slow
+@pytest.mark.soak
 def test_memory_does_not_grow_with_the_number_of_conditions():
     """Measured in processes of their own: 365,000 conditions are 70 MB of results, 18,000 are 4 MB."""
     if not os.path.exists("/proc/self/status"):

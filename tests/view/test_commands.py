@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-import time
 
 import numpy as np
 import pytest
@@ -99,7 +98,6 @@ def test_forces_say_how_far_the_forms_are_apart_and_what_they_rest_on(run):
         assert said in words, said
 
 
-@pytest.mark.slow
 def test_forces_stand_beside_panels_with_their_mesh(run):
     pytest.importorskip("capytaine")
     facts = json.loads(
@@ -264,19 +262,15 @@ def test_keeping_pace_with_the_wave_is_a_message(run):
     assert "keeps pace" in result.stderr
 
 
-def test_help_answers_at_once_and_imports_nothing_heavy():
+def test_help_imports_nothing_heavy():
+    """What makes it quick; `benchmarks/start_up.py` holds the time against its goal."""
     code = "import sys; sys.argv = ['quartering', '--help']\nfrom quartering.view.cli import app\n"
     code += "try: app()\nexcept SystemExit: pass\n"
     code += "heavy = {'numpy', 'numba', 'xarray', 'matplotlib', 'scipy'} & set(sys.modules)\n"
     code += "print('HEAVY', sorted(heavy))"
-    times = []
-    for _ in range(3):
-        begin = time.perf_counter()
-        result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-        times.append(time.perf_counter() - begin)
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert "HEAVY []" in result.stdout
     assert "polar" in result.stdout
-    assert min(times) < 1.0  # the goal is 0.5 s; the rest is room for a busy machine
 
 
 def test_version_is_printed(run):

@@ -71,7 +71,7 @@ def test_stop_ends_a_long_map_and_the_server_answers_on(visit, explorer):
     done = int(re.search(r"stopped at (\d+) of 37", page.inner_text(".progress"))[1])
     assert 0 < done < 37
     assert page.locator(".q-awaited").count() == (37 - done) * 20
-    with urllib.request.urlopen(f"{explorer.address}/api/verdict?{STABLE}", timeout=60) as answer:
+    with urllib.request.urlopen(f"{explorer.address}/api/verdict?{STABLE}", timeout=600) as answer:
         assert ": stable: " in json.load(answer)["sentence"]
     assert page.locator(".q-awaited").count() == (37 - done) * 20  # it has not gone on meanwhile
     page.locator("#number-wave_height").fill("0.01")

@@ -150,6 +150,7 @@ def test_bad_input_is_one_message_and_exit_2(case, words, message, tmp_path):
     assert found.stderr.count("quartering: ") == 1
 
 
+@pytest.mark.soak  # in the same process: tests/study/test_store.py, an interrupted sweep keeps its blocks
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_ctrl_c_keeps_what_is_finished(tmp_path):
     (tmp_path / "big.yaml").write_text(SMALL.replace("step 15", "step 0.5").replace("count 8", "count 60"))
@@ -158,11 +159,11 @@ def test_ctrl_c_keeps_what_is_finished(tmp_path):
         cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True, env=os.environ,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a job in the background is started deaf to it
     )  # fmt: skip
-    blocks, limit = tmp_path / "big" / "blocks", time.monotonic() + 60
+    blocks, limit = tmp_path / "big" / "blocks", time.monotonic() + 600
     while process.poll() is None and time.monotonic() < limit and not list(blocks.glob("0*.nc")):
         time.sleep(0.01)
     process.send_signal(signal.SIGINT)
-    said = process.communicate(timeout=60)[1]
+    said = process.communicate(timeout=600)[1]
     assert process.returncode == 130, said
     assert "conditions are kept" in said
     assert list(blocks.glob("0*.nc"))

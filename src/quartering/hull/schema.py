@@ -9,17 +9,9 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from quartering.conventions import InputError
 from quartering.hull.choices import Ends, Linear, Righting, Sections, Velocities
+from quartering.hull.refusals import allowed, own_words
 from quartering.hull.roll_method import roll_method
 from quartering.hull.units import split_quantity
-
-_ALLOWED = {
-    "finite_number": "a finite number",
-    "float_parsing": "a number",
-    "float_type": "a number",
-    "string_type": "text (in quotes when it looks like a number)",
-    "list_type": "a list, such as [0, 1.5, 2.0]",
-}
-
 
 _LONGEST_QUOTE = 60
 
@@ -205,23 +197,19 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     """One problem in words."""
     location = [part for part in problem["loc"] if not (isinstance(part, str) and "[" in part)]
     key, given = _path(location, data), quoted(problem["input"])
-    kind, context = problem["type"], problem.get("ctx", {})
+    kind, own = problem["type"], own_words(problem)
     if kind == "extra_forbidden":
-        allowed = _keys_at(location)
-        near = get_close_matches(str(location[-1]), allowed, n=1, cutoff=0.5)
+        keys = _keys_at(location)
+        near = get_close_matches(str(location[-1]), keys, n=1, cutoff=0.5)
         hint = f"did you mean `{near[0]}`? Keys" if near else "keys"
-        return f"key `{key}` is unknown; {hint} allowed here: {', '.join(allowed)}"
+        return f"key `{key}` is unknown; {hint} allowed here: {', '.join(keys)}"
     if kind == "missing":
         return f"key `{key}` is missing; keys allowed here: {', '.join(_keys_at(location))}"
-    if kind == "literal_error":
-        return f"{key}: {given} is given; allowed: {context['expected']}"
-    if kind == "value_error":
-        return f"{key}{context['error']}" if str(context["error"]).startswith(":") else f"{key}: {context['error']}"
-    if kind in _ALLOWED:
-        return f"{key}: {given} is given; allowed: {_ALLOWED[kind]}"
+    if own is not None:
+        return f"{key}{own}" if own.startswith(":") else f"{key}: {own}"
     if kind in ("model_type", "model_attributes_type", "dict_type"):
         return f"{key}: {given} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}"
-    return f"{key}: {given} is given; {problem['msg'].lower()}"
+    return f"{key}: {given} is given; allowed: {allowed(problem)}"
 
 
 def quoted(given: Any) -> str:

@@ -185,7 +185,7 @@ def _walk(text: str, path: Path, opened: list[Any]) -> None:
         elif isinstance(event, yaml.CollectionEndEvent):
             opened.pop()
         if len(opened) > _DEEPEST:
-            raise InputError(f"{path}, line {event.start_mark.line + 1}: {_TOO_DEEP}")
+            raise InputError(f"{path}, line {opened[-1].start_mark.line + 1}: {_TOO_DEEP}")
 
 
 # The library says what is wrong in words that change with its releases. Its kind of error and the two places it

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -15,6 +14,7 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from quartering.conventions import InputError
+from quartering.hull.refusals import allowed, own_words, words_of
 from quartering.hull.schema import quoted
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
@@ -171,24 +171,23 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
         part for part in path if part in _allowed_everywhere() or part in content or part in content.get("loading", {})
     )
     if problem["type"] == "extra_forbidden":
-        allowed = list((LoadingAxes if path[0] == "loading" else Case).model_fields)
-        nearest = get_close_matches(path[-1], allowed, n=1, cutoff=0.0)[0]
+        known = list((LoadingAxes if path[0] == "loading" else Case).model_fields)
+        nearest = get_close_matches(path[-1], known, n=1, cutoff=0.0)[0]
         return place.says(
-            path, f"key `{path[-1]}` is unknown; did you mean `{nearest}`? Keys allowed here: {', '.join(allowed)}"
+            path, f"key `{path[-1]}` is unknown; did you mean `{nearest}`? Keys allowed here: {', '.join(known)}"
         )
     if problem["type"] == "missing":
         return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
     if problem["type"] == "literal_error":
-        near = get_close_matches(
-            str(problem["input"]), re.findall(r"'([^']+)'", problem["ctx"]["expected"]), n=1, cutoff=0.0
-        )
+        words = words_of(problem["ctx"])
+        near = get_close_matches(repr(problem["input"]), words, n=1, cutoff=0.0)[0]
         return place.says(
-            keys,
-            f"{path[0]}: {quoted(problem['input'])} is given; did you mean {near[0]!r}? Allowed: {problem['ctx']['expected']}",
+            keys, f"{path[0]}: {quoted(problem['input'])} is given; did you mean {near}? Allowed: {', '.join(words)}"
         )
-    return place.says(
-        keys, f"{', '.join(keys) or 'case'}: {quoted(problem['input'])} is given; {problem['msg'].lower()}"
-    )
+    key, own = ", ".join(keys) or "case", own_words(problem)
+    if own is not None:
+        return place.says(keys, f"{key}: {quoted(problem['input'])} is given; {own}")
+    return place.says(keys, f"{key}: {quoted(problem['input'])} is given; allowed: {allowed(problem)}")
 
 
 def _allowed_everywhere() -> set[str]:

@@ -13,6 +13,7 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
 
 from quartering.conventions import InputError
+from quartering.hull.refusals import allowed, own_words
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
@@ -154,7 +155,8 @@ def _refused(reason: str, status: int = _UNPROCESSABLE) -> JSONResponse:
 
 def _problem(one: Any) -> str:
     where = ", ".join(str(part) for part in one["loc"] if part not in ("body", "query"))
-    said = str(one["msg"]).removeprefix("Value error, ")
+    said = {"missing": "is missing", "extra_forbidden": "is unknown"}.get(one["type"])
+    said = said or own_words(one) or f"allowed is {allowed(one)}"
     return f"{where}: {said}" if where else said
 
 

@@ -9,6 +9,7 @@ from urllib.parse import urlencode
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from quartering.conventions import InputError
+from quartering.hull.refusals import allowed, own_words
 from quartering.study.loadings import KEEL_AXES
 
 Panel = Literal["motion", "stability", "curve", "causes", "hull"]
@@ -153,8 +154,7 @@ def sentence(error: ValidationError) -> str:
     given = str(problem["input"])[:80]
     if problem["type"] == "extra_forbidden":
         return f"{key} is unknown; known are {', '.join(State.model_fields)}"
-    said = problem["msg"].removeprefix("Value error, ").removeprefix("Input ")
-    for limit in problem.get("ctx", {}).values():
-        if isinstance(limit, float):
-            said = said.replace(str(limit), f"{limit:.4g}")  # 1/7 in four digits, not in sixteen
-    return f"{key} = {given}: {said}" if key else said
+    own = own_words(problem)
+    if own is not None:
+        return f"{key} = {given}: {own}" if key else own
+    return f"{key} = {given}: allowed is {allowed(problem)}"

@@ -1,8 +1,9 @@
 """How fast the explorer answers: measured in the browser, and held against how slow the machine is at that moment.
 
 The limits are for an idle machine of two cores. Others may use the machine meanwhile, and another one may be slower, so each
-time is divided by what a loop of fixed work takes beside it; and of several tries the better ones count, because a busy moment
-says nothing of the explorer. Whatever makes every try slow fails.
+time is divided by what a loop of fixed work takes beside it; and of several tries the better ones count.
+
+Usage: python -m pytest -s -p tests.view.conftest benchmarks/explorer.py   (from the root; needs Chromium: make browser)
 """
 
 import time
