@@ -1,9 +1,10 @@
 """Roll at speed: what it is to let lift act on the velocity relative to the water.
 
-A ship in a long beam wave rides with the water, and its linear roll over the slope of the wave tends to 1 at any speed. Strip theory without
-lift (grey) keeps that limit. Lift on velocities over ground (red, the paper's equations) does not: the drifting water pushes the ship
-nowhere, and the ship's own drift heels it. Lift on the velocity relative to the water (blue, the default) comes back to the limit in long
-waves, lies on strip theory in short ones, and damps roll at resonance, which strips cannot. Prints the table of docs/how_good_is_it.md.
+A ship in a long beam wave rides with the water, and its linear roll over the slope of the wave tends to 1 at any speed. Strip
+theory without lift (grey) keeps that limit. Lift on velocities over ground (red, the paper's equations) does not: the drift
+that the ship shares with the water then heels it. Lift on the velocity relative to the water (blue, the default) comes back to
+the limit in long waves, lies on strip theory in short ones, and damps roll at resonance, which strips cannot. Prints the table
+of docs/how_good_is_it.md.
 
 Usage: python plot_moving_water.py [picture.png]
 """

@@ -207,4 +207,4 @@ def test_waves_that_break_are_left_out_of_the_map():
     assert all(wave.steepness <= 1 / 7 for wave in of.waves)
     shown, notes = noting(lambda: map_dataset(of))()
     assert shown["roll"].sizes["wave_length"] == len(of.waves) < 20
-    assert "extrapolated" in notes[0]
+    assert any("extrapolated" in note for note in notes)

@@ -52,6 +52,7 @@ class Coefficients:
     rudder : (n, 3) float            Y_delta, K_delta, N_delta of a ship with an autopilot; None without one
     relative : (n, 3, 3) float       of `linear`, what acts on moving water beside the diffraction: lift. Columns v, r count
     relative_mass : (n, 3, 3) float  the same of the added mass: measured or given less that of the potential flow
+    relative_heel : (n, 3) float     of Y_phi, K_phi, N_phi, what a measured set or a value has beyond hydrostatics
     """
 
     ship: str
@@ -71,6 +72,7 @@ class Coefficients:
     righting: OddSpline | None = None
     relative: Floats = field(kw_only=True)
     relative_mass: Floats = field(kw_only=True)
+    relative_heel: Floats = field(kw_only=True)
 
     def table(self, condition: int = 0) -> tuple[Entry, ...]:
         """Every coefficient of one condition with unit, source and kind, in a fixed order.

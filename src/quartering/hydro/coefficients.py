@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
@@ -94,6 +95,8 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     added = given.matrix(INERTIA_NAMES, added)
     relative, relative_mass = linear - potential[0], potential[1] - added
     linear[:, 0, 2] -= body["m"] * u
+    restoring = given.matrix(RESTORING_NAMES, _restoring(ship))
+    varying = given.varying(_varying(ship, viscous, measured))
     known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES, RUDDER_NAMES)
     return Coefficients(
         ship=ship.name,
@@ -101,18 +104,19 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         speed=u,
         inertia=rigid_inertia(body) - added,
         linear=linear,
-        restoring=given.matrix(RESTORING_NAMES, _restoring(ship)),
+        restoring=restoring,
         cubic=given.matrix(CUBIC_NAMES, _cross_flow(ship, measured)),
         extra=MappingProxyType(given.further(known)),
         body=MappingProxyType(body),
         roll_frequency=roll.frequency,
         sources=MappingProxyType(sources),
         references=_references(ship, measured) + (("Yasukawa15",) if ship.autopilot else ()),
-        varying=MappingProxyType(given.varying(_varying(ship, viscous, measured))),
+        varying=MappingProxyType(varying),
         righting=_righting(ship, given),
         rudder=None if rudder is None else given.matrix((RUDDER_NAMES,), rudder[:, None])[:, 0],
         relative=relative,
         relative_mass=relative_mass,
+        relative_heel=_relative_heel(restoring, varying, omega.size),
     )
 
 
@@ -131,6 +135,14 @@ def _varying(ship: Ship, viscous: AddedDamping, measured: MeasuredParts | None) 
     if ship.roll_method != "fraction":
         terms[MODULUS] = terms.get(MODULUS, 0.0) + viscous.quadratic
     return terms
+
+
+def _relative_heel(restoring: Floats, varying: Mapping[str, Floats], count: int) -> Floats:
+    """Y_phi, K_phi, N_phi (n, 3) without hydrostatics, which has only K_phi."""
+    sway, yaw = restoring[0, 0], restoring[2, 0]
+    given = [sway, 0.0, yaw]
+    rows = [own + varying.get(names[0], np.zeros(count)) for names, own in zip(RESTORING_NAMES, given, strict=True)]
+    return np.stack(rows, axis=-1)
 
 
 def _number(values: ArrayLike) -> Floats:

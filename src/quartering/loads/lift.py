@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.coefficient_table import Coefficients
-from quartering.loads.water import water_velocity
+from quartering.loads.water import surface_slope, water_velocity
 from quartering.loads.waves import Floats, Phasors
 
 if TYPE_CHECKING:
@@ -39,10 +39,13 @@ def ship_water_velocity(
     >>> ship_water_velocity(ship("box"), [0.05], [0.0], [30.0])[0].shape
     (1,)
     """
+    return water_velocity(wavenumber, speed, heading, **_where(ship))
+
+
+def _where(ship: Ship) -> dict[str, float]:
+    """Length, its middle forward of G, and half the draught: where the water is taken."""
     hull = ship.hull
-    return water_velocity(
-        wavenumber, speed, heading, length=hull.length, middle=-hydrostatics(ship).lcb, depth=hull.draught / 2
-    )
+    return {"length": hull.length, "middle": -hydrostatics(ship).lcb, "depth": hull.draught / 2}
 
 
 def moving_water_force(
@@ -108,12 +111,20 @@ def ship_lift_phasors(
     ------
     InputError                          what `encounter_frequency` refuses
 
+    Notes
+    -----
+    Measured forces by heel, c phi, are those of a heel relative to the surface: a ship that rides on a long slope has none.
+    They add -c alpha, alpha the slope, as the Froude-Krylov force holds that of the hydrostatic moment.
+
     Examples
     --------
     See `quartering.wave_forces`.
     """
     if ship.velocities == "absolute":
         return np.zeros((coefficients.frequency.size, 3), dtype=complex)
-    water = ship_water_velocity(ship, wavenumber, speed, heading)
-    c = coefficients
-    return moving_water_force(c.relative, c.relative_mass, c.frequency, water)
+    c, place = coefficients, _where(ship)
+    water = water_velocity(wavenumber, speed, heading, **place)
+    force = moving_water_force(c.relative, c.relative_mass, c.frequency, water)
+    if c.relative_heel.any():
+        force -= c.relative_heel * surface_slope(wavenumber, speed, heading, **place)[:, None]
+    return force

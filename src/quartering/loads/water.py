@@ -63,6 +63,38 @@ def water_velocity(
     return folded(omega, w0)[1], folded(omega, w1)[1]
 
 
+def surface_slope(
+    wavenumber: ArrayLike, speed: ArrayLike, heading: ArrayLike, *, length: float, middle: float, depth: float
+) -> Phasors:
+    """Slope across a ship of the surface of equal pressure, the mean over its length, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    wavenumber, speed, heading, length, middle, depth    as in `water_velocity`
+
+    Returns
+    -------
+    (n,) complex    heel of a raft that rides on it [rad/m]; phasor of e^{i |omega| t}
+
+    Raises
+    ------
+    InputError      what `encounter_frequency` refuses
+
+    Notes
+    -----
+    -k sin(delta) e^{-k d} e^{i k1 x}, its mean over the length.  Source: [H71] eq. (B-7).  Valid: deep water, linear wave.
+
+    Examples
+    --------
+    >>> surface_slope([0.01], [0.0], [90.0], length=100.0, middle=0.0, depth=0.0)
+    array([-0.01+0.j])
+    """
+    k, U, mu = np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, dtype=float)) for v in (wavenumber, speed, heading)))
+    along, across = heading_components(mu)
+    mean = np.sinc(k * along * length / 2 / np.pi) * np.exp(-k * depth + 1j * k * along * middle)
+    return folded(encounter_frequency(np.sqrt(GRAVITY * k), U, mu), -k * across * mean)[1]
+
+
 def _turning(X: Floats) -> Floats:
     """(sin X - X cos X)/X^2, by its series where the difference would lose digits."""
     near = np.abs(X) < _SMALL

@@ -114,13 +114,13 @@ def _ship_of(result: xr.Dataset, what: str, given: str | None) -> Ship:
     """The ship given, or the one the result names, or the built-in one that is equal."""
     named = given or str(result.attrs.get("ship_argument", ""))
     if named and (given or Path(named).is_file() or named in {entry.name for entry in available_ships()}):
-        one = ship(named).with_(velocities=_velocities(result))
+        one = _as_recorded(ship(named), result)
         wrong = _difference(one, result)
         if wrong:
             raise InputError(f'ship "{named}" is not the one of "{what}": {wrong}; give that ship with --ship')
         return one
     for entry in available_ships():
-        one = ship(entry.name).with_(velocities=_velocities(result))
+        one = _as_recorded(ship(entry.name), result)
         if one.name == result.attrs["ship"] and not _difference(one, result):
             return one
     raise InputError(
@@ -129,9 +129,10 @@ def _ship_of(result: xr.Dataset, what: str, given: str | None) -> Ship:
     )
 
 
-def _velocities(result: xr.Dataset) -> Velocities:
-    """What lift acts on in a result; one that does not say is older than the choice, and absolute."""
-    return cast(Velocities, result.attrs.get("velocities", "absolute"))
+def _as_recorded(one: Ship, result: xr.Dataset) -> Ship:
+    """The ship with lift as in a result; one that does not say is older than the choice, and absolute."""
+    velocities = cast(Velocities, result.attrs.get("velocities", "absolute"))
+    return one if one.velocities == velocities else one.with_(velocities=velocities)
 
 
 def _difference(one: Ship, result: xr.Dataset) -> str:
