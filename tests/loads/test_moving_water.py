@@ -60,7 +60,10 @@ def test_a_ship_rides_with_a_long_beam_wave_at_any_speed(name, speed):
 
 @pytest.mark.parametrize("speed", [0.0, 5.0, 10.0])
 def test_a_ship_of_measured_added_mass_rides_with_the_wave(speed):
-    """The same limit for the S-175 with its measured set and for a given Y_vdot: both need added mass on moving water."""
+    """The same limit for the S-175 with its measured set, and for added mass by a factor.
+
+    Both need added mass on moving water; the set has forces by heel too, which act on the heel relative to the surface.
+    """
     measured = strips("s175").with_(measured="son-nomoto-1982")
     heavy = replace(strips("series60-cb60"), multipliers={"Y_vdot": 1.5, "N_rdot": 0.7})
     for ship in (measured, heavy):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from difflib import get_close_matches
 from typing import Any
 
 _NUMBER, _WHOLE, _TEXT, _LIST = "a number", "a whole number", "text (in quotes when it looks like a number)", "a list"
@@ -61,6 +62,19 @@ def allowed(problem: Any) -> str:
 def own_words(problem: Any) -> str | None:
     """What this project's own check said, or None where the library's check failed."""
     return str(problem["ctx"]["error"]) if problem["type"] == "value_error" else None
+
+
+def nearest_word(problem: Any) -> str:
+    """The word of a choice that is nearest to the one given, and all of them.
+
+    Examples
+    --------
+    >>> nearest_word({"input": "relativ", "ctx": {"expected": "'relative' or 'absolute'"}})
+    "did you mean 'relative'? Allowed: 'relative', 'absolute'"
+    """
+    words = words_of(problem["ctx"])
+    near = get_close_matches(repr(problem["input"]), words, n=1, cutoff=0.0)[0]
+    return f"did you mean {near}? Allowed: {', '.join(words)}"
 
 
 def words_of(limit: dict[str, Any]) -> list[str]:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from quartering.conventions import InputError
 from quartering.hull.choices import Ends, Linear, Righting, Sections, Velocities
-from quartering.hull.refusals import allowed, own_words
+from quartering.hull.refusals import allowed, nearest_word, own_words
 from quartering.hull.roll_method import roll_method
 from quartering.hull.units import split_quantity
 
@@ -209,6 +209,8 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
         return f"{key}{own}" if own.startswith(":") else f"{key}: {own}"
     if kind in ("model_type", "model_attributes_type", "dict_type"):
         return f"{key}: {given} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}"
+    if kind == "literal_error":
+        return f"{key}: {given} is given; {nearest_word(problem)}"
     return f"{key}: {given} is given; allowed: {allowed(problem)}"
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 
 from quartering.conventions import InputError
-from quartering.hull.refusals import allowed, own_words, words_of
+from quartering.hull.refusals import allowed, nearest_word, own_words
 from quartering.hull.schema import quoted
 from quartering.hull.ship import Ship, ship
 from quartering.hull.units import Kind
@@ -179,11 +179,7 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     if problem["type"] == "missing":
         return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
     if problem["type"] == "literal_error":
-        words = words_of(problem["ctx"])
-        near = get_close_matches(repr(problem["input"]), words, n=1, cutoff=0.0)[0]
-        return place.says(
-            keys, f"{path[0]}: {quoted(problem['input'])} is given; did you mean {near}? Allowed: {', '.join(words)}"
-        )
+        return place.says(keys, f"{path[0]}: {quoted(problem['input'])} is given; {nearest_word(problem)}")
     key, own = ", ".join(keys) or "case", own_words(problem)
     if own is not None:
         return place.says(keys, f"{key}: {quoted(problem['input'])} is given; {own}")
