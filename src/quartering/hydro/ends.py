@@ -5,11 +5,19 @@ be solved (`double_body`); their difference d is added to the section potentials
 with frequency, its memory, keeps the form it has in the section and is scaled by one factor m: that which sets right the
 sway added mass between zero and infinite frequency, where both can be solved again:
 
-    psi(w) = psi_2D(0) + d + m (psi_2D(w) - psi_2D(0)),    a and b likewise.
+    psi(w) = psi_2D(0) + f d + m (psi_2D(w) - psi_2D(0)),    a and b likewise.
+
+The factor f takes d into short waves. d rests on the calm plane being a wall, in which the section, of draught T, has its
+image. The image of the keel is 2 T away; in terms of wave numbers q along the plane it has the weights e^{-2 q T}. Those above
+w^2/g make no waves, and the plane is a wall to them; those below do, and radiate from the section as in the strip. Left of d is
+
+    f = int_{w^2/g}^inf e^{-2 q T} dq / int_0^inf e^{-2 q T} dq = e^{-2 T w^2/g} ,
+
+so long waves have the hull in three dimensions and short ones the strips, with their memory still scaled. f is real: what it
+takes from added mass has no damping of its own, so Kramers and Kronig hold for the memory and not for f d.
 
 Nothing is fitted. m is held between 0 and 1: a shallow overhang beside a deep skeg would have more, from water that is not
-its own. So damping stays above zero and below that of the strip; real factors keep added mass and damping bound to each
-other (Kramers and Kronig), and radiation and diffraction use the same potentials.
+its own. So damping stays above zero and below that of the strip, and radiation and diffraction use the same potentials.
 """
 
 from __future__ import annotations
@@ -21,6 +29,7 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from quartering.cache import remembered
+from quartering.conventions import GRAVITY
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.mesh import Grid, hull_grid
 from quartering.hull.offsets import STEM_HALF_THICKNESS, Hull
@@ -67,8 +76,7 @@ def end_effect(hull: Hull) -> EndEffect:
     -----
     At an end that closes in a line no potential and no waves are left; at one that closes in a flat (a transom, the water
     does not leave it) the last column's values are held.
-    Source: [Morino74], [Hess67] double body; [Cummins62], [Ogilvie64] memory.  Valid: no forward speed, waves longer than
-    0.7 ship lengths (below, forces come out up to a sixth too small).
+    Source: [Morino74], [Hess67] double body; [Cummins62], [Ogilvie64] memory.  Valid: no forward speed.
 
     Examples
     --------
@@ -115,7 +123,7 @@ def _memory(potential: Floats, flux: Floats) -> Floats:
     return np.asarray(((potential[0] - potential[1]) * flux)[..., 0].sum(axis=1))
 
 
-def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect) -> SectionTable:
+def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect, draught: float) -> SectionTable:
     """Section coefficients and potentials with three-dimensional ends.
 
     Parameters
@@ -123,6 +131,7 @@ def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect) -> Secti
     table : SectionTable    of strips, the first of its frequencies 0
     immersed : Strips       the same sections
     effect : EndEffect      of their hull
+    draught : float         T of the hull [m]
 
     Returns
     -------
@@ -131,7 +140,8 @@ def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect) -> Secti
 
     Notes
     -----
-    Source: [Morino74] double body; [Cummins62] memory.
+    Where the waves are short against the draught the correction of the potentials fades into the strips.
+    Source: [Morino74] double body; [Cummins62] memory; the fading is closed form (the head of this file).
 
     Examples
     --------
@@ -140,24 +150,24 @@ def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect) -> Secti
     >>> from quartering.hydro.table import radiation_table
     >>> hull = wigley_hull(100.0, 10.0, 6.25, 10.0)
     >>> table = radiation_table(strips(hull), [0.0, 0.5], 1025.0)
-    >>> ratio = with_ends(table, strips(hull), end_effect(hull)).a_zero[:, 0] / table.a_zero[:, 0]
+    >>> ratio = with_ends(table, strips(hull), end_effect(hull), 6.25).a_zero[:, 0] / table.a_zero[:, 0]
     >>> ratio[[0, 20]].round(1).tolist()  # the stem, and amidships
     [0.0, 1.0]
     """
-    memory = np.interp(immersed.x, effect.x, effect.memory)
-    change = _on_contours(table, immersed, effect)
+    m = np.interp(immersed.x, effect.x, effect.memory)[:, None]
+    fading = np.exp(-2.0 * draught * table.frequency**2 / GRAVITY)
+    change = fading[:, None, None, None] * _on_contours(table, immersed, effect)
     normal = np.stack([table.ny, table.y * table.nz - table.z * table.ny], axis=-1)
-    mass = -2.0 * table.density * np.einsum("sni,snj->sij", change, normal)
-    added = np.stack([mass[:, 0, 0], 0.5 * (mass[:, 0, 1] + mass[:, 1, 0]), mass[:, 1, 1]], axis=-1)
-    still, m = table.a_zero + added, memory[:, None]
+    mass = -2.0 * table.density * np.einsum("fsni,snj->fsij", change, normal)
+    added = np.stack([mass[..., 0, 0], 0.5 * (mass[..., 0, 1] + mass[..., 1, 0]), mass[..., 1, 1]], axis=-1)
     start = table.psi[0]
     return replace(
         table,
-        a=still + m * (table.a - table.a_zero),
+        a=table.a_zero + added + m * (table.a - table.a_zero),
         b=m * table.b,
         psi=start + change + m[..., None] * (table.psi - start),
-        a_zero=still,
-        a_infinite=still + m * (table.a_infinite - table.a_zero),
+        a_zero=table.a_zero + added[0],
+        a_infinite=table.a_zero + m * (table.a_infinite - table.a_zero),
     )
 
 

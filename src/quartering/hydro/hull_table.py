@@ -51,7 +51,7 @@ def hull_table(hull: Hull, frequency: ArrayLike, density: float) -> SectionTable
     wanted = np.atleast_1d(np.asarray(frequency, dtype=float))
     with_still = wanted if wanted.size and wanted[0] == 0.0 else np.append(0.0, wanted)
     table = radiation_table(immersed, with_still, density, method=hull.section_method)
-    table = with_ends(table, immersed, end_effect(hull))
+    table = with_ends(table, immersed, end_effect(hull), hull.draught)
     kept = slice(with_still.size - wanted.size, None)
     return replace(table, frequency=table.frequency[kept], a=table.a[kept], b=table.b[kept], psi=table.psi[kept])
 
