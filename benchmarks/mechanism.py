@@ -34,7 +34,7 @@ def stated(steepness: int) -> tuple[str, ...]:
     """Largest growth rate over all headings: roll alone, the ship, with half K_ppp, with Table I; onset of Table I."""
     at, rates = wave(steepness), []
     rates.append(float(roll_alone(SHIP, at, SPEED, HEADINGS, harmonics=5)["exponent"].max()))
-    for one in (SHIP, SHIP.with_(coefficients={"K_ppp": 0.5}), modified_model()):
+    for one in (SHIP, SHIP.with_(factors={"K_ppp": 0.5}), modified_model()):
         ds = qt.sweep(one, SPEED, HEADINGS, at.length, at.height, harmonics=5)
         rates.append(float(ds["exponent"].max()))
     first = onset(SHIP, table_ratios(), at, SPEED, QUARTERING)

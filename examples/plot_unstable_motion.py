@@ -36,7 +36,7 @@ def main(picture: str = "") -> None:
     wave, speed = qt.Wave(length=length, height=length / 30), 0.25 * np.sqrt(9.81 * length)
     figure, panels = plt.subplots(2, 2, figsize=(11, 6), sharex=True, layout="constrained")
     for column, factor in enumerate((1.0, -60.0)):
-        model = qt.equations(ship.with_(coefficients={"K_prr": factor}), wave, speed, heading=30.0)
+        model = qt.equations(ship.with_(factors={"K_prr": factor}), wave, speed, heading=30.0)
         motion = qt.steady_motion(model, harmonics=9, start="rest")
         verdict = qt.stability(model, motion)
         time, roll, size = disturbance(model, motion, verdict.n2)

@@ -122,7 +122,7 @@ def test_three_verdicts_page_quotes_the_numbers_the_library_gives():
     for factor, row in ((1.0, "K_prr as estimated"), (-60.0, "K_prr x -60")):
         quoted = re.search(rf"\| {re.escape(row)} \| ([-+.\d]+) \| ([-+.\d]+)", text)
         wave, speed = qt.Wave(length, length / 30), 0.25 * np.sqrt(9.81 * length)
-        model = qt.equations(ship.with_(coefficients={"K_prr": factor}), wave, speed, 30.0)
+        model = qt.equations(ship.with_(factors={"K_prr": factor}), wave, speed, 30.0)
         verdict = qt.stability(model, qt.steady_motion(model, 9, start="rest"))
         pair = verdict.exponents[np.abs(verdict.exponents.imag) > 1e-6][0].real
         assert float(quoted[1]) == pytest.approx(-verdict.index, abs=6e-5)

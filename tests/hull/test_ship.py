@@ -16,7 +16,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.readers import LIBRARY, available_ships
 from quartering.hull.ship import ship
 from quartering.hull.starting_file import write_ship
-from quartering.hull.units import quantity, split_quantity
+from quartering.units import quantity, split_quantity
 
 pytestmark = pytest.mark.quick
 
@@ -72,12 +72,10 @@ def test_changing_gm_moves_g_and_leaves_the_first_ship_alone(gm: float) -> None:
 
 def test_with_takes_units_multipliers_and_the_choice_of_derivatives() -> None:
     parent = ship("series60-cb60")
-    changed = parent.with_(gyradius_roll="0.38 B", linear="strip", coefficients={"K_ppp": 0.5}).with_(
-        coefficients={"Y_v": 2.0}
-    )
+    changed = parent.with_(gyradius_roll="0.38 B", linear="strip", factors={"K_ppp": 0.5}).with_(factors={"Y_v": 2.0})
     assert changed.loading.gyradius_roll == pytest.approx(0.38 * 16.256)
     assert dict(changed.multipliers) == {"K_ppp": 0.5, "Y_v": 2.0}
-    again = changed.with_(coefficients={"K_ppp": 0.5, "Y_v": 1.0})
+    again = changed.with_(factors={"K_ppp": 0.5, "Y_v": 1.0})
     assert dict(again.multipliers) == {"K_ppp": 0.25, "Y_v": 2.0}
     assert (changed.linear, parent.linear) == ("strip", "default")
     assert changed.provenance["gyradius_roll"].startswith("given")
@@ -94,7 +92,7 @@ def test_another_draught_keeps_g_and_finds_the_new_gm() -> None:
 
 def test_values_left_alone_keep_their_provenance() -> None:
     parent = ship("series60-cb60")
-    assert dict(parent.with_(coefficients={"K_ppp": 2}).provenance) == dict(parent.provenance)
+    assert dict(parent.with_(factors={"K_ppp": 2}).provenance) == dict(parent.provenance)
 
 
 def test_mappings_of_a_ship_cannot_be_written_to() -> None:
@@ -117,9 +115,9 @@ def test_mappings_of_a_ship_cannot_be_written_to() -> None:
         ({"draught": 30.0}, ["draught = 30 m", "at most 9.75"]),
         ({"roll_damping": 5.0}, ["roll_damping = 5", "0 to 1"]),
         ({"linear": "stripp"}, ["stripp", '"default"', '"strip"']),
-        ({"coefficients": {"K_pppp_": 0.5}}, ["K_pppp_", "K_ppp"]),
-        ({"coefficients": {"Kppp": 0.5}}, ["Kppp", '"K_ppp"']),
-        ({"coefficients": {"K_ppp": float("inf")}}, ["K_ppp", "finite"]),
+        ({"factors": {"K_pppp_": 0.5}}, ["K_pppp_", "K_ppp"]),
+        ({"factors": {"Kppp": 0.5}}, ["Kppp", '"K_ppp"']),
+        ({"factors": {"K_ppp": float("inf")}}, ["K_ppp", "finite"]),
     ],
 )
 def test_a_change_that_cannot_be_right_is_refused_in_one_message(change: dict[str, Any], words: list[str]) -> None:
@@ -170,9 +168,9 @@ BASE = "base: series60-cb60\n"
         (BASE + "loading: 3", ["loading", "gm, kg"]),
         (BASE + "loading: {water_density: -1}", ["water_density", "1025"]),
         (BASE + "loading: {roll_damping: 5}", ["roll_damping = 5", "0 to 1"]),
-        (BASE + "linear: stripes", ["stripes", "'strip'"]),
-        (BASE + "multipliers: {Kppp: 1}", ["Kppp", '"K_ppp"']),
-        (BASE + "multipliers: {K_ppp: .nan}", ["K_ppp", "nan", "finite"]),
+        (BASE + "linear: stripes", ["stripes", '"strip"']),
+        (BASE + "factors: {Kppp: 1}", ["Kppp", '"K_ppp"']),
+        (BASE + "factors: {K_ppp: .nan}", ["K_ppp", "nan", "finite"]),
         (BASE + "coefficients: {K_pp_: 1}", ["K_pp_"]),
         (BASE + "drag_coefficient: -1", ["drag_coefficient = -1", "0.8"]),
         (BASE + "velocity_scale: 0 m/s", ["velocity_scale = 0", "above 0"]),

@@ -237,7 +237,7 @@ def test_restoring_is_the_righting_arm_of_the_lines():
 
 def test_a_given_coefficient_replaces_the_estimate_and_a_multiplier_scales_it():
     given = with_coefficients(S60, Y_v=-1e6, N_rdot=-9e9, K_ppp=-5e6, K_phi=-4e7, Y_vvr=-7.0, Y_r=2e7)
-    c = by_name(coefficients(given.with_(coefficients={"K_ppp": 0.5, "N_v": 2.0, "N_vvr": 3.0}), 0.5, SPEED))
+    c = by_name(coefficients(given.with_(factors={"K_ppp": 0.5, "N_v": 2.0, "N_vvr": 3.0}), 0.5, SPEED))
     plain = by_name(coefficients(S60, 0.5, SPEED))
     wanted = {"Y_v": -1e6, "N_rdot": -9e9, "K_ppp": -2.5e6, "K_phi": -4e7, "Y_rvv": -7.0, "Y_r": 2e7}
     wanted |= {"N_v": 2 * plain["N_v"], "N_rvv": 3 * plain["N_rvv"]}
@@ -259,7 +259,7 @@ def test_y_r_in_the_equations_contains_minus_m_u_once():
 
 def test_terms_beyond_the_cubics_are_passed_on():
     extra = {"K_p|p|": -3e6, "K_vvphi": 2e5, "K_phi5": 7e6}
-    c = coefficients(with_coefficients(S60, **extra).with_(coefficients={"K_p|p|": 2.0}), 0.5, SPEED)
+    c = coefficients(with_coefficients(S60, **extra).with_(factors={"K_p|p|": 2.0}), 0.5, SPEED)
     assert dict(c.extra) == {"K_p|p|": -6e6, "K_vvphi": 2e5}
     assert c.restoring[1, 2] == 7e6
     assert [entry.name for entry in c.table()][-2:] == ["K_p|p|", "K_vvphi"]
@@ -267,7 +267,7 @@ def test_terms_beyond_the_cubics_are_passed_on():
 
 def test_a_multiplier_of_a_term_without_value_is_refused_with_the_nearest_name():
     with pytest.raises(InputError, match=r"K_p\|p\|"):
-        coefficients(S60.with_(coefficients={"K_p|p|": 2.0}), 0.5, SPEED)
+        coefficients(S60.with_(factors={"K_p|p|": 2.0}), 0.5, SPEED)
 
 
 def test_the_table_names_unit_source_and_kind_of_every_coefficient_in_a_fixed_order():

@@ -309,12 +309,12 @@ def test_of_measured_roll_damping_and_the_fraction_of_critical_the_larger_counts
 
 def test_a_multiplier_and_an_override_reach_the_measured_terms():
     mariner = ship("mariner")
-    whole, halved = (by_name(coefficients(s, 0.0, U)) for s in (mariner, mariner.with_(coefficients={"N_rvv": 0.5})))
+    whole, halved = (by_name(coefficients(s, 0.0, U)) for s in (mariner, mariner.with_(factors={"N_rvv": 0.5})))
     assert halved["N_rvv"].value == pytest.approx(whole["N_rvv"].value / 2)
     assert halved["N_rvv"].source.endswith("times 0.5")
-    container = ship("s175").with_(measured="son-nomoto-1982", coefficients={"Y_vvphi": 3.0})
+    container = ship("s175").with_(measured="son-nomoto-1982", factors={"Y_vvphi": 3.0})
     assert by_name(coefficients(container, 0.0, 9.0))["Y_vvphi"].value == pytest.approx(
-        3 * by_name(coefficients(container.with_(coefficients={"Y_vvphi": 1 / 3}), 0.0, 9.0))["Y_vvphi"].value
+        3 * by_name(coefficients(container.with_(factors={"Y_vvphi": 1 / 3}), 0.0, 9.0))["Y_vvphi"].value
     )
 
 

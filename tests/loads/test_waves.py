@@ -22,8 +22,8 @@ def test_wave_closed_form_of_deep_water_dispersion():
 @pytest.mark.parametrize(
     ("length", "height", "words"),
     [
-        (0.0, 1.0, ("length", "0 m", "positive")),
-        (-150.0, 1.0, ("-150", "positive")),
+        (0.0, 1.0, ("length", "0 m", "above 0")),
+        (-150.0, 1.0, ("-150", "above 0")),
         (float("nan"), 1.0, ("length", "nan")),
         (float("inf"), 1.0, ("length", "inf")),
         (100.0, -1.0, ("height", "-1")),

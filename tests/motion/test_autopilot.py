@@ -187,7 +187,7 @@ def test_a_ship_file_sets_autopilot_and_rudder(tmp_path):
     ("line", "words"),
     [
         ("autopilot: {gain: -1}", "gain = -1"),
-        ("autopilot: {rate_gain: 3}", "`autopilot, gain` is missing"),
+        ("autopilot: {rate_gain: 3}", "autopilot: gain is missing"),
         ("autopilot: {gain: 1, kd: 3}", "rate_gain, lag"),
         ("autopilot: {gain: 1, lag: 2 m}", "lag"),
         ("rudder: {area: 0 m2}", "area = 0"),
@@ -209,7 +209,7 @@ def test_a_map_of_a_ship_with_an_autopilot_is_that_of_its_verdicts():
             ship, speed=[0.0, 5.0], heading=[40.0], wave_length=[100.0], wave_height=[1.0], N_delta=[0.5, 1.0]
         )
     for factor in (0.5, 1.0):
-        one = ship.with_(coefficients={"N_delta": factor})
+        one = ship.with_(factors={"N_delta": factor})
         model = qt.equations(one, qt.Wave(100.0, 1.0), 5.0, 40.0)
         verdict = qt.stability(model, qt.steady_motion(model))
         cell = ds.sel(speed=5.0).where(ds["N_delta"] == factor, drop=True).squeeze()

@@ -157,7 +157,7 @@ def test_a_ship_with_a_spline_says_so_and_refuses_half_a_polynomial(tmp_path):
     model = qt.equations(ship, qt.Wave(100.0, 1.0), 5.0, 40.0)
     assert (model.system.modulus > KNOT_CODE).any()
     with pytest.raises(qt.InputError, match='righting="polynomial"'):
-        qt.coefficients(ship.with_(coefficients={"K_phiphiphi": 2.0}), 0.5, 5.0)
+        qt.coefficients(ship.with_(factors={"K_phiphiphi": 2.0}), 0.5, 5.0)
     with pytest.raises(qt.InputError, match="polynomial"):
         ship.with_(righting="table")
 

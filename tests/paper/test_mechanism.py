@@ -90,7 +90,7 @@ def test_roll_alone_decays_at_its_mean_damping():
 def test_k_vpp_feeds_the_motion_table_i_makes_unstable():
     found = onset(SHIP, table_ratios(), made.wave(30), SPEED, [65.0])
     factors = {name: 1 + 1.002 * found.strength * (ratio - 1) for name, ratio in table_ratios().items()}
-    model = qt.equations(SHIP.with_(coefficients=factors), made.wave(30), SPEED, 65.0)
+    model = qt.equations(SHIP.with_(factors=factors), made.wave(30), SPEED, 65.0)
     verdict = qt.stability(model, qt.steady_motion(model, 5, start="rest"))
     assert (verdict.kind, verdict.strongest[0]) == ("roll", "K_vpp")
 
@@ -99,7 +99,7 @@ def test_onset_is_where_the_one_case_verdict_changes():
     wave, heading = made.wave(30), 30.0
     found = onset(SHIP, {"K_prr": 0.0}, wave, SPEED, [heading], most=40.0, harmonics=3)
     for side, stable in ((0.999, True), (1.001, False)):
-        ship = SHIP.with_(coefficients={"K_prr": 1 - side * found.strength})
+        ship = SHIP.with_(factors={"K_prr": 1 - side * found.strength})
         model = qt.equations(ship, wave, SPEED, heading)
         assert qt.stability(model, qt.steady_motion(model, 3, start="rest")).stable is stable
 
@@ -112,7 +112,7 @@ def test_smallest_change_is_smaller_than_any_single_one_and_stationary():
     assert np.linalg.norm(change) < abs(float(made.needed("K_prr", heading)) - 1)
 
     def growth(factors):
-        model = qt.equations(SHIP.with_(coefficients=dict(zip(names, factors, strict=True))), wave, SPEED, heading)
+        model = qt.equations(SHIP.with_(factors=dict(zip(names, factors, strict=True))), wave, SPEED, heading)
         return -qt.stability(model, qt.steady_motion(model, 3, start="rest")).index
 
     assert growth(1 + change) == pytest.approx(0.0, abs=1e-5)
@@ -123,6 +123,6 @@ def test_smallest_change_is_smaller_than_any_single_one_and_stationary():
 
 def test_a_motion_that_is_unstable_already_and_an_empty_change_are_refused():
     with pytest.raises(qt.InputError, match="unstable as it is"):
-        smallest_change(SHIP.with_(coefficients={"K_prr": -60.0}), made.wave(30), SPEED, 30.0)
+        smallest_change(SHIP.with_(factors={"K_prr": -60.0}), made.wave(30), SPEED, 30.0)
     with pytest.raises(qt.InputError, match="at least one"):
         onset(SHIP, {}, made.wave(30), SPEED, [30.0])

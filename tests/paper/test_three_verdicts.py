@@ -40,7 +40,7 @@ def judged(ship: qt.Ship, heading: float) -> tuple[qt.Model, qt.Motion, qt.Verdi
 @pytest.mark.parametrize(("factor", "stable"), [(1.0, True), (-60.0, False)])
 def test_index_floquet_and_integration_agree(factor, stable):
     """Stable: the ship as estimated. Unstable: K_prr turned to feed yaw into roll, the paper's mechanism."""
-    model, motion, verdict = judged(SHIP.with_(coefficients={"K_prr": factor}), heading=30.0)
+    model, motion, verdict = judged(SHIP.with_(factors={"K_prr": factor}), heading=30.0)
     assert verdict.stable is stable
     assert verdict.first_order_stable is stable
     assert (verdict.k2 < 0) is stable
@@ -53,7 +53,7 @@ def test_index_floquet_and_integration_agree(factor, stable):
 
 
 def test_the_unstable_motion_names_its_mechanism():
-    _, _, verdict = judged(SHIP.with_(coefficients={"K_prr": -60.0}), heading=30.0)
+    _, _, verdict = judged(SHIP.with_(factors={"K_prr": -60.0}), heading=30.0)
     assert verdict.kind == "roll"
     assert verdict.strongest[0] == "K_prr"
     assert "Heading 30 deg" in verdict.sentence
@@ -62,7 +62,7 @@ def test_the_unstable_motion_names_its_mechanism():
 
 def test_uncoupled_roll_is_stable_where_coupled_motion_is_not():
     """[H71] conclusion: with the same roll coefficients, roll alone (no sway, no yaw) is stable."""
-    model, _, verdict = judged(SHIP.with_(coefficients={"K_prr": -60.0}), heading=30.0)
+    model, _, verdict = judged(SHIP.with_(factors={"K_prr": -60.0}), heading=30.0)
     assert not verdict.stable
     own = {name: value for name, value in model.terms.items() if name in ("K_p", "K_ppp") or "phi" in name}
     alone = qt.Model(

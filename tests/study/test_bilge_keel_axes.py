@@ -36,7 +36,10 @@ def test_a_case_file_takes_keels_in_lengths_and_breadths_of_the_ship(tmp_path):
     ("keels", "message"),
     [
         ("bilge_keel_breadth: 0.3", "line 7: bilge_keel_breadth is given, .*give bilge_keel_length too"),
-        ("bilge_keel_length: 30\n  bilge_keel_breadth: 9 m", "line 7: .*below B/4"),
+        (
+            "bilge_keel_length: 30\n  bilge_keel_breadth: 9 m",
+            "line 8: bilge_keel_breadth = 9 m; it is from 0 m to 0.25 B = 4.064 m",
+        ),
         ("bilge_keel_length: 30\n  bilge_keel_breadth: 0.3\n  roll_damping: 5 %", "line 7: .*leave out the one"),
     ],
 )
@@ -74,8 +77,8 @@ def test_keels_of_the_ship_stand_for_the_size_not_given():
             {"bilge_keel_length": 30.0, "bilge_keel_breadth": 0.4, "roll_damping": 0.05},
             "leave out the one or the others",
         ),
-        ({"bilge_keel_length": 30.0, "bilge_keel_breadth": 9.0}, "below B/4"),
-        ({"bilge_keel_length": -30.0, "bilge_keel_breadth": 0.4}, "above 0"),
+        ({"bilge_keel_length": 30.0, "bilge_keel_breadth": 9.0}, "it is from 0 m to 0.25 B = 4.064 m"),
+        ({"bilge_keel_length": -30.0, "bilge_keel_breadth": 0.4}, "it is from 0 m to 1 L"),
     ],
 )
 def test_keels_that_cannot_be_are_refused(values, message):

@@ -5,7 +5,7 @@ import pytest
 import quartering as qt
 from quartering.study.cure import cures
 
-SHIP = qt.ship("series60-cb60").with_(coefficients={"K_prr": -60.0})
+SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0})
 WAVE, SPEED, HEADING = qt.Wave(121.92, 4.0), 8.6, 30.0
 
 
@@ -31,7 +31,7 @@ def test_beyond_the_cure_the_motion_is_stable_and_before_it_is_not(found, name):
     def at(value):
         if name == "wave_height":
             return verdict(wave=qt.Wave(WAVE.length, value))
-        return verdict(SHIP.with_(coefficients={name: value}) if name == "K_prr" else SHIP.with_(**{name: value}))
+        return verdict(SHIP.with_(factors={name: value}) if name == "K_prr" else SHIP.with_(**{name: value}))
 
     beyond, short = cure.now + 1.02 * (cure.needed - cure.now), cure.now + 0.98 * (cure.needed - cure.now)
     assert at(beyond).stable
@@ -60,7 +60,7 @@ def test_with_a_margin_the_exponent_at_the_cure_is_minus_the_margin(name):
     if name == "wave_height":
         wave = qt.Wave(WAVE.length, cure.needed)
     else:
-        ship = SHIP.with_(coefficients={name: cure.needed}) if name == "K_prr" else SHIP.with_(**{name: cure.needed})
+        ship = SHIP.with_(factors={name: cure.needed}) if name == "K_prr" else SHIP.with_(**{name: cure.needed})
     assert verdict(ship, wave).exponents[0].real == pytest.approx(-margin, abs=2e-6)
 
 

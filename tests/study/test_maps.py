@@ -53,7 +53,7 @@ def test_loading_axes_are_the_changed_ship():
     ds = qt.sweep(SHIP, **conditions, gm=[0.6, 1.0], K_ppp=[0.5, 2.0])
     assert dict(ds.sizes)["loading"] == 4
     assert ds["gm"].values.tolist() == [0.6, 0.6, 1.0, 1.0]
-    alone = qt.sweep(SHIP.with_(gm=1.0, coefficients={"K_ppp": 0.5}), **conditions)
+    alone = qt.sweep(SHIP.with_(gm=1.0, factors={"K_ppp": 0.5}), **conditions)
     assert float(ds["roll"].isel(loading=2).squeeze()) == pytest.approx(float(alone["roll"].squeeze()), rel=1e-12)
     assert float(ds["exponent"].isel(loading=2).squeeze()) == pytest.approx(
         float(alone["exponent"].squeeze()), rel=1e-9

@@ -14,7 +14,7 @@ SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
 SPEED, HEADING = 0.25 * np.sqrt(9.81 * LENGTH), 30.0
 WAVE = qt.Wave(LENGTH, LENGTH / 30)
-RESTLESS = SHIP.with_(coefficients={"K_prr": -60.0})
+RESTLESS = SHIP.with_(factors={"K_prr": -60.0})
 
 
 def alone(ship, wave=WAVE, speed=SPEED, heading=HEADING):
@@ -40,7 +40,7 @@ def test_two_parameters_stand_on_their_own_axes_whatever_their_order():
     gm, factors, speeds = [0.7, 0.9, 1.0], [0.5, 2.0], [5.0, 8.0]
     ds = qt.vary(SHIP, WAVE, SPEED, HEADING, {"K_ppp": factors, "gm": gm})
     assert ds["roll"].dims == ("K_ppp", "gm")
-    motion, _ = alone(SHIP.with_(gm=0.9, coefficients={"K_ppp": 2.0}))
+    motion, _ = alone(SHIP.with_(gm=0.9, factors={"K_ppp": 2.0}))
     assert float(ds["roll"].sel(gm=0.9, K_ppp=2.0)) == pytest.approx(np.degrees(motion.amplitude[1]), rel=1e-8)
     ds = qt.vary(SHIP, WAVE, SPEED, HEADING, {"speed": speeds, "gm": gm})
     motion, _ = alone(SHIP.with_(gm=0.7), speed=8.0)
@@ -53,8 +53,8 @@ def test_the_verdict_flips_where_it_is_said_to():
     (flip,) = ds["flip"].values
     assert [Kind(int(ds[name][0])).label for name in ("verdict_below", "verdict_above")] == ["roll", "stable"]
     step = 10.0 / 16**3
-    assert not alone(SHIP.with_(coefficients={"K_prr": flip - step}))[1].stable
-    assert alone(SHIP.with_(coefficients={"K_prr": flip + step}))[1].stable
+    assert not alone(SHIP.with_(factors={"K_prr": flip - step}))[1].stable
+    assert alone(SHIP.with_(factors={"K_prr": flip + step}))[1].stable
 
 
 @given(st.floats(0.001, 0.999), st.integers(2, 9), st.sampled_from([(0, 1), (2, 0), (0, -1), (-1, 3)]))
@@ -94,7 +94,7 @@ def test_tornado_bars_are_the_ship_with_that_value_changed():
     for name, changed in (
         ("gm", SHIP.with_(gm=1.1 * SHIP.loading.gm)),
         ("kg", SHIP.with_(kg=1.1 * SHIP.loading.kg)),
-        ("K_prr", SHIP.with_(coefficients={"K_prr": 1.1})),
+        ("K_prr", SHIP.with_(factors={"K_prr": 1.1})),
     ):
         motion, verdict = alone(changed)
         more = ds.sel(parameter=name, side="more")

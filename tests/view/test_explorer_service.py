@@ -75,9 +75,9 @@ def test_bilge_keels_can_be_asked_for(explorer):
     ("path", "content", "reason"),
     [
         ("/api/verdict", CONDITION | {"bilge_keel_length": 30}, "give both"),
-        ("/api/verdict", CONDITION | {"bilge_keel_length": 30, "bilge_keel_breadth": 9}, "below B/4"),
-        ("/api/verdict", CONDITION | {"speed": float("nan")}, "speed: .*finite"),
-        ("/api/verdict", CONDITION | {"wave_height": float("inf")}, "wave_height: .*"),
+        ("/api/verdict", CONDITION | {"bilge_keel_length": 30, "bilge_keel_breadth": 9}, "it is from 0 m to 0.25 B"),
+        ("/api/verdict", CONDITION | {"speed": float("nan")}, "speed = .*finite"),
+        ("/api/verdict", CONDITION | {"wave_height": float("inf")}, "wave_height = .*finite"),
         ("/api/verdict", CONDITION | {"wave_height": 100}, "breaks"),
         ("/api/verdict", CONDITION | {"ship": "/etc/passwd"}, "unknown"),
         ("/api/verdict", CONDITION | {"speeed": 3}, "speeed"),

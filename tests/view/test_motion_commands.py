@@ -67,7 +67,7 @@ def test_branch_takes_units_and_refuses_what_it_cannot_follow(run):
         (["--limits", "5:3"], "rising"),
         (["--limits", "1:60"], "1/7"),
         (["--over", "wave_length", "--limits", "10:100"], "1/7"),
-        (["--over", "heading", "--limits", "0:400"], "--limits 400"),
+        (["--over", "heading", "--limits", "0:400"], "--limits: heading = 400"),
         (["-o", "branch.txt"], ".png"),
     ):
         result = run("branch", "series60-cb60", *CONDITION, *words)

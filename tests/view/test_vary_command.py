@@ -13,7 +13,7 @@ from quartering.view.cli import app
 from quartering.view.plots.tornado import tornado_picture
 from quartering.view.plots.vary import vary_picture
 
-SHIP = qt.ship("series60-cb60").with_(coefficients={"K_prr": -60.0})
+SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0})
 LENGTH = SHIP.hull.length
 AT = (qt.Wave(LENGTH, LENGTH / 30), 0.25 * np.sqrt(9.81 * LENGTH), 30.0)
 
@@ -94,7 +94,7 @@ def test_the_next_step_a_tornado_names_can_be_taken(run):
     ("words", "said"),
     [
         ((), "nothing to vary"),
-        (("--gm", "0.8"), "two or more"),
+        (("--gm", "0.8"), "nothing to vary"),
         (("--coefficient", "K_ppp"), "K_ppp=0.2:2"),
         (("--tornado", "10%", "--gm", "0.5:1"), "leave the ranges out"),
         (("--tornado", "200%"), "below 1"),

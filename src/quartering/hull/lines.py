@@ -11,7 +11,8 @@ from quartering.hull.from_file import hull_from_lines, read_lines
 from quartering.hull.offsets import Contour, Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
 from quartering.hull.schema import OffsetKeys, ShipKeys, StationKeys
 from quartering.hull.stations import check_contour, hull_from_offsets
-from quartering.hull.units import quantity
+from quartering.options import OPTIONS, checked
+from quartering.units import Sizes
 
 
 def hull_of(where: str, keys: ShipKeys, base: Hull | None) -> Hull:
@@ -50,67 +51,65 @@ def hull_of(where: str, keys: ShipKeys, base: Hull | None) -> Hull:
             )
         return _stretched(where, keys, base)
     for key in ("length", "beam", "draught"):
-        if getattr(keys, key) is None:
+        if keys.value(key) is None:
             raise InputError(f"{where}: key `{key}` is missing; give it in metres, or start from `base: series60-cb60`")
-    length = _dimension(where, keys, "length")
-    beam = _dimension(where, keys, "beam", length=length)
-    draught = _dimension(where, keys, "draught", length=length, beam=beam)
+    length = dimension(where, keys, "length")
+    beam = dimension(where, keys, "beam", length)
+    draught = dimension(where, keys, "draught", length, beam)
     design = draught
-    if keys.design_draught is not None:
-        design = _dimension(where, keys, "design_draught", length=length, beam=beam, draught=draught)
-    name = keys.name or where
+    if keys.value("design_draught") is not None:
+        design = dimension(where, keys, "design_draught", length, beam, draught)
+    name = keys.value("name") or where
     shape = keys.shape or "offsets"
     if keys.lines is not None:
         hull = _from_file(where, keys, name, length, beam, design)
     elif shape == "offsets":
         hull = _from_offsets(where, keys, name, length, beam, design)
     else:
-        depth = 2 * design
-        if keys.depth is not None:
-            depth = _dimension(where, keys, "depth", length=length, beam=beam, draught=design)
+        depth = 2 * design if keys.value("depth") is None else dimension(where, keys, "depth", length, beam, design)
         hull = (wigley_hull if shape == "wigley" else box_hull)(length, beam, design, depth, name)
     return _floated(where, keys, hull, draught)
 
 
 def _stretched(where: str, keys: ShipKeys, base: Hull) -> Hull:
     """Base hull stretched to the dimensions given, others in proportion to the length."""
-    length = _dimension(where, keys, "length") if keys.length is not None else base.length
+    length = base.length if keys.value("length") is None else dimension(where, keys, "length")
     ratio = length / base.length
-    beam = _dimension(where, keys, "beam", length=length) if keys.beam is not None else base.beam * ratio
+    beam = base.beam * ratio if keys.value("beam") is None else dimension(where, keys, "beam", length)
     design = base.design_draught * ratio
-    if keys.design_draught is not None:
-        design = _dimension(where, keys, "design_draught", length=length, beam=beam)
+    if keys.value("design_draught") is not None:
+        design = dimension(where, keys, "design_draught", length, beam)
     hull = base
     factors = (ratio, beam / base.beam, design / base.design_draught)
     if factors != (1.0, 1.0, 1.0):
         hull = scaled(base, *factors)
     draught = hull.draught
-    if keys.draught is not None:
-        draught = _dimension(where, keys, "draught", length=length, beam=beam, draught=design)
+    if keys.value("draught") is not None:
+        draught = dimension(where, keys, "draught", length, beam, design)
     return _floated(where, keys, hull, draught)
 
 
 def _floated(where: str, keys: ShipKeys, hull: Hull, draught: float) -> Hull:
-    if keys.depth is not None and hull.shape == "offsets":
-        depth = _dimension(where, keys, "depth", length=hull.length, beam=hull.beam, draught=hull.design_draught)
+    if keys.value("depth") is not None and hull.shape == "offsets":
+        depth = dimension(where, keys, "depth", hull.length, hull.beam, hull.design_draught)
         hull = with_depth(hull, depth, called=where)
     return hull if draught == hull.draught else at_draught(hull, draught, called=where)
 
 
-def _dimension(where: str, keys: ShipKeys, key: str, **sizes: float) -> float:
-    """A dimension of the file in metres, refused when it is not above 0."""
-    given = getattr(keys, key)
-    value = quantity(given, "length", what=f"{where}: {key}", **sizes)
-    if value <= 0:
-        usual = {
-            "length": "121.92 m",
-            "beam": "16.3 m",
-            "draught": "6.5 m",
-            "design_draught": "6.5 m",
-            "depth": "10 m",
-        }[key]
-        raise InputError(f"{where}: {key} = {given}; it must be above 0; give metres, such as {usual}")
-    return value
+DIMENSIONS = ("length", "beam", "draught", "design_draught")
+"""Options of a ship file that make its hull."""
+
+
+def dimension(
+    where: str,
+    keys: ShipKeys,
+    name: str,
+    length: float | None = None,
+    beam: float | None = None,
+    draught: float | None = None,
+) -> float:
+    """A dimension of a file in metres; L, B and T stand for what is known of it so far."""
+    return float(checked(OPTIONS[name], keys.value(name), where, Sizes(length, beam, draught)))
 
 
 def _from_file(where: str, keys: ShipKeys, name: str, length: float, beam: float, draught: float) -> Hull:

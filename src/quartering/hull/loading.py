@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from quartering.conventions import WATER_DENSITY, InputError
+from quartering.conventions import WATER_DENSITY
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull
-from quartering.hull.roll_method import roll_method
-from quartering.hull.units import quantity
+from quartering.options import Refused
 
 ROLL_DAMPING = 0.05
 """Added roll damping, fraction of critical, when none is given (assumed)."""
-LARGEST_RADIUS = 2.0
-"""Largest radius of gyration over the beam (roll) or the length (yaw): beyond it the mass would lie outside the ship [1]."""
 
 
 @dataclass(frozen=True)
@@ -55,9 +53,9 @@ def reloaded(
     name : str                              ship or file named in messages
     hull : Hull                             at the draught of the loading
     loading : Loading                       what is not given is taken from here
-    gm, kg : float                          at most one of them [m]
+    gm, kg : float                          at most one of them, in their ranges [m]
     gyradius_roll, gyradius_yaw : float     [m]
-    roll_damping : float or str             fraction of critical; 0 by a component method
+    roll_damping : float or str             fraction of critical, or the word of a component method, which has none
 
     Returns
     -------
@@ -65,8 +63,7 @@ def reloaded(
 
     Raises
     ------
-    InputError    both gm and kg, GM or a radius not above 0, G more than a draught below the keel, a radius above
-                  `LARGEST_RADIUS` of the beam (roll) or length (yaw), damping below 0 or above 1
+    Refused    GM not above 0, or G more than a draught below the keel
 
     Notes
     -----
@@ -79,10 +76,6 @@ def reloaded(
     >>> round(reloaded("box", box, Loading(1.0, 8.17, 7.0, 25.0), kg=6.0).gm, 4)
     3.1667
     """
-    if gm is not None and kg is not None:
-        raise InputError(
-            f"{name}: gm = {gm:g} m and kg = {kg:g} m are both given; one follows from the other, leave one out"
-        )
     km = hydrostatics(hull).km
     if gm is None:
         kg = loading.kg if kg is None else kg
@@ -91,45 +84,30 @@ def reloaded(
     else:
         kg, source = km - gm, ""
     if not (math.isfinite(gm) and gm > 0):
-        raise InputError(
-            f"{name}: {source}gm = {gm:g} m; the metacentric height must be above 0 (an upright ship that floats stably); "
-            f"try 0.05 B = {0.05 * hull.beam:.3g} m"
+        raise Refused(
+            "kg" if source else "gm",
+            f"{source}gm = {gm:g} m; the metacentric height must be above 0 (an upright ship that floats stably); "
+            f"try gm = 0.05 B = {0.05 * hull.beam:.3g} m",
+            name,
         )
     if kg < -hull.draught:
-        raise InputError(
-            f"{name}: gm = {gm:g} m over KM = {km:.3f} m puts G {-kg:.4g} m below the keel, deeper than the ship's draught; is "
-            f"the unit right? try 0.05 B = {0.05 * hull.beam:.3g} m"
+        raise Refused(
+            "gm",
+            f"gm = {gm:g} m over KM = {km:.3f} m puts G {-kg:.4g} m below the keel, deeper than the ship's draught; is "
+            f"the unit right? try 0.05 B = {0.05 * hull.beam:.3g} m",
+            name,
         )
-    _check_radii(name, hull, gyradius_roll, gyradius_yaw)
-    if roll_damping is None:
-        damping = loading.roll_damping
-    elif roll_method(roll_damping) != "fraction":
-        damping = 0.0
-    else:
-        damping = quantity(roll_damping, "ratio", what=f"{name}: roll_damping")
-    if not 0 <= damping <= 1:
-        raise InputError(
-            f"{name}: roll_damping = {damping:g}; it is a fraction of critical damping, from 0 to 1; try 0.05"
-        )
-    return replace(
-        loading,
-        gm=gm,
-        kg=kg,
-        gyradius_roll=gyradius_roll or loading.gyradius_roll,
-        gyradius_yaw=gyradius_yaw or loading.gyradius_yaw,
-        roll_damping=damping,
-    )
+    others = {"gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw, "roll_damping": roll_damping}
+    return loaded_alike(replace(loading, gm=gm, kg=kg), {name: one for name, one in others.items() if one is not None})
 
 
-def _check_radii(name: str, hull: Hull, gyradius_roll: float | None, gyradius_yaw: float | None) -> None:
-    """Refuse radii of gyration no ship has."""
-    radii = {
-        "gyradius_roll": (gyradius_roll, hull.beam, 0.35, "B"),
-        "gyradius_yaw": (gyradius_yaw, hull.length, 0.25, "L"),
-    }
-    for key, (radius, size, usual, letter) in radii.items():
-        if radius is not None and not 0 < radius <= LARGEST_RADIUS * size:
-            raise InputError(
-                f"{name}: {key} = {radius:g} m; a radius of gyration is above 0 and at most {LARGEST_RADIUS:g} {letter} = "
-                f"{LARGEST_RADIUS * size:.4g} m; try {usual:g} {letter} = {usual * size:.4g} m"
-            )
+def loaded_alike(loading: Loading, values: Mapping[str, float | str]) -> Loading:
+    """Loading with radii of gyration and roll damping changed; by a component method the damping is no fraction.
+
+    Examples
+    --------
+    >>> loaded_alike(Loading(1.0, 6.0, 5.0, 25.0), {"roll_damping": "ikeda"}).roll_damping
+    0.0
+    """
+    numbers = {name: 0.0 if isinstance(value, str) else value for name, value in values.items()}
+    return replace(loading, **numbers)

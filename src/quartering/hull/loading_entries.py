@@ -3,34 +3,53 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
-from quartering.conventions import WATER_DENSITY, InputError
-from quartering.hull.loading import ROLL_DAMPING, Loading, reloaded
+from quartering.conventions import InputError
+from quartering.hull.changes import check_twice, sizes_of
+from quartering.hull.loading import Loading, reloaded
 from quartering.hull.offsets import Hull
-from quartering.hull.schema import Entry, LoadingKeys, ShipKeys
+from quartering.hull.schema import Entry, ShipKeys
 from quartering.hull.ship import Ship
-from quartering.hull.units import Kind, quantity, split_quantity
+from quartering.options import OPTIONS, checked, options
+from quartering.units import split_quantity
 
+_USUAL = "usual value; nothing published was found"
+LOADING = tuple(one.name for one in options(place="loading") if one.home)
+"""Options a `Loading` is made of."""
+
+_SOURCES = {
+    "roll_damping": "fraction of critical, for viscosity and bilge keels",
+    "water_density": "sea water",
+    "gm": "usual for a cargo ship; nothing published was found",
+}
 _DEFAULTS = {
-    "gm": Entry(value="0.05 B", status="assumed", source="usual for a cargo ship; nothing published was found"),
-    "gyradius_roll": Entry(value="0.35 B", status="assumed", source="usual value; nothing published was found"),
-    "gyradius_yaw": Entry(value="0.25 L", status="assumed", source="usual value; nothing published was found"),
-    "roll_damping": Entry(
-        value=ROLL_DAMPING, status="assumed", source="fraction of critical, for viscosity and bilge keels"
-    ),
-    "water_density": Entry(value=WATER_DENSITY, status="assumed", source="sea water"),
+    name: Entry(value=OPTIONS[name].default, status="assumed", source=_SOURCES.get(name, _USUAL))
+    for name in LOADING
+    if OPTIONS[name].default is not None
 }
 
 
+def own_entries(keys: ShipKeys) -> dict[str, Entry]:
+    """Loading values a file gives itself.
+
+    Raises
+    ------
+    Refused    two of them say one thing
+    """
+    told = {name: keys.told[name] for name in (*LOADING, "roll_period") if name in keys.told}
+    check_twice({name: entry.value for name, entry in told.items()}, "")
+    return told
+
+
 def loading_entries(
-    where: str, own: LoadingKeys, base_keys: ShipKeys | None, base: Ship | None, hull: Hull
+    own: Mapping[str, Entry], base_keys: ShipKeys | None, base: Ship | None, hull: Hull
 ) -> dict[str, Entry]:
     """Loading values of a file: its own, then those of its base (metres in proportion to the hull), then the usual.
 
     Parameters
     ----------
-    where : str                       file named in messages
-    own : LoadingKeys                 of the file
+    own : mapping of str to Entry     of the file, from `own_entries`
     base_keys, base : or None         keys of the base ship, and that ship
     hull : Hull                       of the file
 
@@ -38,40 +57,34 @@ def loading_entries(
     -------
     dict of str to Entry
 
-    Raises
-    ------
-    InputError                        both gm and kg
-
     Notes
     -----
     Source: the format of the ship file.
     """
-    if own.gm is not None and own.kg is not None:
-        raise InputError(f"{where}: gm and kg are both given; one follows from the other (kg = KM - gm), leave one out")
     entries = dict(_DEFAULTS)
     if base is not None and base_keys is not None:
         sizes = {"gyradius_roll": hull.beam / base.hull.beam, "gyradius_yaw": hull.length / base.hull.length}
         height = hull.design_draught / base.hull.design_draught
         entries = _over(entries, {
             key: _proportional(entry, sizes.get(key, height if key in ("gm", "kg") else 1.0))
-            for key, entry in base_keys.loading if entry is not None
+            for key, entry in base_keys.told.items() if key in LOADING
         })  # fmt: skip
     return _over(
         entries,
         {
             key: entries[key] if key in entries and _unchanged(key, entry, entries[key], hull) else entry
-            for key, entry in own
-            if entry is not None
+            for key, entry in own.items()
+            if key in LOADING
         },
     )
 
 
 def _unchanged(key: str, own: Entry, base: Entry, hull: Hull) -> bool:
     """Does a file repeat the value of its base without a word on where it comes from? Then the base's word stands."""
-    kind: Kind = {"water_density": "density", "roll_damping": "ratio"}.get(key, "length")  # type: ignore[assignment]
-    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
+    if not all(isinstance(entry.value, (int, float)) or entry.value[:1].isdigit() for entry in (own, base)):
+        return False
     try:
-        values = [quantity(entry.value, kind, what=key, **sizes) for entry in (own, base)]
+        values = [checked(OPTIONS[key], entry.value, "", sizes_of(hull)) for entry in (own, base)]
     except InputError:
         return False  # refused with its own message where the loading is put together
     return own.status == "given" and math.isclose(*values, rel_tol=1e-8)
@@ -114,14 +127,6 @@ def loading_of(where: str, hull: Hull, entries: dict[str, Entry]) -> Loading:
     -----
     Source: the format of the ship file.
     """
-    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
-    lengths = {
-        key: quantity(entries[key].value, "length", what=f"{where}: loading, {key}", **sizes)
-        for key in ("gm", "kg", "gyradius_roll", "gyradius_yaw")
-        if key in entries
-    }
-    density = quantity(entries["water_density"].value, "density", what=f"{where}: loading, water_density")
-    if density <= 0:
-        raise InputError(f"{where}: loading, water_density = {density:g} kg/m3; it is above 0; try 1025")
-    blank = Loading(gm=1.0, kg=0.0, gyradius_roll=1.0, gyradius_yaw=1.0, density=density)
-    return reloaded(f"{where}: loading", hull, blank, roll_damping=entries["roll_damping"].value, **lengths)
+    values = {name: checked(OPTIONS[name], entry.value, where, sizes_of(hull)) for name, entry in entries.items()}
+    blank = Loading(gm=1.0, kg=0.0, gyradius_roll=1.0, gyradius_yaw=1.0, density=values.pop("water_density"))
+    return reloaded(where, hull, blank, **values)

@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
-from quartering.hull.choices import Ends, Sections
 from quartering.hull.contour import Curve, Outline, along, chord_at_height, contour_curve
+from quartering.hull.option_types import Ends, Sections
 from quartering.hull.quadrature import gauss
 from quartering.hull.section import Floats, Section
+from quartering.options import Refused
 
 Contour = tuple[Floats, Floats]
 Shape = Literal["offsets", "wigley", "box"]
@@ -187,9 +188,11 @@ def at_draught(hull: Hull, draught: float, called: str | None = None) -> Hull:
     6.0
     """
     if not 0 < draught <= hull.depth:
-        raise InputError(
-            f"{called or hull.name}: draught = {draught:g} m; it must lie above 0 and at most {hull.depth:g} m, "
-            f"where the lowest deck edge lies; try {hull.design_draught:g} m"
+        raise Refused(
+            "draught",
+            f"draught = {draught:g} m; it must lie above 0 and at most {hull.depth:g} m, "
+            f"where the lowest deck edge lies; try {hull.design_draught:g} m",
+            called or hull.name,
         )
     return replace(hull, draught=float(draught))
 
@@ -264,9 +267,11 @@ def with_depth(hull: Hull, depth: float, called: str | None = None) -> Hull:
     12.0
     """
     if not (np.isfinite(depth) and depth >= hull.draught):
-        raise InputError(
-            f"{called or hull.name}: depth = {depth:g} m; the deck lies at or above the draught of {hull.draught:g} m; "
-            f"try {1.5 * hull.draught:.4g} m"
+        raise Refused(
+            "depth",
+            f"depth = {depth:g} m; the deck lies at or above the draught of {hull.draught:g} m; "
+            f"try {1.5 * hull.draught:.4g} m",
+            called or hull.name,
         )
     raised = tuple(
         (frozen([*y, y[-1], y[-1]]), frozen([*h, h[-1], depth])) if h[-1] < depth else (y, h) for y, h in hull.contours

@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from quartering.conventions import InputError
-from quartering.hull.autopilot import ASPECT, Autopilot, Rudder
-from quartering.hull.choices import Ends, checked_ends
-from quartering.hull.lines import hull_of
-from quartering.hull.loading_entries import loading_entries, loading_of
-from quartering.hull.offsets import Hull
+from quartering.hull.changes import changed
+from quartering.hull.lines import DIMENSIONS, dimension, hull_of
+from quartering.hull.loading_entries import LOADING, loading_entries, loading_of, own_entries
 from quartering.hull.own_database import Database, database_of
 from quartering.hull.own_measured import MeasuredFile, measured_source
-from quartering.hull.roll_method import BilgeKeels, checked_bilge_keels, roll_damping_note, roll_method
-from quartering.hull.schema import Entry, ShipKeys, checked_keys
-from quartering.hull.ship import DRAG_COEFFICIENT, Ship
-from quartering.hull.units import Kind, quantity
-from quartering.hull.yaml_text import read_yaml
-from quartering.names import checked_values
+from quartering.hull.roll_method import roll_damping_note
+from quartering.hull.schema import Entry, Lines, ShipKeys, checked_keys, placed
+from quartering.hull.ship import Ship
+from quartering.hull.yaml_text import key_lines, parsed, read_text
+from quartering.options import OPTIONS, Option, Refused
 
 LIBRARY = Path(__file__).parent / "library"
 
@@ -92,7 +90,7 @@ def read_ship(name_or_path: str | Path) -> Ship:
         there = False
     if not there:
         raise InputError(f'"{text}" is neither a file nor a built-in ship; {_nearest(text, names)}')
-    return _assembled(str(path), _keys(path))
+    return _assembled(str(path), *_read(path))
 
 
 def _nearest(text: str, names: list[str]) -> str:
@@ -106,104 +104,60 @@ def _nearest(text: str, names: list[str]) -> str:
 
 @lru_cache(maxsize=32)
 def _built_in(name: str) -> Ship:
-    return _assembled(name, _keys(LIBRARY / f"{name}.yaml"))
+    return _assembled(name, *_read(LIBRARY / f"{name}.yaml"))
 
 
 def _keys(path: Path) -> ShipKeys:
-    return checked_keys(str(path), read_yaml(path))
+    return _read(path)[0]
 
 
-def _assembled(where: str, keys: ShipKeys) -> Ship:
-    """Ship from checked keys, on its base ship when it has one."""
+def _read(path: Path) -> tuple[ShipKeys, Lines]:
+    text = read_text(path)
+    content, lines = parsed(text, path), key_lines(text)
+    return checked_keys(str(path), content, lines), lines
+
+
+def _assembled(where: str, keys: ShipKeys, lines: Lines) -> Ship:
+    """Ship from checked keys; a refused option is told with its line."""
+    try:
+        return _made(where, keys)
+    except Refused as error:
+        one = OPTIONS.get(error.option)
+        path = (error.option,) if one is None else _path(one, lines)
+        group = "".join(f"{key}, " for key in path[:-1])
+        raise InputError(f"{placed(where, lines, path)}: {group}{error.words}") from None
+
+
+def _path(one: Option, lines: Lines) -> tuple[str, ...]:
+    """Keys under which a file gives an option, which may be by an older word."""
+    words = [(*one.path[:-1], key) for key in (one.path[-1], *one.also)]
+    return next((path for path in words if path in lines), one.path)
+
+
+def _made(where: str, keys: ShipKeys) -> Ship:
+    """Ship from checked keys, on its base ship when it has one: its hull and loading, then every other option."""
     base, base_keys = _base(where, keys)
     hull = hull_of(where, keys, base.hull if base else None)
-    database = _database(where, keys, base)
-    hull = replace(
-        hull,
-        section_method=keys.sections or (base.hull.section_method if base else "auto"),
-        ends=_ends(where, keys, base, database),
-    )
-    entries = loading_entries(where, keys.loading, base_keys, base, hull)
-    notes = _notes(keys, base, hull, entries)
-    method, keels = roll_method(entries["roll_damping"].value), _bilge_keels(where, keys, base, hull)
-    if method != "fraction":
-        notes["roll_damping"] = roll_damping_note(method, keels)
-    given = {key: quantity(entry.value, "ratio", what=f"{where}: {key}") for key, entry in keys.coefficients.items()}
-    return Ship(
-        name=keys.name or (base.name if base else hull.name),
-        hull=hull,
-        loading=loading_of(where, hull, entries),
-        overrides={**(base.overrides if base else {}), **checked_values(f"{where}: coefficients", given)},
-        multipliers={
-            **(base.multipliers if base else {}),
-            **checked_values(f"{where}: multipliers", keys.multipliers),
-        },
-        linear=keys.linear or (base.linear if base else "default"),
-        drag_coefficient=_drag(where, keys, base),
-        velocity_scale=_velocity_scale(where, keys, base, hull),
-        provenance=notes,
-        measured=_measured(where, keys, base),
-        autopilot=_autopilot(where, keys, base),
-        rudder=_rudder(where, keys, base),
-        righting=keys.righting or (base.righting if base else "polynomial"),
-        velocities=keys.velocities or (base.velocities if base else "relative"),
-        roll_method=method,
-        bilge_keels=keels,
-        database=database,
-    )
+    entries = loading_entries(own_entries(keys), base_keys, base, hull)
+    loading = loading_of(where, hull, entries)
+    start = Ship(hull.name, hull, loading) if base is None else replace(base, hull=hull, loading=loading, database=None)
+    given = {
+        name: entry.value for name, entry in keys.told.items() if name not in (*DIMENSIONS, *LOADING, "loading_case")
+    }
+    given |= {"values": {name: entry.value for name, entry in keys.coefficients.items()}, "factors": keys.factors}
+    given |= {"measured": _measured(where, keys), "database": _database(where, keys, base)}
+    given |= {"roll_damping": entries["roll_damping"].value}
+    if keys.value("depth") is not None:
+        given["depth"] = dimension(where, keys, "depth", hull.length, hull.beam, hull.design_draught)
+    made = changed(start, given, where)
+    made = replace(made, provenance={**_notes(keys, base, entries, made), **keys.provenance})
+    return changed(made, {"loading_case": keys.value("loading_case")}, where)
 
 
-def _ends(where: str, keys: ShipKeys, base: Ship | None, database: Database | None) -> Ends:
-    """How the water at the ends is found: the file's own choice, or its base's."""
-    chosen = keys.ends or (base.hull.ends if base else "strips")
-    return checked_ends(where, chosen, None if database is None else database.name)
-
-
-def _autopilot(where: str, keys: ShipKeys, base: Ship | None) -> Autopilot | None:
-    """Autopilot of a ship: the file's own, or its base's."""
-    own = keys.autopilot
-    if own is None:
-        return base.autopilot if base else None
-    kinds: dict[str, Kind] = {"gain": "ratio", "rate_gain": "time", "lag": "time"}
-    values = {key: quantity(getattr(own, key), kind, what=f"{where}: autopilot, {key}") for key, kind in kinds.items()}
-    try:
-        return Autopilot(**values)
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
-
-
-def _rudder(where: str, keys: ShipKeys, base: Ship | None) -> Rudder | None:
-    """Rudder of a ship: the file's own, or its base's in proportion to the side of the hull."""
-    own = keys.rudder
-    if own is None:
-        return base.rudder if base else None
-    area = quantity(own.area.value, "area", what=f"{where}: rudder, area")
-    aspect = ASPECT if own.aspect is None else quantity(own.aspect.value, "ratio", what=f"{where}: rudder, aspect")
-    try:
-        return Rudder(area, aspect)
-    except InputError as error:
-        raise InputError(f"{where}: {error}") from None
-
-
-def _bilge_keels(where: str, keys: ShipKeys, base: Ship | None, hull: Hull) -> BilgeKeels | None:
-    """Bilge keels in metres."""
-    given = keys.bilge_keels
-    if given is None:
-        return base.bilge_keels if base else None
-    sizes = {"length": hull.length, "beam": hull.beam, "draught": hull.draught}
-    one, other = (
-        quantity(value, "length", what=f"{where}: bilge_keels, {key}", **sizes)
-        for key, value in (("length", given.length), ("breadth", given.breadth))
-    )
-    return checked_bilge_keels(where, hull.length, hull.beam, (one, other))
-
-
-def _measured(where: str, keys: ShipKeys, base: Ship | None) -> str | MeasuredFile | None:
+def _measured(where: str, keys: ShipKeys) -> str | MeasuredFile | None:
     """Measured set of a ship: a name, or a file seen from the folder of the ship file."""
-    if keys.measured is None:
-        return base.measured if base else None
-    if keys.measured == "none":
-        return None
+    if keys.measured is None or keys.measured == "none":
+        return keys.measured
     beside = Path(where).parent / keys.measured
     return measured_source(beside) if beside.is_file() else keys.measured
 
@@ -234,39 +188,35 @@ def _base(where: str, keys: ShipKeys) -> tuple[Ship | None, ShipKeys | None]:
     return _built_in(keys.base), _keys(LIBRARY / f"{keys.base}.yaml")
 
 
-def _notes(keys: ShipKeys, base: Ship | None, hull: Hull, entries: dict[str, Entry]) -> dict[str, str]:
+def _notes(keys: ShipKeys, base: Ship | None, entries: dict[str, Entry], made: Ship) -> dict[str, str]:
     """Where each value of a ship comes from."""
-    described = {**entries, **keys.coefficients}
-    described |= {
-        key: entry for key in ("drag_coefficient", "velocity_scale") if (entry := getattr(keys, key)) is not None
-    }
-    described |= {"rudder": keys.rudder.area} if keys.rudder else {}
+    told = {key: entry for key, entry in keys.told.items() if key not in LOADING and _noted(key)}
     notes = {
-        "lines": hull.source,
-        "drag_coefficient": f"assumed: {DRAG_COEFFICIENT}; usual for ship sections in cross-flow",
+        "lines": made.hull.source,
+        "drag_coefficient": f"assumed: {OPTIONS['drag_coefficient'].default}; usual for ship sections in cross-flow",
         "velocity_scale": "assumed: the cross-flow model's own default",
         **(base.provenance if base else {}),
-        **{key: f"{entry.status}: {entry.value}; {entry.source}" for key, entry in described.items()},
+        **{
+            key: f"{entry.status}: {_written(entry.value)}; {entry.source}"
+            for key, entry in {**entries, **keys.coefficients, **told}.items()
+        },
         "kg" if "gm" in entries else "gm": "derived: from KM of the lines",
     }
-    if base is not None and (hull.length, hull.beam) != (base.hull.length, base.hull.beam):
+    if "roll_period" in keys.told:
+        notes["gyradius_roll"] = made.provenance["gyradius_roll"]
+    if made.roll_method != "fraction":
+        notes["roll_damping"] = roll_damping_note(made.roll_method, made.bilge_keels)
+    if base is not None and (made.hull.length, made.hull.beam) != (base.hull.length, base.hull.beam):
         notes["dimensions"] = f"given: lines of {base.name} stretched to these dimensions"
-    return {**notes, **keys.provenance}
+    return notes
 
 
-def _drag(where: str, keys: ShipKeys, base: Ship | None) -> float:
-    if keys.drag_coefficient is None:
-        return base.drag_coefficient if base else DRAG_COEFFICIENT
-    value = quantity(keys.drag_coefficient.value, "ratio", what=f"{where}: drag_coefficient")
-    if value < 0:
-        raise InputError(f"{where}: drag_coefficient = {value:g}; it is 0 or more; try {DRAG_COEFFICIENT}")
-    return value
+def _noted(name: str) -> bool:
+    """Does a note of its source go with an option? Choices of method need none."""
+    one = OPTIONS[name]
+    return name not in ("name", "loadings", "loading_case", *DIMENSIONS) and one.kind not in ("word", "file")
 
 
-def _velocity_scale(where: str, keys: ShipKeys, base: Ship | None, hull: Hull) -> float | None:
-    if keys.velocity_scale is None:
-        return base.velocity_scale if base else None
-    value = quantity(keys.velocity_scale.value, "speed", length=hull.length, what=f"{where}: velocity_scale")
-    if value <= 0:
-        raise InputError(f"{where}: velocity_scale = {value:g} m/s; it is above 0; try 0.03 Fn, or leave it out")
-    return value
+def _written(value: Any) -> str:
+    """A value as a note gives it."""
+    return ", ".join(f"{key} {part}" for key, part in value.items()) if isinstance(value, Mapping) else str(value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal, cast
 
-from quartering.conventions import InputError
+from quartering.options import Refused
 
 RollMethod = Literal["fraction", "ikeda", "ikeda-simplified"]
 """Where added roll damping comes from: the loading's fraction of critical, Ikeda's components, or the regression on them."""
@@ -22,19 +22,11 @@ def roll_method(roll_damping: float | str) -> RollMethod:
 
     Parameters
     ----------
-    roll_damping : float or str    0.05, "5 %", "ikeda" or "ikeda-simplified"
+    roll_damping : float or str    0.05, "5 %", "ikeda" or "ikeda-simplified", which the table of options allows
 
     Returns
     -------
     str
-
-    Raises
-    ------
-    InputError    another word
-
-    Notes
-    -----
-    Source: the format of the ship file.
 
     Examples
     --------
@@ -44,10 +36,6 @@ def roll_method(roll_damping: float | str) -> RollMethod:
     word = roll_damping.strip() if isinstance(roll_damping, str) else ""
     if word in _WORDS:
         return cast(RollMethod, word)
-    if word[:1].isalpha():
-        raise InputError(
-            f'roll_damping "{word}" is given; allowed are a fraction of critical, such as 0.05, or {" or ".join(_WORDS)}'
-        )
     return "fraction"
 
 
@@ -83,7 +71,7 @@ def checked_bilge_keels(where: str, length: float, beam: float, keels: BilgeKeel
     ----------
     where : str              ship or file named in the message
     length, beam : float     of the ship [m]
-    keels : (float, float)   length and breadth of one of the pair [m]; (0, 0) for none
+    keels : (float, float)   length and breadth of one of the pair [m]; 0 for none
 
     Returns
     -------
@@ -102,11 +90,13 @@ def checked_bilge_keels(where: str, length: float, beam: float, keels: BilgeKeel
     >>> checked_bilge_keels("my ship", 120.0, 16.0, (30.0, 0.4))
     (30.0, 0.4)
     """
-    if keels == (0.0, 0.0):
+    if 0.0 in keels:
         return None
     if not (0 < keels[0] <= length and 0 < keels[1] <= _WIDEST * beam):
-        raise InputError(
-            f"{where}: bilge_keels, length {keels[0]:g} m and breadth {keels[1]:g} m; the length is above 0 and within the "
-            f"ship's {length:g} m, the breadth above 0 and below B/4; try {0.25 * length:.3g} m and {0.02 * beam:.2g} m"
+        raise Refused(
+            "bilge_keels",
+            f"bilge_keels, length {keels[0]:g} m and breadth {keels[1]:g} m; the length is above 0 and within the "
+            f"ship's {length:g} m, the breadth above 0 and below B/4; try {0.25 * length:.3g} m and {0.02 * beam:.2g} m",
+            where,
         )
     return keels

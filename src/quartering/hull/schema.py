@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
 
 from quartering.conventions import InputError
-from quartering.hull.choices import Ends, Linear, Righting, Sections, Velocities
 from quartering.hull.refusals import allowed, nearest_word, own_words
-from quartering.hull.roll_method import roll_method
-from quartering.hull.units import split_quantity
+from quartering.options import Option, line_of, options, parts, quoted
+from quartering.units import split_quantity
 
-_LONGEST_QUOTE = 60
+Lines = Mapping[tuple[str, ...], int]
+"""Keys of a file, the outermost first -> the line they stand on."""
 
 
 def _value(given: Any) -> Any:
@@ -25,13 +27,6 @@ def _entry(given: Any) -> Any:
     return given if isinstance(given, (dict, Entry)) else {"value": given}
 
 
-def _damping(given: Any) -> Any:
-    return given if roll_method(given) != "fraction" else _value(given)
-
-
-Value = Annotated[float | str, BeforeValidator(_value)]
-
-
 class _Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
@@ -39,36 +34,16 @@ class _Strict(BaseModel):
 class Entry(_Strict):
     """A value, with whether it is published, derived, assumed or given, and its source."""
 
-    value: Value
+    value: Any
     status: Literal["published", "derived", "assumed", "given"] = "given"
     source: str = "this file"
 
 
-Given = Annotated[Entry, BeforeValidator(_entry)]
+class _Number(Entry):
+    value: Annotated[float | str, BeforeValidator(_value)]
 
 
-class DampingEntry(Entry):
-    """A roll damping: a fraction of critical, or the name of a method."""
-
-    value: Annotated[float | str, BeforeValidator(_damping)]
-
-
-class LoadingKeys(_Strict):
-    """`loading:` gm or kg [m], gyradius_roll and gyradius_yaw [m], roll_damping [of critical], water_density [kg/m3]."""
-
-    gm: Given | None = None
-    kg: Given | None = None
-    gyradius_roll: Given | None = None
-    gyradius_yaw: Given | None = None
-    roll_damping: Annotated[DampingEntry, BeforeValidator(_entry)] | None = None
-    water_density: Given | None = None
-
-
-class BilgeKeelKeys(_Strict):
-    """`bilge_keels:` length and breadth of one of the pair [m]."""
-
-    length: Value
-    breadth: Value
+Given = Annotated[_Number, BeforeValidator(_entry)]
 
 
 class StationKeys(_Strict):
@@ -111,60 +86,59 @@ def _lines(given: Any) -> Any:
     return {"file": given} if isinstance(given, str) else given
 
 
-class AutopilotKeys(_Strict):
-    """`autopilot:` gain, rudder angle per angle off course [1]; rate_gain, per rate of turn [s]; lag of the gear [s]."""
-
-    gain: Value
-    rate_gain: Value = 0.0
-    lag: Value = 0.0
-
-
-class RudderKeys(_Strict):
-    """`rudder:` area of the blade [m2] and its aspect ratio, height over chord [1]."""
-
-    area: Given
-    aspect: Given | None = None
-
-
 class ShipKeys(_Strict):
-    """A ship file."""
+    """A ship file: its lines as they are written, and what else it tells, by option.
 
-    name: str | None = None
+    `told` holds every option of `quartering.options` the file gives a value of, groups as mappings.
+    """
+
     description: str | None = None
     base: str | None = None
     shape: Literal["offsets", "wigley", "box"] | None = None
-    length: Value | None = None
-    beam: Value | None = None
-    draught: Value | None = None
-    design_draught: Value | None = None
-    depth: Value | None = None
     offsets: OffsetKeys | None = None
     lines: Annotated[LinesKeys, BeforeValidator(_lines)] | None = None
-    loading: LoadingKeys = LoadingKeys()
     coefficients: dict[str, Given] = {}
-    multipliers: dict[str, float] = {}
-    linear: Linear | None = None
-    sections: Sections | None = None
-    ends: Ends | None = None
+    factors: dict[str, float] = {}
     measured: str | None = None
-    autopilot: AutopilotKeys | None = None
-    rudder: RudderKeys | None = None
-    righting: Righting | None = None
-    velocities: Velocities | None = None
     database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
-    bilge_keels: BilgeKeelKeys | None = None
-    drag_coefficient: Given | None = None
-    velocity_scale: Given | None = None
     provenance: dict[str, str] = {}
+    told: dict[str, Entry] = {}
+
+    def value(self, name: str) -> Any:
+        """What the file gives for an option; None where it gives nothing."""
+        entry = self.told.get(name)
+        return None if entry is None else entry.value
 
 
-def checked_keys(where: str, data: Any) -> ShipKeys:
+_OWN_KEYS = ("measured", "database")
+"""Options whose content has a form of its own."""
+_GROUPS: dict[str, type[_Strict]] = {
+    "offsets": OffsetKeys,
+    "stations": StationKeys,
+    "lines": LinesKeys,
+    "database": DatabaseKeys,
+}
+
+
+def file_keys() -> list[str]:
+    """Keys at the top of a ship file."""
+    own = [one.path[-1] for one in options(place="ship", group="")]
+    return ["base", "shape", "lines", "offsets", *own, "loading", "provenance", "description"]
+
+
+def loading_keys() -> list[str]:
+    """Keys of `loading:`."""
+    return [one.path[-1] for one in options(place="loading") if one.path[0] == "loading"]
+
+
+def checked_keys(where: str, data: Any, lines: Lines | None = None) -> ShipKeys:
     """The content of a ship file with its keys and types checked.
 
     Parameters
     ----------
-    where : str    file named in the message
-    data : Any     what the YAML holds
+    where : str        file named in the message
+    data : Any         what the YAML holds
+    lines : mapping    the line of each key, for messages
 
     Returns
     -------
@@ -172,25 +146,81 @@ def checked_keys(where: str, data: Any) -> ShipKeys:
 
     Raises
     ------
-    InputError    the first thing that is wrong: key, what was given, what is allowed, what to try
-
-    Notes
-    -----
-    Source: the format of the ship file.
+    InputError    the first thing that is wrong: line, key, what was given, what is allowed, what to try
 
     Examples
     --------
-    >>> checked_keys("my.yaml", {"base": "box", "length": "120 m"}).length
+    >>> checked_keys("my.yaml", {"base": "box", "length": "120 m"}).value("length")
     '120 m'
     """
     if not isinstance(data, dict):
         raise InputError(f"{where}: a ship file is a list of keys with values; start from `base: series60-cb60`")
+    lines = lines or {}
+    data, told = _parted(where, data, lines)
     try:
-        return ShipKeys.model_validate(data)
+        return ShipKeys.model_validate({**data, "told": told})
     except ValidationError as error:
         problems = error.errors()
         more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
-        raise InputError(f"{where}: {_sentence(problems[0], data)}{more}") from None
+        place = placed(where, lines, tuple(str(part) for part in problems[0]["loc"] if part != "told"))
+        raise InputError(f"{place}: {_sentence(problems[0], data)}{more}") from None
+
+
+def placed(where: str, lines: Lines, path: tuple[str, ...]) -> str:
+    """File and line of a key, or of the innermost one around it that is known."""
+    line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), None)
+    return where if line is None else f"{where}, line {line}"
+
+
+def _parted(where: str, data: dict[str, Any], lines: Lines) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The keys that describe lines, and the values of options by name."""
+    rest, told = dict(data), dict[str, Any]()
+    loading = rest.pop("loading", {})
+    if not isinstance(loading, dict):
+        raise InputError(
+            f"{placed(where, lines, ('loading',))}: loading: {quoted(loading)} is given; allowed: a group of keys: "
+            f"{', '.join(loading_keys())}"
+        )
+    for group, keys in ((loading, loading_keys()), (rest, file_keys())):
+        for key in group:
+            if key not in keys and key not in _ALSO:
+                path = ("loading", key) if group is loading else (str(key),)
+                raise InputError(f"{placed(where, lines, path)}: {_unknown(', '.join(map(str, path)), keys)}")
+    for one in options(group=""):
+        if one.place == "condition" or one.name in _OWN_KEYS:
+            continue
+        home = loading if one.place == "loading" else rest
+        found = [key for key in (one.path[-1], *one.also) if key in home]
+        if len(found) > 1:
+            place = placed(where, lines, (found[1],))
+            raise InputError(f"{place}: `{found[0]}` and `{found[1]}` are one thing; leave one out")
+        if not found or (value := home.pop(found[0])) is None:
+            continue
+        if one.kind == "coefficients":
+            rest[one.path[-1]] = value
+        else:
+            told[one.name] = _told(one, value)
+    return rest, told
+
+
+_ALSO = {key for one in options() for key in one.also}
+
+
+def _told(one: Option, value: Any) -> Any:
+    """A value with what is said of it; in a group the first part that says something speaks for all."""
+    if one.kind == "group" and isinstance(value, dict) and "value" not in value:
+        said = next((part for part in value.values() if isinstance(part, dict)), {})
+        plain = {
+            key: part["value"] if isinstance(part, dict) and "value" in part else part for key, part in value.items()
+        }
+        return {**said, "value": plain}
+    return {"value": value} if one.kind in ("group", "table") or not isinstance(value, dict) else value
+
+
+def _unknown(key: str, allowed: list[str]) -> str:
+    near = get_close_matches(key.rpartition(", ")[2], allowed, n=1, cutoff=0.5)
+    hint = f"did you mean `{near[0]}`? Keys" if near else "keys"
+    return f"key `{key}` is unknown; {hint} allowed here: {', '.join(allowed)}"
 
 
 def _sentence(problem: Any, data: dict[str, Any]) -> str:
@@ -199,10 +229,7 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     key, given = _path(location, data), quoted(problem["input"])
     kind, own = problem["type"], own_words(problem)
     if kind == "extra_forbidden":
-        keys = _keys_at(location)
-        near = get_close_matches(str(location[-1]), keys, n=1, cutoff=0.5)
-        hint = f"did you mean `{near[0]}`? Keys" if near else "keys"
-        return f"key `{key}` is unknown; {hint} allowed here: {', '.join(keys)}"
+        return _unknown(key, _keys_at(location))
     if kind == "missing":
         return f"key `{key}` is missing; keys allowed here: {', '.join(_keys_at(location))}"
     if own is not None:
@@ -214,28 +241,14 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     return f"{key}: {given} is given; allowed: {allowed(problem)}"
 
 
-def quoted(given: Any) -> str:
-    """What was given as a message repeats it: whole, or its beginning.
-
-    Notes
-    -----
-    Source: none; wording.
-
-    Examples
-    --------
-    >>> quoted("straight"), len(quoted([0.5] * 1000))
-    ("'straight'", 60)
-    """
-    text = repr(given)
-    return text if len(text) <= _LONGEST_QUOTE else f"{text[: _LONGEST_QUOTE - 3]}..."
-
-
 def _path(location: list[Any], data: dict[str, Any]) -> str:
     """Key path in words: `offsets, station 3 (x = 0.45), half_breadths 4`."""
     names = {"stations": "station", "half_breadths": "half_breadths, waterline", "heights": "heights, waterline"}
     words: list[str] = []
     here: Any = data
     for part in location:
+        if part == "told":
+            continue
         here = _step(here, part)
         if isinstance(part, int):
             x = f" (x = {here['x']})" if isinstance(here, dict) and "x" in here else ""
@@ -254,18 +267,51 @@ def _step(here: Any, part: Any) -> Any:
 
 def _keys_at(location: list[Any]) -> list[str]:
     """Keys allowed beside the last part of a location."""
-    groups: dict[str, type[_Strict]] = {
-        "loading": LoadingKeys,
-        "offsets": OffsetKeys,
-        "stations": StationKeys,
-        "lines": LinesKeys,
-        "autopilot": AutopilotKeys,
-        "rudder": RudderKeys,
-        "bilge_keels": BilgeKeelKeys,
-        "database": DatabaseKeys,
-    }
-    parents = [part for part in location[:-1] if isinstance(part, str)]
-    model: type[_Strict] = ShipKeys
-    for part in parents:
-        model = groups.get(part, Entry)
+    parents = [part for part in location[:-1] if isinstance(part, str) and part != "told"]
+    if not parents:
+        return file_keys()
+    model: type[_Strict] = _GROUPS.get(parents[-1], Entry)
     return list(model.model_fields)
+
+
+def ship_schema() -> str:
+    """JSON schema of the ship file, as shipped for editors.
+
+    Examples
+    --------
+    >>> sorted(json.loads(ship_schema())["properties"]["rudder"]["properties"])
+    ['area', 'aspect']
+    """
+    schema = ShipKeys.model_json_schema()
+    properties = {key: value for key, value in schema["properties"].items() if key != "told"}
+    loading: dict[str, Any] = {}
+    for one in options(group=""):
+        if one.place == "condition" or one.name in (*_OWN_KEYS, "values"):
+            continue
+        (loading if one.place == "loading" else properties).update(
+            dict.fromkeys((one.path[-1], *one.also), _schema_of(one))
+        )
+    properties["loading"] = {
+        "type": "object", "properties": loading, "additionalProperties": False, "description": "how the ship is loaded"
+    }  # fmt: skip
+    return json.dumps({**schema, "properties": properties}, indent=1, sort_keys=True) + "\n"
+
+
+def _schema_of(one: Option) -> dict[str, Any]:
+    """JSON schema of one option."""
+    about = {"description": line_of(one)}
+    if one.kind == "group":
+        inner = {key: _schema_of(part) for key, part in parts(one.name).items()}
+        return about | {"type": "object", "properties": inner, "additionalProperties": False}
+    if one.kind in ("coefficients", "table"):
+        return about | {"type": "object"}
+    if one.kind == "word":
+        return about | {"enum": list(one.words or ())}
+    if not one.numeric:
+        return about | {"type": "string"}
+    limits: dict[str, Any] = {"type": "number"}
+    if isinstance(one.low, (int, float)):
+        limits["exclusiveMinimum" if one.above else "minimum"] = one.low
+    if isinstance(one.high, (int, float)):
+        limits["maximum"] = one.high
+    return about | {"anyOf": [limits, {"type": "string"}, {"$ref": "#/$defs/_Number"}]}

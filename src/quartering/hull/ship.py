@@ -2,34 +2,22 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
-from typing import Literal
+from typing import Any, Unpack
 
-from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot, Rudder
-from quartering.hull.choices import (
-    Ends,
-    Linear,
-    Righting,
-    Sections,
-    Velocities,
-    checked_ends,
-    checked_linear,
-    checked_righting,
-    checked_sections,
-    checked_velocities,
-)
-from quartering.hull.loading import Loading, reloaded
-from quartering.hull.offsets import Hull, at_draught
-from quartering.hull.own_database import Database, database_of
-from quartering.hull.own_measured import MeasuredFile, measured_source
-from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
-from quartering.hull.units import quantity
-from quartering.names import checked_values
+from quartering.hull.changes import changed
+from quartering.hull.loading import Loading
+from quartering.hull.offsets import Hull
+from quartering.hull.option_types import Linear, Righting, ShipOptions, Velocities
+from quartering.hull.own_database import Database
+from quartering.hull.own_measured import MeasuredFile
+from quartering.hull.roll_method import BilgeKeels, RollMethod, roll_damping_note
+from quartering.options import OPTIONS, checked, described, option, signature
+from quartering.units import Sizes
 
 __all__ = [
     "DRAG_COEFFICIENT",
@@ -65,6 +53,7 @@ class Ship:
     bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
     database : Database or None              own coefficients and wave forces in place of strip theory
     velocities : str                         lift acts on the velocity "relative" to the water, or "absolute", as in the paper
+    particulars : mapping of str to value    what else is known of it, by option: depth, openings, windage, ..
     """
 
     name: str
@@ -84,49 +73,20 @@ class Ship:
     bilge_keels: BilgeKeels | None = None
     database: Database | None = None
     velocities: Velocities = "relative"
+    particulars: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for mapping in ("overrides", "multipliers", "provenance"):
+        for mapping in ("overrides", "multipliers", "provenance", "particulars"):
             object.__setattr__(self, mapping, MappingProxyType(dict(getattr(self, mapping))))
 
-    def with_(
-        self,
-        *,
-        gm: float | str | None = None,
-        kg: float | str | None = None,
-        gyradius_roll: float | str | None = None,
-        gyradius_yaw: float | str | None = None,
-        draught: float | str | None = None,
-        roll_damping: float | str | None = None,
-        linear: Linear | None = None,
-        sections: Sections | None = None,
-        ends: Ends | None = None,
-        coefficients: Mapping[str, float] | None = None,
-        measured: str | Path | None = None,
-        autopilot: Autopilot | Literal["none"] | None = None,
-        righting: Righting | None = None,
-        bilge_keels: tuple[float | str, float | str] | None = None,
-        database: Database | str | Path | None = None,
-        velocities: Velocities | None = None,
-    ) -> Ship:
-        """The same ship with some values changed.
+    def with_(self, **given: Unpack[ShipOptions]) -> Ship:
+        """The same ship with some options changed.
+
+        Numbers are SI and degrees, or text with a unit: "5.1 m", "0.38 B", "15kn".  What is not given stays.
 
         Parameters
         ----------
-        gm, kg : float or str                          one of the two; the other follows from KM [m, or "0.05 B"]
-        gyradius_roll, gyradius_yaw : float or str     [m, or "0.38 B"]
-        draught : float or str                         another waterline of the same lines; G stays unless given [m]
-        roll_damping : float or str                    fraction of critical, 0 or more; or "ikeda", "ikeda-simplified"
-        linear : str                                   "default" or "strip"
-        sections : str                                 how section coefficients are found: "auto", "lewis" or "close-fit"
-        ends : str                                     "strips", or "three-dimensional": with the water's way round them
-        coefficients : mapping of str to float         factors by name, times those already there
-        measured : str or Path                         measured manoeuvring set, by name or file; "none" goes without
-        autopilot : Autopilot                          that keeps the course; "none" goes without
-        righting : str                                 "polynomial" or "spline"
-        bilge_keels : (float or str, float or str)     length and breadth of one of the pair, for "ikeda" [m]; (0, 0): none
-        database : Database, str or Path               own coefficients and wave forces: a file; "none" goes without
-        velocities : str                               "relative" (to the water) or "absolute" (the paper's equations)
+        **given    options of `quartering.options`, as `ShipOptions` lists them
 
         Returns
         -------
@@ -134,55 +94,64 @@ class Ship:
 
         Raises
         ------
-        InputError    GM not above 0, a radius not above 0, draught outside the lines, unknown coefficient name or choice, NaN
+        InputError    an unknown option, a value out of its range: what was given, the range, what to try
 
         Notes
         -----
-        KG = KM - GM.  Source: [Lewis88] ch. 2.
+        KG = KM - GM.  ``factors`` multiply, and times those already there; ``values`` give, in place of an estimate and of
+        factors given before.  Source: [Lewis88] ch. 2.
 
         Examples
         --------
-        >>> stiff = ship("series60-cb60").with_(gm=1.2, gyradius_roll="0.38 B", coefficients={"K_ppp": 0.5})
+        >>> stiff = ship("series60-cb60").with_(gm=1.2, gyradius_roll="0.38 B", factors={"K_ppp": 0.5})
         >>> stiff.loading.gm, round(stiff.loading.gyradius_roll, 4), stiff.multipliers["K_ppp"]
         (1.2, 6.1773, 0.5)
         """
-        hull = self.hull if draught is None else at_draught(self.hull, self._length("draught", draught))
-        if self.database is not None and database is None and not math.isclose(hull.draught, self.hull.draught):
-            raise InputError(
-                f"{self.name}: {self.database.name} is of draught {self.hull.draught:g} m, and {hull.draught:g} m is asked "
-                'for; give the database of that draught too, or database="none"'
-            )
-        if sections is not None:
-            hull = replace(hull, section_method=checked_sections(self.name, sections))
-        own_database = self.database if database is None else _database(self.name, database)
-        called = None if own_database is None else own_database.name
-        chosen = checked_ends(self.name, ends or hull.ends, called)
-        if chosen != hull.ends:  # the same hull is solved once
-            hull = replace(hull, ends=chosen)
-        given = {"gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw}
-        lengths = {key: self._length(key, value) for key, value in given.items() if value is not None}
-        loading = reloaded(self.name, hull, self.loading, roll_damping=roll_damping, **lengths)
-        method = self.roll_method if roll_damping is None else roll_method(roll_damping)
-        keels = self.bilge_keels
-        if bilge_keels is not None:
-            length, breadth = (self._length("bilge_keels", value) for value in bilge_keels)
-            keels = checked_bilge_keels(self.name, hull.length, hull.beam, (length, breadth))
-        notes = self._changes(loading, {*lengths, "roll_damping"}) | self._change_of_damping(method, keels)
-        return replace(
-            self,
-            hull=hull,
-            loading=loading,
-            linear=checked_linear(self.name, linear or self.linear),
-            multipliers=_multiplied(self.multipliers, checked_values(self.name, coefficients or {})),
-            provenance={**self.provenance, **notes},
-            measured=self.measured if measured is None else None if measured == "none" else measured_source(measured),
-            autopilot=self.autopilot if autopilot is None else None if autopilot == "none" else autopilot,
-            righting=checked_righting(self.name, righting or self.righting),
-            roll_method=method,
-            bilge_keels=keels,
-            database=own_database,
-            velocities=checked_velocities(self.name, velocities or self.velocities),
-        )
+        return changed(self, given)
+
+    @property
+    def sizes(self) -> Sizes:
+        """What L, B and T stand for [m]."""
+        return Sizes(self.hull.length, self.hull.beam, self.hull.draught)
+
+    def value(self, name: str) -> Any:
+        """What the ship has for an option.
+
+        Parameters
+        ----------
+        name : str    of `quartering.options`
+
+        Returns
+        -------
+        float, str or record    in SI or degrees; the default of an option that was not given, None where there is none
+
+        Raises
+        ------
+        InputError    no such option
+
+        Examples
+        --------
+        >>> box = ship("box").with_(openings="40 deg")
+        >>> box.value("openings"), box.value("gyradius_pitch"), box.value("draught"), box.value("windage")
+        (40.0, 25.0, 5.0, None)
+        """
+        one = option(name)
+        if one.group:
+            whole = self.value(one.group)
+            if whole is None:
+                return None
+            key = one.path[-1]
+            if isinstance(whole, tuple):
+                return whole[[other.name for other in OPTIONS.values() if other.group == one.group].index(name)]
+            return whole[key] if isinstance(whole, Mapping) else getattr(whole, key)
+        if one.home:
+            found: Any = self
+            for part in one.home.split("."):
+                found = getattr(found, part)
+            return found
+        if name in self.particulars:
+            return self.particulars[name]
+        return None if one.default is None else checked(one, one.default, self.name, self.sizes)
 
     @property
     def radiation_words(self) -> str:
@@ -197,34 +166,14 @@ class Ship:
             return f"{self.loading.roll_damping:.3g} of critical"
         return roll_damping_note(self.roll_method, self.bilge_keels).partition(": ")[2]
 
-    def _changes(self, loading: Loading, given: set[str]) -> dict[str, str]:
-        """What to say of the values in which another loading differs, given ones and those that follow."""
-        keys = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
-        changed = [key for key in keys if not math.isclose(getattr(self.loading, key), getattr(loading, key))]
-        return {key: f"{'given' if key in given else 'derived'}: changed from the ship's own" for key in changed}
-
-    def _change_of_damping(self, method: RollMethod, keels: BilgeKeels | None) -> dict[str, str]:
-        """What to say of roll damping by another method, or with other keels."""
-        if method != "fraction" and (method, keels) != (self.roll_method, self.bilge_keels):
-            return {"roll_damping": roll_damping_note(method, keels)}
-        return {"roll_damping": "given: changed from the ship's own"} if method != self.roll_method else {}
-
-    def _length(self, key: str, value: float | str) -> float:
-        hull = self.hull
-        return quantity(
-            value, "length", length=hull.length, beam=hull.beam, draught=hull.draught, what=f"{self.name}: {key}"
-        )
+    def __repr__(self) -> str:
+        """Name, size and loading in a line."""
+        hull, load = self.hull, self.loading
+        return f"<Ship {self.name}: L {hull.length:.5g} B {hull.beam:.4g} T {hull.draught:.4g} m, GM {load.gm:.4g} m>"
 
 
-def _database(name: str, given: Database | str | Path) -> Database | None:
-    if isinstance(given, Database):
-        return given
-    return None if given == "none" else database_of(given, name)
-
-
-def _multiplied(own: Mapping[str, float], factors: Mapping[str, float]) -> dict[str, float]:
-    """Multipliers after further ones: a factor of 1 changes nothing."""
-    return dict(own) | {name: factor * own.get(name, 1.0) for name, factor in factors.items()}
+Ship.with_.__signature__ = signature()  # type: ignore[attr-defined]
+Ship.with_.__doc__ = described(Ship.with_.__doc__)
 
 
 def ship(name_or_path: str | Path) -> Ship:

@@ -16,6 +16,7 @@ from quartering.hull.righting import righting_polynomial, righting_spline
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline
+from quartering.hull.told import numbers
 from quartering.hydro.coefficient_sources import Kind, coefficient_sources
 from quartering.hydro.coefficient_table import BODY_NAMES, Coefficients, rigid_inertia
 from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
@@ -74,6 +75,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     >>> c.inertia.shape, bool((c.linear[:, 0, 0] < 0).all())
     ((2, 3, 3), True)
     """
+    speed = numbers(ship, "speed", speed)
     omega, u = (np.array(q) for q in np.broadcast_arrays(*(np.atleast_1d(_number(q)) for q in (frequency, speed))))
     if not (np.isfinite(omega).all() and np.isfinite(u).all() and (u >= 0).all()):
         raise InputError("frequency and speed must be finite, and speed >= 0 m/s; heading tells the direction")

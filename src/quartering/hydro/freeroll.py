@@ -16,6 +16,7 @@ from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.integrals import moment_matrix
 from quartering.hydro.own_moments import ship_moments
+from quartering.options import Refused
 
 
 def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], highest: float) -> float:
@@ -108,3 +109,63 @@ def free_roll(ship: Ship) -> FreeRoll:
 
     n2 = natural_roll_frequency(floating.mass * GRAVITY * loading.gm, felt_in_roll, 2 * moments.highest)
     return FreeRoll(n2, float(total(n2)[1, 1]))
+
+
+def gyradius_of_period(ship: Ship, period: float, where: str | None = None) -> float:
+    """Radius of gyration in roll with which a ship rolls freely at a period.
+
+    Parameters
+    ----------
+    ship : Ship       whose own radius of gyration in roll plays no part
+    period : float    natural roll period [s]
+    where : str       ship or file named in the message
+
+    Returns
+    -------
+    float             k_xx, without added mass [m]
+
+    Raises
+    ------
+    Refused           a period so short that the water alone is slower, one that no frequency of the section table reaches, or
+                      one that asks for a radius above two beams
+
+    Notes
+    -----
+    The inverse of `free_roll`.  With w = 2 pi / T, added mass A(w) and rigid mass diag(m, m k^2, m k_zz^2), sway and yaw free:
+    w^2 / (M^-1)_22 = rho g V GM, and 1/(M^-1)_22 = M_22 - c^T S^-1 c with S the sway-yaw block and c the coupling, so
+    m k^2 = rho g V GM / w^2 - A_22 + c^T S^-1 c: no iteration.  Source: [H71] equations (3) and (8).
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> one = ship("series60-cb60")
+    >>> own = gyradius_of_period(one, 2 * math.pi / free_roll(one).frequency)
+    >>> abs(own / one.loading.gyradius_roll - 1) < 1e-9
+    True
+    """
+    loading, floating = ship.loading, hydrostatics(ship)
+    moments, frequency = ship_moments(ship), 2.0 * math.pi / period
+    name = ship.name if where is None else where
+    if not frequency < 2 * moments.highest:
+        shortest = math.pi / moments.highest
+        raise Refused(
+            "roll_period",
+            f"roll_period = {period:g}; it is above {shortest:.3g} s for this hull; is the unit right?",
+            name,
+        )
+    added = moment_matrix(moments.at(frequency).about(floating.lcb, loading.kg - ship.hull.draught).a)
+    total = np.asarray(floating.mass * np.diag([1.0, 0.0, loading.gyradius_yaw**2]) + added)
+    across, along, others = total[1, [0, 2]], total[[0, 2], 1], total[np.ix_([0, 2], [0, 2])]
+    felt = floating.mass * GRAVITY * loading.gm / frequency**2
+    squared = (felt - total[1, 1] + across @ np.linalg.solve(others, along)) / floating.mass
+    beam = ship.hull.beam
+    if not 0.0 < squared <= (2.0 * beam) ** 2:
+        radius = f"it asks for a radius of gyration of {math.sqrt(abs(squared)) / beam:.3g} B, at most 2 B"
+        radius = radius if squared > 0 else "the water alone rolls slower, whatever the radius of gyration"
+        usual = 2 * math.pi * math.sqrt(0.4**2 * beam**2 / (GRAVITY * loading.gm))
+        raise Refused(
+            "roll_period",
+            f"roll_period = {period:g}; at GM = {loading.gm:.4g} m {radius}; try {usual:.3g} s",
+            name,
+        )
+    return math.sqrt(squared)

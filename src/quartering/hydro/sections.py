@@ -10,7 +10,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import WATER_DENSITY, InputError, RangeWarning
-from quartering.hull.choices import Sections
+from quartering.hull.option_types import Sections
 from quartering.hull.section import Floats, Section
 from quartering.hydro.closefit import close_fit
 from quartering.hydro.lewis import LewisForms, area_coefficient_limits, lewis_forms

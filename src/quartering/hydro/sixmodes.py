@@ -14,6 +14,7 @@ from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
+from quartering.hull.told import number
 from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.heave import heave_sections
 from quartering.hydro.hull_table import hull_table, section_references, section_words
@@ -33,7 +34,7 @@ Sections = tuple[Floats, Floats]
 def hydrodynamics6(
     ship: Ship,
     frequency: ArrayLike,
-    speed: float = 0.0,
+    speed: float | str = 0.0,
     *,
     reference: Reference | tuple[float, float] = "G",
     low_frequency: Terms = "cap",
@@ -77,6 +78,7 @@ def hydrodynamics6(
     >>> ds.added_mass.shape, bool((ds.damping[0] == ds.damping[1]).all())
     ((2, 6, 6), True)
     """
+    speed = number(ship, "speed", speed)
     omega = np.atleast_1d(np.asarray(frequency, dtype=float))
     _check(omega, speed, low_frequency, axes, surge)
     hull, density, immersed = ship.hull, ship.loading.density, strips(ship.hull)

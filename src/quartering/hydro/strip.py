@@ -25,6 +25,7 @@ from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
+from quartering.hull.told import number
 from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.hull_table import hull_table, section_references, section_words
 from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments
@@ -181,7 +182,7 @@ def frequency_floor(beam: float) -> float:
 
 
 def hydrodynamics(
-    ship: Ship, frequency: ArrayLike, speed: float = 0.0, *, low_frequency: LowFrequency = "cap"
+    ship: Ship, frequency: ArrayLike, speed: float | str = 0.0, *, low_frequency: LowFrequency = "cap"
 ) -> xr.Dataset:
     """Added mass and damping of a ship in sway, roll and yaw over frequency, about G in body axes.
 
@@ -214,6 +215,7 @@ def hydrodynamics(
     >>> ds.added_mass.dims, bool(ds.added_mass[0, 0, 0] > 0)
     (('frequency', 'mode', 'mode_of_motion'), True)
     """
+    speed = number(ship, "speed", speed)
     omega = np.atleast_1d(np.asarray(frequency, dtype=float))
     if omega.ndim != 1 or not (np.isfinite(omega).all() and (omega >= 0).all()):
         raise InputError("frequency must be one list of numbers >= 0 rad/s; fold a negative one to |omega|")

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.cache import remembered
 from quartering.conventions import GRAVITY, InputError
 from quartering.digest import fingerprint, source_digest
-from quartering.hull.choices import Sections
+from quartering.hull.option_types import Sections
 from quartering.hull.section import Floats
 from quartering.hull.strips import Strips
 from quartering.hydro.closefit import close_fit, close_fit_limits

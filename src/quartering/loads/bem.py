@@ -22,6 +22,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.mesh import hull_panels
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
+from quartering.hull.told import numbers
 
 PANELS: Final = (40, 12)
 """Panels along the ship and from keel to waterline on each side, unless given."""
@@ -74,6 +75,7 @@ def bem_forces(
     >>> forces.total.dims                                                                      # doctest: +SKIP
     ('wave_length', 'heading', 'part', 'mode')
     """
+    wave_lengths, headings = numbers(ship, "wave_length", wave_lengths), numbers(ship, "heading", headings)
     length = np.atleast_1d(np.asarray(wave_lengths, dtype=float))
     mu = np.atleast_1d(np.asarray(headings, dtype=float))
     if length.ndim != 1 or not (np.isfinite(length).all() and (length > 0).all()):

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, SYMBOLS, InputError
 from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
+from quartering.hull.told import number, numbers
 from quartering.hydro.moments import section_table
 from quartering.loads.database_forces import database_force_phasors
 from quartering.loads.forces import FORMS, Form, keeps_speed_terms, relative_phasors, wave_force_phasors
@@ -37,7 +38,7 @@ def compare_forces(
     ship: Ship,
     wave_lengths: ArrayLike,
     headings: ArrayLike,
-    speed: float = 0.0,
+    speed: float | str = 0.0,
     *,
     bem: xr.Dataset | None = None,
 ) -> xr.Dataset:
@@ -78,6 +79,8 @@ def compare_forces(
     >>> found.force.dims, float(found.largest_difference.sel(form="stf").max())
     (('form', 'wave_length', 'heading', 'part', 'mode'), 0.0)
     """
+    speed = number(ship, "speed", speed)
+    wave_lengths, headings = numbers(ship, "wave_length", wave_lengths), numbers(ship, "heading", headings)
     length, mu = (np.atleast_1d(np.asarray(v, dtype=float)) for v in (wave_lengths, headings))
     if length.ndim != 1 or not (np.isfinite(length).all() and (length > 0).all()):
         raise InputError(f"wave_lengths {wave_lengths!r} must be a list of lengths above 0 m")

@@ -34,6 +34,7 @@ from quartering.loads.waves import Floats, Phasors, Wave, encounter_frequency, f
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
+from quartering.hull.told import numbers
 
 Form = Literal["paper", "paper-corrected", "relative-motion", "stf"]
 
@@ -277,7 +278,7 @@ def wave_forces(
     >>> forces["total"].dims, forces["froude_krylov"].sel(heading=0.0, mode="sway", part="cos").item() == 0.0
     (('heading', 'part', 'mode'), True)
     """
-    U, mu = np.asarray(speed, dtype=float), np.asarray(heading, dtype=float)
+    U, mu = numbers(ship, "speed", speed), numbers(ship, "heading", heading)
     if U.ndim > 1 or mu.ndim > 1:
         raise InputError(
             f"speed of shape {U.shape} and heading of shape {mu.shape} given; each may be a number or a list"

@@ -8,6 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, InputError
+from quartering.hull.ship import Ship
+from quartering.hull.told import number
+from quartering.options import Refused
+from quartering.units import wave_length_of
 
 Floats = NDArray[np.float64]
 Phasors = NDArray[np.complex128]
@@ -16,18 +20,21 @@ STEEPEST = 1.0 / 7.0
 """Largest height over length a deep-water wave keeps without breaking (Stokes, rounded) [1]."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Wave:
     """One regular wave on deep water.
 
     Parameters
     ----------
-    length : float    lambda > 0 [m]
-    height : float    H >= 0, crest to trough [m]
+    length : float or str    lambda > 0 [m], or text with a unit: "150 m"; "1.2L" with a `ship`
+    height : float or str    H >= 0, crest to trough [m], or text with a unit
+    period : float or str    seen from a fixed point, in place of the length [s]
+    ship : Ship              whose L, B and T are meant by text; the wave itself does not depend on it
 
     Raises
     ------
-    InputError    length not positive, height negative, either not a number, or the wave steeper than 1/7
+    InputError    length not above 0, height negative, either not a number, both or neither of length and period, a unit of a
+                  ship where none is given, or the wave steeper than 1/7
 
     Notes
     -----
@@ -38,18 +45,38 @@ class Wave:
     >>> wave = Wave(length=150.0, height=4.0)
     >>> wave.amplitude, round(wave.wavenumber, 5), round(wave.frequency, 4), round(wave.steepness, 4)
     (2.0, 0.04189, 0.641, 0.0267)
+    >>> round(Wave(period="10 s", height="4 m").length, 2)
+    156.13
     """
 
     length: float
     height: float
 
-    def __post_init__(self) -> None:
-        if not (np.isfinite(self.length) and self.length > 0):
-            raise InputError(f"wave length {self.length:g} m given; it must be a positive number of metres, e.g. 150")
-        if not (np.isfinite(self.height) and self.height >= 0):
+    def __init__(
+        self,
+        length: float | str | None = None,
+        height: float | str | None = None,
+        *,
+        period: float | str | None = None,
+        ship: Ship | None = None,
+    ) -> None:
+        if (length is None) == (period is None):
+            both = "are both given; one follows from the other, leave one out" if length is not None else "are missing"
             raise InputError(
-                f"wave height {self.height:g} m given; it must be zero or positive metres, crest to trough"
+                f"wave_length and wave_period {both}; give one of the two, such as length=150 or period=9.8"
             )
+        if height is None:
+            raise InputError("wave_height is missing; give it crest to trough, such as height=4")
+        try:
+            if length is not None:
+                metres = number(ship, "wave_length", length)
+            else:
+                metres = wave_length_of(number(ship, "wave_period", period or 0.0))
+            object.__setattr__(self, "length", metres)
+            object.__setattr__(self, "height", number(ship, "wave_height", height))
+        except Refused as error:
+            more = "" if ship is not None or "of a ship" not in str(error) else ": give Wave(.., ship=ship)"
+            raise Refused(error.option, error.words + more) from None
         if self.steepness > STEEPEST:
             raise InputError(
                 f"wave of height {self.height:g} m on length {self.length:g} m has steepness {self.steepness:.3g}; "

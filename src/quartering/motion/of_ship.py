@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
+from quartering.hull.told import condition
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
@@ -199,7 +200,7 @@ def ship_system(
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
 
 
-def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form = "stf") -> Model:
+def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, form: Form = "stf") -> Model:
     """Equations of motion of a ship in one regular wave.
 
     Parameters
@@ -234,6 +235,7 @@ def equations(ship: Ship, wave: Wave, speed: float, heading: float, form: Form =
     >>> round(model.frequency, 3)
     0.369
     """
+    speed, heading = condition(ship, speed, heading)
     warn_of_conditions(ship, speed, wave.length)
     one = (np.array([wave.wavenumber]), np.array([float(speed)]), np.array([float(heading)]))
     at = ship_system(ship, *one, form=form)

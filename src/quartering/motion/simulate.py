@@ -13,6 +13,7 @@ from quartering.hull.autopilot import Autopilot
 from quartering.motion.equations import Floats, Model
 from quartering.motion.polynomial import accelerations
 from quartering.motion.steering import HEADING, RUDDER, steer
+from quartering.units import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -121,7 +122,7 @@ def _rudder_angle(autopilot: Autopilot, states: Floats) -> Floats:
 
 def simulate(
     model: Model,
-    duration: float,
+    duration: float | str,
     state0: Sequence[float] = (0.0, 0.0, 0.0, 0.0),
     step: float | None = None,
     tolerance: float = 1e-9,
@@ -131,7 +132,7 @@ def simulate(
     Parameters
     ----------
     model : Model
-    duration : float       [s]
+    duration : float       [s], or text with a unit: "5min"
     state0 : (4,) float    v [m/s], phi [rad], p, r [rad/s] at time 0; with an autopilot psi and, with a lag, delta may follow
                            [rad], 0 when left out
     step : float           between output samples [s]; by default 1/60 of the wave's period
@@ -159,6 +160,7 @@ def simulate(
     >>> trace["roll"].values.round(4).tolist()
     [5.7296, -5.7296, 5.7296]
     """
+    duration = quantity(duration, "time", what="duration")
     import xarray as xr
 
     interval = 2 * np.pi / model.frequency / 60 if step is None else step

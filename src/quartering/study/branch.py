@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from quartering.hull.righting import vanishing_angle
 from quartering.hull.ship import Ship
+from quartering.hull.told import condition
 from quartering.loads.waves import Wave
 from quartering.motion.branch import Curve, Family, follow_branch, start_of_branch, within
 from quartering.motion.equations import Floats, Model
@@ -20,7 +21,7 @@ from quartering.motion.subharmonic import columns
 from quartering.motion.switching import doubled, leaning, strength
 from quartering.stability.ahead import announce_compilation
 from quartering.study.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
-from quartering.study.family import family, parameter_attributes
+from quartering.study.family import Limits, family, parameter_attributes
 from quartering.threads import small_matrices
 
 _MOST_BRANCHES = 12
@@ -40,11 +41,11 @@ def branch(
     ship_or_model: Ship | Model,
     over: str = "frequency",
     *,
-    limits: tuple[float, float] | None = None,
+    limits: Limits = None,
     harmonics: int = 9,
     wave: Wave | None = None,
-    speed: float = 0.0,
-    heading: float = 90.0,
+    speed: float | str = 0.0,
+    heading: float | str = 90.0,
     points: int = 2000,
 ) -> xr.Dataset:
     """Follow the periodic motions over one parameter through their folds and onto every branch that leaves them.
@@ -55,7 +56,8 @@ def branch(
     over : str                       "frequency" [rad/s] or "excitation" (share of the wave force), coefficients held; the name
                                      of a term, as a multiplier; for a ship also "speed" [m/s], "heading" [deg],
                                      "wave_length", "wave_height" [m], or a loading value such as "gm" [m]
-    limits : (low, high)             of the parameter; by default 0.5 to 1.5 times its value (0 to 2 for an excitation)
+    limits : (low, high)             of the parameter, or text with a unit; by default 0.5 to 1.5 times its value (0 to 2 for
+                                     an excitation)
     harmonics : int                  highest harmonic of the wave's frequency, odd
     wave, speed, heading             of a ship [m/s, deg]
     points : int                     of one curve, at the most
@@ -93,6 +95,7 @@ def branch(
     >>> curve["frequency"][curve["event"] == "fold"].values.round(2).tolist()
     [1.26, 1.1]
     """
+    speed, heading = condition(ship_or_model if isinstance(ship_or_model, Ship) else None, speed, heading)
     announce_compilation()
     low, high, at = family(ship_or_model, over, limits, wave, speed, heading)
     with small_matrices():

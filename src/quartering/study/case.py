@@ -7,29 +7,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from quartering.conventions import InputError
+from quartering.hull.changes import COEFFICIENTS, changed
 from quartering.hull.refusals import allowed, nearest_word, own_words
-from quartering.hull.schema import quoted
 from quartering.hull.ship import Ship, ship
-from quartering.hull.units import Kind
 from quartering.hull.yaml_text import key_lines, parsed, read_text
 from quartering.names import checked_values
+from quartering.options import OPTIONS, Option, Refused, quoted
 from quartering.study.case_keys import Case, LoadingAxes, Values
-from quartering.study.case_values import checked_headings, range_values, single_value, steepness
+from quartering.study.case_values import values_of
 from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid, axis, grid
 from quartering.study.loadings import CHOICE_AXES
-
-_KINDS: Final[dict[str, Kind]] = {
-    "speed": "speed", "heading": "angle", "wave_length": "length", "wave_height": "length", STEEPNESS: "ratio",
-    "gm": "length", "kg": "length", "gyradius_roll": "length", "gyradius_yaw": "length", "draught": "length",
-    "roll_damping": "ratio", "bilge_keel_length": "length", "bilge_keel_breadth": "length",
-}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -100,34 +94,35 @@ def case_grid(path: str | Path) -> Grid:
     (4, 3, 37, 20, 3)
     """
     case, place, text = _read(path)
-    own = _ship(case.ship, Path(path), place)
+    own = _ship(case, Path(path), place)
     axes = {
-        name: _values(place, (name,), given, _KINDS[name], own)
-        for name in (*CONDITION_AXES, STEEPNESS)
+        name: _values(place, (name,), given, OPTIONS[name], own)
+        for name in (*CONDITION_AXES, "wave_period", STEEPNESS)
         if (given := getattr(case, name)) is not None
     }
-    try:
-        checked_headings(axes["heading"].tolist(), "heading")
-    except InputError as error:
-        raise place.says(("heading",), str(error)) from None
     loading = {
-        name: axis(name, value) if name in CHOICE_AXES else _values(place, ("loading", name), value, _KINDS[name], own)
+        name: _values(place, ("loading", name), value, OPTIONS[name], own)
         for name, value in case.loading
         if value is not None
     }
-    factors = {
-        name: _values(place, ("coefficients", name), value, "ratio", own) for name, value in case.coefficients.items()
-    }
-    for name, values in factors.items():
-        try:
-            checked_values(own.name, {name: float(values[0])})
-        except InputError as error:
-            raise place.says(("coefficients", name), str(error)) from None
+    factors, values = (
+        {name: _values(place, (key, name), given, _COEFFICIENT, own) for name, given in getattr(case, key).items()}
+        for key in ("factors", "values")
+    )
+    for key, columns in (("factors", factors), ("values", values)):
+        for name, column in columns.items():
+            try:
+                checked_values(own.name, {name: float(column[0])})
+            except InputError as error:
+                raise place.says((key, name), str(error)) from None
     try:
-        made = grid(own, **axes, harmonics=case.harmonics, form=case.form, **loading, **factors)
+        made = grid(own, **axes, harmonics=case.harmonics, form=case.form, factors=factors, values=values, **loading)
     except InputError as error:
         raise place.says(_blamed(str(error), place), str(error)) from None
     return Grid(made.ship, made.axes, made.loadings, made.harmonics, made.form, text)
+
+
+_COEFFICIENT = Option("coefficient", "ratio", "factor on a coefficient, or its value")
 
 
 def case_schema() -> str:
@@ -140,7 +135,7 @@ def case_schema() -> str:
     Examples
     --------
     >>> json.loads(case_schema())["required"]
-    ['ship', 'speed', 'heading', 'wave_length']
+    ['ship', 'speed', 'heading']
     """
     return json.dumps(Case.model_json_schema(), indent=1, sort_keys=True) + "\n"
 
@@ -150,7 +145,7 @@ def _read(path: str | Path) -> tuple[Case, _Place, str]:
     content = parsed(text, Path(path))
     place = _Place(str(path), key_lines(text))
     if not isinstance(content, dict):
-        raise place.says((), f"a case is a list of keys with values: {', '.join(Case.model_fields)}")
+        raise place.says((), f"a case is a list of keys with values: {', '.join(_keys(Case))}")
     if "ship" not in content and ("base" in content or "lines" in content):
         raise place.says(
             (), f"this is a ship file; a case names it: `ship: {Path(path).name}`; `quartering new --case` writes one"
@@ -170,8 +165,10 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     keys: tuple[str, ...] = tuple(
         part for part in path if part in _allowed_everywhere() or part in content or part in content.get("loading", {})
     )
+    if path == ("coefficients",):
+        raise place.says(path, COEFFICIENTS)
     if problem["type"] == "extra_forbidden":
-        known = list((LoadingAxes if path[0] == "loading" else Case).model_fields)
+        known = _keys(LoadingAxes if path[0] == "loading" else Case)
         nearest = get_close_matches(path[-1], known, n=1, cutoff=0.0)[0]
         return place.says(
             path, f"key `{path[-1]}` is unknown; did you mean `{nearest}`? Keys allowed here: {', '.join(known)}"
@@ -186,34 +183,36 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     return place.says(keys, f"{key}: {quoted(problem['input'])} is given; allowed: {allowed(problem)}")
 
 
+def _keys(of: type[BaseModel]) -> list[str]:
+    return [field.alias or name for name, field in of.model_fields.items()]
+
+
 def _allowed_everywhere() -> set[str]:
-    return {*Case.model_fields, *LoadingAxes.model_fields}
+    return {*_keys(Case), *_keys(LoadingAxes)}
 
 
-def _values(place: _Place, path: tuple[str, ...], given: Values, kind: Kind, own: Ship) -> NDArray[np.float64]:
+def _values(place: _Place, path: tuple[str, ...], given: Values, one: Option, own: Ship) -> NDArray[np.float64]:
     """Values of one axis in SI, degrees or 1."""
-    items = given if isinstance(given, list) else [given]
-    if not items:
-        raise place.says(path, f"{path[-1]}: the list is empty; give at least one value")
-    found: list[float] = []
-    for item in items:
-        try:
-            found += (
-                range_values(item, kind, own, path[-1])
-                if isinstance(item, str) and ".." in item
-                else [steepness(item, STEEPNESS) if path == (STEEPNESS,) else single_value(item, kind, own, path[-1])]
-            )
-        except InputError as error:
-            raise place.says(path, str(error)) from None
-    return np.array(found)
+    try:
+        return axis(one.name, given) if one.name in CHOICE_AXES else np.array(values_of(one, given, own))
+    except InputError as error:
+        raise place.says(path, str(error)) from None
 
 
-def _ship(name: str, path: Path, place: _Place) -> Ship:
+def _ship(case: Case, path: Path, place: _Place) -> Ship:
+    """The ship a case names, with the options it changes."""
+    name = case.ship
     beside = path.parent / name
     try:
-        return ship(beside if beside.suffix in (".yaml", ".yml") and beside.exists() else name)
+        own = ship(beside if beside.suffix in (".yaml", ".yml") and beside.exists() else name)
     except InputError as error:
         raise place.says(("ship",), str(error)) from None
+    try:
+        return changed(own, case.changes)
+    except Refused as error:
+        raise place.says(("with", error.option), f"with, {error.words}") from None
+    except InputError as error:
+        raise place.says(("with",), str(error)) from None
 
 
 def _blamed(message: str, place: _Place) -> tuple[str, ...]:

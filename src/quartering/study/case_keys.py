@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 
-from quartering.hull.choices import Velocities
 from quartering.loads.forces import Form
 from quartering.motion.harmonic import MOST_HARMONICS
+from quartering.options import OPTIONS, choice_axes, line_of, loading_axes
 
 
 def _no_switch(given: Any) -> Any:
@@ -29,32 +29,33 @@ class _Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
-class LoadingAxes(_Strict):
-    """Values of the loading; every combination is computed."""
-
-    gm: Values | None = Field(default=None, description="metacentric height [m, B]; gm or kg, not both")
-    kg: Values | None = Field(default=None, description="height of G over the keel [m, B]")
-    gyradius_roll: Values | None = Field(default=None, description="k_xx [m, B]")
-    gyradius_yaw: Values | None = Field(default=None, description="k_zz [m, L]")
-    roll_damping: Values | None = Field(default=None, description="added roll damping, fraction of critical [1, %]")
-    draught: Values | None = Field(default=None, description="[m, T]")
-    bilge_keel_length: Values | None = Field(
-        default=None,
-        description="of one of the pair [m, L]; in place of roll_damping: with keels it is by Ikeda's components",
-    )
-    bilge_keel_breadth: Values | None = Field(default=None, description="of one of the pair [m, B]; 0 is no keel")
-    velocities: Velocities | list[Velocities] | None = Field(
-        default=None, description="velocity that lift acts on: relative to the water, or absolute, as in the paper"
+if TYPE_CHECKING:
+    LoadingAxes = _Strict
+else:  # the axes are those of the table of options
+    LoadingAxes = create_model(
+        "LoadingAxes",
+        __base__=_Strict,
+        __doc__="Values of the loading; every combination is computed.",
+        **{
+            name: (Values | None, Field(default=None, description=line_of(OPTIONS[name])))
+            for name in (*loading_axes(), *choice_axes())
+        },
     )
 
 
 class Case(_Strict):
     """A study: a ship and every combination of conditions and loadings."""
 
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, populate_by_name=True)
+
     ship: str = Field(description="name of a built-in ship, or path of a ship file beside this one")
+    changes: dict[str, Any] = Field(
+        default={}, alias="with", description="other options of the ship, as ship.with_ takes them: {linear: strip}"
+    )
     speed: Values = Field(description="forward speed [m/s, kn, Fn], from 0")
     heading: Values = Field(description="0 following, 90 beam, 180 head sea [deg]")
-    wave_length: Values = Field(description="[m, L]")
+    wave_length: Values | None = Field(default=None, description="[m, L], or a period [s]; or give wave_period")
+    wave_period: Values | None = Field(default=None, description="of the wave seen from a fixed point [s]")
     wave_height: Values | None = Field(
         default=None, description="crest to trough [m]; at most a seventh of the wave length; or give steepness"
     )
@@ -63,9 +64,8 @@ class Case(_Strict):
         description="wave height over wave length, 0.02, 2 % or 1/50, for all lengths alike; or give wave_height",
     )
     loading: LoadingAxes = Field(default=LoadingAxes(), description="values of the loading to vary")
-    coefficients: dict[str, Values] = Field(
-        default={}, description="multipliers of coefficients by name, such as K_ppp"
-    )
+    factors: dict[str, Values] = Field(default={}, description="factors on coefficients by name, such as K_ppp")
+    values: dict[str, Values] = Field(default={}, description="values of coefficients by name, in SI about G")
     harmonics: int = Field(
         default=1, ge=1, description=f"of the steady motion: 1 is the paper's method; 3, 5, 7, .. {MOST_HARMONICS}"
     )

@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 
 from quartering.conventions import InputError, RangeWarning, in_unit, written
 from quartering.hull.ship import Ship
+from quartering.hull.told import condition
 from quartering.loads.waves import Wave
 from quartering.study.conditions import evaluate
 from quartering.study.loadings import LOADING_AXES, loaded, own_value
@@ -58,8 +59,8 @@ class Cure:
 def cures(
     ship: Ship,
     wave: Wave,
-    speed: float,
-    heading: float,
+    speed: float | str,
+    heading: float | str,
     *,
     parameters: Sequence[str] = CURES,
     margin: float = 0.0,
@@ -93,11 +94,12 @@ def cures(
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> restless = ship("series60-cb60").with_(coefficients={"K_prr": -60})
+    >>> restless = ship("series60-cb60").with_(factors={"K_prr": -60})
     >>> found = cures(restless, Wave(121.92, 4.0), 8.6, 30.0, parameters=["K_prr", "roll_damping"])
     >>> [one.parameter for one in found]
     ['K_prr', 'roll_damping']
     """
+    speed, heading = condition(ship, speed, heading)
     if not margin >= 0:
         raise InputError(f"margin = {margin} 1/s; give zero or a rate by which disturbances must die out")
 

@@ -17,10 +17,12 @@ from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, form_words
 from quartering.motion.status import Status
+from quartering.names import unit
+from quartering.options import OPTIONS
 from quartering.stability.first_order import RESONANCES
 from quartering.stability.kind import Kind
 from quartering.study.conditions import RESULTS
-from quartering.study.loadings import CHOICE_AXES
+from quartering.study.loadings import CHOICE_AXES, VALUE
 
 EXTRA_DIMS = {
     "q": ("resonance",),
@@ -112,6 +114,12 @@ def attributes(name: str) -> dict[str, object]:
     ('deg', 'stable')
     """
     symbol = SYMBOLS.get(name)
+    one = OPTIONS.get(name)
+    if symbol is None and one is not None:
+        return {"units": one.unit or "1", "long_name": one.text, "symbol": one.symbol}
+    if symbol is None and name.endswith(VALUE):
+        own = name.removesuffix(VALUE)
+        return {"units": unit(own), "long_name": f"value of {own}", "symbol": own}
     if symbol is None:
         return {"units": "1", "long_name": f"multiplier of {name}", "symbol": name}
     known: dict[str, object] = {"units": symbol.unit, "long_name": symbol.meaning, "symbol": symbol.symbol}

@@ -9,6 +9,7 @@ import xarray as xr
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
+from quartering.hull.told import condition
 from quartering.loads.waves import Wave
 from quartering.motion.arclength import Equations, Path, corrected, follow
 from quartering.motion.batch import apart, joined
@@ -21,7 +22,7 @@ from quartering.stability.assessment import assess
 from quartering.study.border import STEP, Border
 from quartering.study.branch import lines_of, references_of, steepest_of
 from quartering.study.dataset import attributes
-from quartering.study.family import Parameters, along, parameter_attributes, parameters
+from quartering.study.family import Limits, Parameters, along, parameter_attributes, parameters
 from quartering.threads import alone, small_matrices, spread
 
 _SCAN = 5
@@ -41,11 +42,11 @@ def edge(
     ship_or_model: Ship | Model,
     over: tuple[str, str] = ("wave_height", "heading"),
     *,
-    limits: tuple[tuple[float, float] | None, tuple[float, float] | None] = (None, None),
+    limits: tuple[Limits, Limits] = (None, None),
     harmonics: int = 9,
     wave: Wave | None = None,
-    speed: float = 0.0,
-    heading: float = 90.0,
+    speed: float | str = 0.0,
+    heading: float | str = 90.0,
     points: int = 400,
 ) -> xr.Dataset:
     """Follow the edge of stability itself through the plane of two parameters.
@@ -89,6 +90,7 @@ def edge(
     >>> round(float(ds["frequency"].min()), 3), set(ds["kind"].values.tolist())
     (1.035, {'fold'})
     """
+    speed, heading = condition(ship_or_model if isinstance(ship_or_model, Ship) else None, speed, heading)
     if over[0] == over[1]:
         raise InputError(f"over={over!r}: give two different parameters")
     announce_compilation()

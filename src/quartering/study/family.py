@@ -19,10 +19,14 @@ from quartering.motion.branch import Family
 from quartering.motion.equations import PER_CONDITION, Floats, Model, System
 from quartering.motion.of_ship import equations, ship_system
 from quartering.motion.terms import parse
+from quartering.options import OPTIONS, checked
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import LOADING_AXES, loaded, own_value
+from quartering.units import NO_SHIP
 
+Limits = tuple[float | str, float | str] | None
+"""The two ends of a parameter, numbers or text with a unit; None for the usual ones."""
 _NODES, _NODES_OF_LOADING = 65, 17
 _UNITS = {"frequency": "rad/s", "excitation": "1"}
 
@@ -40,7 +44,7 @@ class Parameters(NamedTuple):
 def parameters(
     ship_or_model: Ship | Model,
     over: Sequence[str],
-    limits: Sequence[tuple[float, float] | None],
+    limits: Sequence[Limits],
     wave: Wave | None,
     speed: float,
     heading: float,
@@ -84,6 +88,7 @@ def parameters(
         if name not in own:
             _check_term(model, name, of_ship)
         centre = own.get(name, 1.0)
+        pair = _in_unit(ship_or_model, name, pair)
         low, high = pair or ((0.0, 2.0) if name == "excitation" else (0.5 * centre, 1.5 * centre))
         if not (np.isfinite(low) and np.isfinite(high) and 0 <= low < high) or (name == "frequency" and low == 0):
             raise InputError(
@@ -99,10 +104,19 @@ def parameters(
     return Parameters(tuple(over), np.array([own.get(name, 1.0) for name in over]), low_ends, high_ends, systems)
 
 
+def _in_unit(of: Ship | Model, name: str, pair: Limits) -> tuple[float, float] | None:
+    """Limits in the unit of the parameter; text needs a name that is an option."""
+    if pair is None or name not in OPTIONS:
+        return pair  # type: ignore[return-value]  # of a term they are numbers, and refused below otherwise
+    one, sizes = OPTIONS[name], of.sizes if isinstance(of, Ship) else NO_SHIP
+    low, high = (checked(one, end, "limits", sizes) if isinstance(end, str) else end for end in pair)
+    return float(low), float(high)
+
+
 def family(
     ship_or_model: Ship | Model,
     over: str,
-    limits: tuple[float, float] | None,
+    limits: Limits,
     wave: Wave | None,
     speed: float,
     heading: float,

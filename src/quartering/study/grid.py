@@ -14,11 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
 from quartering.digest import fingerprint
+from quartering.hull.changes import COEFFICIENTS, check_twice
 from quartering.hull.ship import Ship
 from quartering.loads.forces import FORMS, Form
-from quartering.loads.waves import STEEPEST, Wave
+from quartering.loads.waves import Wave
 from quartering.motion.harmonic import checked_harmonics
-from quartering.study.loadings import CHOICE_AXES, base_of, coded, loaded
+from quartering.options import OPTIONS, Refused, checked
+from quartering.study.case_values import values_of
+from quartering.study.loadings import CHOICE_AXES, VALUE, base_of, coded, loaded
+from quartering.units import wave_length_of
 
 Floats = NDArray[np.float64]
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
@@ -163,12 +167,15 @@ def grid(
     ship: Ship,
     speed: ArrayLike,
     heading: ArrayLike,
-    wave_length: ArrayLike,
+    wave_length: ArrayLike | None = None,
     wave_height: ArrayLike | None = None,
     *,
+    wave_period: ArrayLike | None = None,
     steepness: ArrayLike | None = None,
     harmonics: int = 1,
     form: Form = "stf",
+    factors: Mapping[str, ArrayLike] | None = None,
+    values: Mapping[str, ArrayLike] | None = None,
     **axes: ArrayLike,
 ) -> Grid:
     """All combinations of conditions and loadings, checked.
@@ -176,11 +183,12 @@ def grid(
     Parameters
     ----------
     ship : Ship
-    speed, heading, wave_length, wave_height : (n,) float    [m/s, deg, m, m]
+    speed, heading, wave_length, wave_height : (n,) float    [m/s, deg, m, m], or text with a unit
+    wave_period : (n,) float                                 in place of wave_length [s]
     steepness : (n,) float                                   H/lambda, in place of wave_height [1]
     harmonics, form                                          as in `sweep`
-    **axes : (l,) float                                      loading values or multipliers of coefficients by name;
-                                                             velocities: words
+    factors, values : mapping of str to (l,) float           factors on coefficients, and values of them, by name
+    **axes : (l,) float                                      loading values, or factors on coefficients, by name
 
     Returns
     -------
@@ -198,17 +206,15 @@ def grid(
     >>> some.count, some.shape, len(some.blocks)
     (8, (2, 1, 2, 1, 2), 1)
     """
-    conditions = dict(zip(CONDITION_AXES[:3], (speed, heading, wave_length), strict=True)) | _sea(
-        wave_height, steepness
-    )
-    own = {name: axis(name, values) for name, values in conditions.items()}
+    conditions: dict[str, ArrayLike] = {"speed": speed, "heading": heading}
+    conditions |= {"wave_length": _lengths(wave_length, wave_period, ship)} | _sea(wave_height, steepness)
+    own = {name: axis(name, given, ship) for name, given in conditions.items()}
     _check_conditions(own)
     checked_harmonics(harmonics)
     if form not in get_args(Form):
         raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
-    extra = {name: axis(name, values) for name, values in axes.items()}
-    if "gm" in extra and "kg" in extra:
-        raise InputError("gm and kg are both given; one follows from the other, leave one out")
+    extra = {name: axis(name, given, ship) for name, given in _extra(axes, factors, values).items()}
+    check_twice(extra, "")
     ship = base_of(ship, extra)
     _check_count({**own, **extra})
     combined = np.array(list(product(*extra.values())), dtype=float).reshape(
@@ -220,13 +226,42 @@ def grid(
     return made
 
 
-def axis(name: str, values: ArrayLike) -> Floats:
+def _lengths(wave_length: ArrayLike | None, wave_period: ArrayLike | None, ship: Ship) -> ArrayLike:
+    """Wave lengths, from periods where those are given."""
+    if (wave_length is None) == (wave_period is None):
+        both = (
+            "are two ways to say one thing; leave one out"
+            if wave_length is not None
+            else "are missing; give one of the two"
+        )
+        raise InputError(f"wave_length and wave_period {both}")
+    if wave_period is None:
+        return wave_length if wave_length is not None else ()
+    return [wave_length_of(period) for period in axis("wave_period", wave_period, ship).tolist()]
+
+
+def _extra(
+    axes: Mapping[str, ArrayLike], factors: Mapping[str, ArrayLike] | None, values: Mapping[str, ArrayLike] | None
+) -> dict[str, ArrayLike]:
+    """Every axis beside the conditions by one name: of the loading, factors on coefficients, values of them."""
+    if "coefficients" in axes:
+        raise Refused("coefficients", COEFFICIENTS)
+    found = dict(axes)
+    for name, given in (factors or {}).items():
+        if name in found:
+            raise InputError(f"{name} is given twice, by its name and in factors; leave one out")
+        found[name] = given
+    return found | {f"{name}{VALUE}": given for name, given in (values or {}).items()}
+
+
+def axis(name: str, values: ArrayLike, ship: Ship | None = None) -> Floats:
     """Values of one axis as a checked, flat array.
 
     Parameters
     ----------
-    name : str             for the message
-    values : (n,) float
+    name : str             of an option, or for the message
+    values : (n,) float    numbers; with a ship also text with a unit, or a range "0..18 kn step 1"
+    ship : Ship            whose L, B and T are meant
 
     Returns
     -------
@@ -234,24 +269,36 @@ def axis(name: str, values: ArrayLike) -> Floats:
 
     Raises
     ------
-    InputError             empty, or not finite numbers
+    InputError             empty, not finite numbers, or out of the range of the option
 
     Examples
     --------
     >>> axis("speed", 7.5).tolist()
     [7.5]
     """
+    given: Any = values
+    one = OPTIONS.get(name)
     if name in CHOICE_AXES:
-        values = [coded(name, value) for value in np.atleast_1d(np.asarray(values)).tolist()]
+        given = [coded(name, value) for value in np.atleast_1d(np.asarray(values)).tolist()]
+        ship = None
+    if ship is not None and one is not None and _has_text(given):
+        return np.array(values_of(one, given, ship))
     try:
-        array = np.atleast_1d(np.array(values, dtype=float))
+        array = np.atleast_1d(np.array(given, dtype=float))
     except (TypeError, ValueError):
         raise InputError(f"{name} = {values!r} is not a number or a list of numbers; try [0, 5, 10]") from None
     if array.ndim != 1 or array.size == 0:
         raise InputError(f"{name} needs at least one value in a flat list; given shape {array.shape}")
     if not np.isfinite(array).all():
         raise InputError(f"{name} has a value that is not a finite number: {array[~np.isfinite(array)][0]}")
+    if one is not None and one.numeric and ship is not None:
+        for end in (array.min(), array.max()):
+            checked(one, float(end), "", ship.sizes)
     return array
+
+
+def _has_text(values: Any) -> bool:
+    return isinstance(values, str) or (isinstance(values, (list, tuple)) and any(isinstance(v, str) for v in values))
 
 
 def _sea(wave_height: ArrayLike | None, steepness: ArrayLike | None) -> dict[str, ArrayLike]:
@@ -278,17 +325,8 @@ def _check_count(axes: Mapping[str, Floats]) -> None:
 
 
 def _check_conditions(axes: Mapping[str, Floats]) -> None:
-    """Refuse waves that cannot be, by building the extreme ones, and speeds astern."""
+    """Refuse waves that cannot be, by building the extreme ones."""
     shortest = float(axes["wave_length"].min())
-    wrong = [one for one in axes.get(STEEPNESS, ()) if not 0 <= one <= STEEPEST]
-    if wrong:
-        raise InputError(
-            f"steepness = {wrong[0]:.4g}; wave height over wave length is from 0 to 1/7 = 0.143, where a wave breaks; try 0.02"
-        )
     heights = axes.get("wave_height", np.zeros(1))
     for height in (heights.max(), heights.min()):
         Wave(length=shortest, height=float(height))
-    if axes["speed"].min() < 0:
-        raise InputError(
-            f"speed = {axes['speed'].min():g} m/s is negative; give speeds from 0, heading tells the direction"
-        )

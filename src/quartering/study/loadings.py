@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
-from difflib import get_close_matches
-from typing import Any, Final, get_args
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError
-from quartering.hull.choices import Velocities
+from quartering.hull.changes import changed
 from quartering.hull.ship import Ship
 from quartering.hydro.freeroll import free_roll
 from quartering.hydro.own_moments import check_frequencies
+from quartering.options import OPTIONS, checked, choice_axes, loading_axes
 
 KEEL_AXES = ("bilge_keel_length", "bilge_keel_breadth")
-CHOICE_AXES: Final[dict[str, tuple[str, ...]]] = {"velocities": get_args(Velocities)}
+LOADING_AXES = loading_axes()
+CHOICE_AXES: Final = choice_axes()
 """Axes of words; their values are the places of the words, as flags."""
-LOADING_AXES = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping", "draught", *KEEL_AXES)
+VALUE: Final = "_value"
+"""What the name of a coefficient ends with where values of it are given, not factors on it: K_ppp_value."""
 
 
 def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
@@ -28,8 +31,9 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     ----------
     ship : Ship
     values : mapping of str to float    gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; bilge_keel_length,
-                                        bilge_keel_breadth [m], which a ship without keels needs both of, 0 for none; a word of
-                                        `CHOICE_AXES` by its place; the others multiply the coefficient of that name
+                                        bilge_keel_breadth [m], which a ship without keels needs both of, 0 for none, and the
+                                        other axes of `quartering.options`, a word by its place; K_ppp
+                                        multiplies that coefficient, K_ppp_value gives it
 
     Returns
     -------
@@ -50,21 +54,21 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     """
     if not values:
         return ship
-    own: dict[str, Any] = {n: value for n, value in values.items() if n in LOADING_AXES and n not in KEEL_AXES}
+    own: dict[str, Any] = {name: v for name, v in values.items() if name in LOADING_AXES and name not in KEEL_AXES}
     own |= {name: words[int(values[name])] for name, words in CHOICE_AXES.items() if name in values}
-    multipliers = {name: value for name, value in values.items() if name not in (*LOADING_AXES, *CHOICE_AXES)}
+    own["values"] = {name.removesuffix(VALUE): v for name, v in values.items() if name.endswith(VALUE)}
+    known = (*LOADING_AXES, *CHOICE_AXES)
+    own["factors"] = {n: v for n, v in values.items() if n not in known and not n.endswith(VALUE)}
     keels = {name: values[name] for name in KEEL_AXES if name in values}
     if not keels:
-        return _known_roll(ship.with_(**own, coefficients=multipliers))
+        return _known_roll(changed(ship, own))
     if "roll_damping" in own:
         raise InputError(
             "roll_damping as a fraction of critical stands for the bilge keels too, and bilge_keel_length and "
             "bilge_keel_breadth are given beside it; leave out the one or the others"
         )
     method = "ikeda" if ship.roll_method == "fraction" else ship.roll_method
-    sizes = _keels(ship, keels)
-    made = ship.with_(**own, roll_damping=method, bilge_keels=sizes, coefficients=multipliers)
-    return _known_roll(made)
+    return _known_roll(changed(ship, own | {"roll_damping": method, "bilge_keels": _keels(ship, keels)}))
 
 
 def coded(name: str, value: Any) -> Any:
@@ -91,10 +95,9 @@ def coded(name: str, value: Any) -> Any:
     if name not in CHOICE_AXES:
         return value
     words = CHOICE_AXES[name]
-    if value in (*words, *range(len(words))):
-        return words.index(value) if isinstance(value, str) else value
-    near = get_close_matches(str(value).lower(), words, n=1, cutoff=0.0)[0]
-    raise InputError(f'{name} = {value!r}; did you mean "{near}"? Allowed are {", ".join(words)}')
+    if not isinstance(value, str) and value in range(len(words)):
+        return value
+    return words.index(checked(OPTIONS[name], value))
 
 
 def _known_roll(ship: Ship) -> Ship:
@@ -156,7 +159,8 @@ def own_value(ship: Ship, name: str) -> float:
 
     Returns
     -------
-    float         [m], or a fraction of critical; 0 for keels a ship does not have; 1 for a coefficient
+    float         in the unit of the option; 0 for what a ship does not have; 1 for a factor on a coefficient, NaN for a
+                  value of one that was not given
 
     Examples
     --------
@@ -164,10 +168,13 @@ def own_value(ship: Ship, name: str) -> float:
     >>> own_value(ship("wigley"), "draught"), own_value(ship("wigley"), "K_ppp")
     (6.25, 1.0)
     """
-    if name == "draught":
-        return ship.hull.draught
-    if name in KEEL_AXES:
-        return (ship.bilge_keels or (0.0, 0.0))[KEEL_AXES.index(name)]
+    if name == "roll_period":
+        return 2.0 * math.pi / free_roll(ship).frequency
+    if name.endswith(VALUE):
+        return ship.overrides.get(name.removesuffix(VALUE), math.nan)
     if name in CHOICE_AXES:
-        return float(CHOICE_AXES[name].index(getattr(ship, name)))
-    return float(getattr(ship.loading, name)) if name in LOADING_AXES else 1.0
+        return float(CHOICE_AXES[name].index(ship.value(name)))
+    if name not in LOADING_AXES:
+        return 1.0
+    value = ship.value(name)
+    return 0.0 if value is None else float(value)

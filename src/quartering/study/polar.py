@@ -65,8 +65,8 @@ def polar(
     if lengths.size == 0 or (np.diff(lengths) == 0).any():
         raise InputError("polar needs at least one wave, and each wave length once; use sweep for several heights")
     speed, heading = (
-        axis("speeds", speeds),
-        axis("headings", np.arange(0.0, 181.0, 5.0) if headings is None else headings),
+        axis("speed", speeds, ship),
+        axis("heading", np.arange(0.0, 181.0, 5.0) if headings is None else headings, ship),
     )
     u, mu, length = (a.ravel() for a in np.meshgrid(speed, heading, lengths, indexing="ij"))
     height = np.tile([one.height for one in waves], speed.size * heading.size)[:, None]

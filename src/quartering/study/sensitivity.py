@@ -12,6 +12,7 @@ import xarray as xr
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
+from quartering.hull.told import condition
 from quartering.loads.lift import ship_water_velocity
 from quartering.loads.waves import Wave
 from quartering.motion.batch import joined
@@ -52,7 +53,7 @@ class Row(NamedTuple):
     method: str
 
 
-def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmonics: int = 3) -> xr.Dataset:
+def sensitivity(ship: Ship, wave: Wave, speed: float | str, heading: float | str, *, harmonics: int = 3) -> xr.Dataset:
     """Derivatives of amplitudes, K2, index and leading Floquet exponent by every coefficient and design value.
 
     Parameters
@@ -91,6 +92,7 @@ def sensitivity(ship: Ship, wave: Wave, speed: float, heading: float, *, harmoni
     >>> bool(ds["roll"].sel(parameter="wave_height") > 0)
     True
     """
+    speed, heading = condition(ship, speed, heading)
     if harmonics < 3:
         raise InputError(f"harmonics={harmonics}: sensitivities are of harmonic balance; give 3, 5, 7, ...")
     model = equations(ship, wave, speed, heading)

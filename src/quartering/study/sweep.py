@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Unpack
 
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from quartering.hull.option_types import StudyAxes
 from quartering.hull.righting import righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
@@ -27,28 +28,33 @@ from quartering.study.store import Store, begun_block_size, block_counts, open_s
 
 def sweep(
     ship: Ship,
-    speed: ArrayLike,
-    heading: ArrayLike,
-    wave_length: ArrayLike,
-    wave_height: ArrayLike | None = None,
+    speed: ArrayLike | str,
+    heading: ArrayLike | str,
+    wave_length: ArrayLike | str | None = None,
+    wave_height: ArrayLike | str | None = None,
     *,
-    steepness: ArrayLike | None = None,
+    wave_period: ArrayLike | str | None = None,
+    steepness: ArrayLike | str | None = None,
     harmonics: int = 1,
     form: Form = "stf",
     progress: Callable[[int, int], None] | None = None,
     store: str | Path | None = None,
     cluster: str | None = None,
-    **axes: ArrayLike,
+    factors: Mapping[str, ArrayLike] | None = None,
+    values: Mapping[str, ArrayLike] | None = None,
+    **axes: Unpack[StudyAxes],
 ) -> xr.Dataset:
     """Response and stability over a grid of conditions and loadings.
 
     Parameters
     ----------
     ship : Ship
-    speed : (u,) float          [m/s]
+    speed : (u,) float          [m/s]; here and below numbers, text with a unit ("15kn", ["0.8L", "1.2L"]) or a range
+                                ("0..18 kn step 1")
     heading : (h,) float        [deg]
     wave_length : (w,) float    [m]
     wave_height : (a,) float    crest to trough [m]
+    wave_period : (w,) float    in place of wave_length [s]
     steepness : (a,) float      H/lambda, in place of wave_height: the waves of all lengths are as steep [1]
     harmonics : int             of the steady motion: 1 is the paper's method
     form : str                  of the diffraction force
@@ -56,9 +62,10 @@ def sweep(
     store : str or Path         folder the results are put in block by block, for studies larger than memory or longer than
                                 patience: a second call with the same case computes only what is missing
     cluster : str, optional     "local:4" or "tcp://host:8786": computed by worker processes; by default by threads
-    **axes : (l,) float         loading values (gm, kg, gyradius_roll, gyradius_yaw [m], roll_damping, draught,
-                                bilge_keel_length, bilge_keel_breadth [m]) or multipliers of coefficients by name
-                                (K_ppp=[0.5, 1, 2]); every combination is one "loading"
+    factors, values : mapping   by coefficient: factors on it, or values in its place, one or several; an axis each
+    **axes : (l,) float         values of the ship (`StudyAxes` lists them: gm, kg, gyradius_roll, roll_period, draught, ..),
+                                and, in short, factors on coefficients by name (K_ppp=[0.5, 1, 2]); every combination is one
+                                "loading"
 
     Returns
     -------
@@ -83,8 +90,9 @@ def sweep(
     (2, ('loading', 'speed', 'heading', 'wave_length', 'wave_height'))
     """
     wanted = grid(
-        ship, speed, heading, wave_length, wave_height, steepness=steepness, harmonics=harmonics, form=form, **axes
-    )
+        ship, speed, heading, wave_length, wave_height, wave_period=wave_period, steepness=steepness, harmonics=harmonics,
+        form=form, factors=factors, values=values, **axes,
+    )  # fmt: skip
 
     def told(done: int, _: Counter[str]) -> None:
         if progress is not None:

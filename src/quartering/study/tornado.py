@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from quartering.conventions import InputError, RangeWarning
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.ship import Ship
+from quartering.hull.told import condition
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.equations import Model
@@ -41,8 +42,8 @@ _STEPS = 6
 def tornado(
     ship: Ship,
     wave: Wave,
-    speed: float,
-    heading: float,
+    speed: float | str,
+    heading: float | str,
     *,
     change: float = 0.1,
     parameters: Sequence[str] | None = None,
@@ -88,6 +89,7 @@ def tornado(
     >>> ds["roll"].dims, str(ds["parameter"].values[0])
     (('parameter', 'side'), 'gm')
     """
+    speed, heading = condition(ship, speed, heading)
     if not 0 < change < 1:
         raise InputError(f"change = {change:g}; give a relative change above 0 and below 1, such as 0.1")
     own = _own_values(ship, equations(ship, wave, speed, heading), parameters)

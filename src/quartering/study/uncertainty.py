@@ -13,13 +13,13 @@ from scipy.special import ndtri
 from scipy.stats import qmc
 
 from quartering.conventions import InputError
-from quartering.hull.units import quantity
 from quartering.stability.kind import Kind
 from quartering.study.dataset import attributes, heading_of, plain_attributes
 from quartering.study.executor import computed, reached
 from quartering.study.grid import Grid
 from quartering.study.loadings import own_value
 from quartering.study.result import coordinates_of
+from quartering.units import quantity
 
 REPEATS = 8
 """Independent sets of draws, whose scatter is the sampling error."""

@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning, written
 from quartering.hull.ship import Ship
+from quartering.hull.told import condition
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.names import canonical
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES, axis
-from quartering.study.loadings import LOADING_AXES, own_value
+from quartering.study.loadings import LOADING_AXES, VALUE, own_value
 from quartering.study.sweep import sweep
 
 Floats = NDArray[np.float64]
@@ -30,8 +31,8 @@ ACCURACY: Final = float(_POINTS - 1) ** -_ROUNDS
 def vary(
     ship: Ship,
     wave: Wave,
-    speed: float,
-    heading: float,
+    speed: float | str,
+    heading: float | str,
     parameters: Mapping[str, ArrayLike],
     *,
     harmonics: int = 1,
@@ -74,7 +75,8 @@ def vary(
     >>> ds["roll"].dims, ds["flip"].size
     (('gm',), 0)
     """
-    wanted = _checked(parameters)
+    speed, heading = condition(ship, speed, heading)
+    wanted = _checked(ship, parameters)
     conditions = dict(zip(CONDITION_AXES, (speed, heading, wave.length, wave.height), strict=True))
 
     def over(values: Mapping[str, Floats], told: Callable[[int, int], None] | None = None) -> xr.Dataset:
@@ -140,18 +142,18 @@ def refined_flips(at: Callable[[Floats], Ints], values: Floats, kinds: ArrayLike
     return found
 
 
-def _checked(parameters: Mapping[str, ArrayLike]) -> dict[str, Floats]:
+def _checked(ship: Ship, parameters: Mapping[str, ArrayLike]) -> dict[str, Floats]:
     """Parameters by the names the grid knows, their values ascending."""
     if not 1 <= len(parameters) <= 2:
         given = ", ".join(parameters) or "none"
         raise InputError(f"one or two parameters can be varied at a time, {given} given; for more axes use sweep")
     wanted: dict[str, Floats] = {}
     for given_name, given_values in parameters.items():
-        known = given_name in (*CONDITION_AXES, *LOADING_AXES)
+        known = given_name in (*CONDITION_AXES, *LOADING_AXES) or given_name.endswith(VALUE)
         name = given_name if known else canonical(given_name)
         if name in wanted:
             raise InputError(f"{name} is given twice; give each parameter once")
-        wanted[name] = np.unique(axis(name, given_values))
+        wanted[name] = np.unique(axis(name, given_values, ship))
         if wanted[name].size < 2:
             raise InputError(f"{name} = {wanted[name][0]:g} is one value; give two or more to vary it over")
     return wanted

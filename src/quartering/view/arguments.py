@@ -2,28 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Mapping
+from typing import Annotated, Any
 
 import typer
+
+from quartering.options import OPTIONS, line_of
 
 Ship = Annotated[str, typer.Argument(help="Built-in ship (see `quartering ships`) or path of a ship file.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of tables.")]
 Picture = Annotated[str | None, typer.Option("-o", "--output", help="Picture to write: .png, .svg or .pdf.")]
-Heading = Annotated[str, typer.Option(help="Heading [deg]: 0 following, 90 beam, 180 head sea.")]
-Speed = Annotated[str, typer.Option(help="Speed: 7.5 [m/s], 15kn or 0.25Fn.")]
-WaveLength = Annotated[str, typer.Option(help="Wave length: 150 [m] or 1.0L.")]
-WaveHeight = Annotated[str, typer.Option(help="Wave height, crest to trough: 4 [m].")]
+
+
+def _told(name: str, example: str) -> Any:
+    """Option of the command line for one of the condition, with the words of the table."""
+    one = OPTIONS[name]
+    text = line_of(one)
+    return typer.Option(one.command, help=f"{text[0].upper()}{text[1:]}: {example}.")
+
+
+Heading = Annotated[str, _told("heading", "30")]
+Speed = Annotated[str, _told("speed", "7.5, 15kn or 0.25Fn")]
+WaveLength = Annotated[str, _told("wave_length", "150, 1.0L, or a period, 9.8s")]
+WaveHeight = Annotated[str, _told("wave_height", "4")]
+Changes = Mapping[str, str] | None
+"""Options of the ship as typed, see `quartering.view.ship_options`."""
 Harmonics = Annotated[int, typer.Option(help="1: the paper's method; 3, 5, 7, .. 199: harmonic balance to that order.")]
-Autopilot = Annotated[
-    str | None,
-    typer.Option(
-        help="Autopilot: gain,rate gain [s],lag [s], such as 1,10s,2s; or none. Otherwise the ship file's own."
-    ),
-]
-Velocities = Annotated[
-    str | None,
-    typer.Option(
-        help="Lift acts on the velocity relative (to the water) or absolute (the paper). Otherwise the ship file's own."
-    ),
-]
 Form = Annotated[str, typer.Option(help="Diffraction force: stf, relative-motion, paper-corrected or paper.")]

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from quartering.view import cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
+from quartering.view.ship_options import takes_ship_options
 
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
 os.environ.setdefault("NUMBA_OPT", "1")
@@ -57,8 +58,22 @@ _COMMANDS = (
     cli_pages.report,
     cli_pages.app,
 )
+_OF_A_SHIP = (
+    cli_ships.hull,
+    cli_ships.coefficients,
+    cli_ships.forces,
+    cli_motions.verdict,
+    cli_motions.simulate,
+    cli_motions.branch,
+    cli_motions.basin,
+    cli_studies.polar,
+    cli_studies.vary,
+)
+"""Commands that take the options of a ship."""
 for _command in _COMMANDS:
-    app.command()(_command)
+    app.command()(
+        _command if _command not in _OF_A_SHIP else takes_ship_options(_command, _command is cli_studies.vary)
+    )
 
 
 def main() -> None:

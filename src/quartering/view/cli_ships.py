@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view.arguments import Json, Picture, Ship, Speed, Velocities
+from quartering.view.arguments import Changes, Json, Picture, Ship, Speed
 from quartering.view.outcome import answering
 
 
@@ -38,12 +38,12 @@ def new(
         new_file(ship, file, json)
 
 
-def hull(ship: Ship, output: Picture = None, json: Json = False) -> None:
+def hull(ship: Ship, output: Picture = None, json: Json = False, changes: Changes = None) -> None:
     """Body plan, hydrostatics, righting arm, and course stability in calm water."""
     with answering():
         from quartering.view.commands.hull import describe_hull
 
-        describe_hull(ship, output, json)
+        describe_hull(ship, changes or {}, output, json)
 
 
 def coefficients(
@@ -51,12 +51,13 @@ def coefficients(
     speed: Speed = "0.2Fn",
     frequency: Annotated[str | None, typer.Option(help="Encounter frequency [rad/s]; by default that of roll.")] = None,
     json: Json = False,
+    changes: Changes = None,
 ) -> None:
     """Every coefficient of the equations with value, unit and source."""
     with answering():
         from quartering.view.commands.coefficients import list_coefficients
 
-        list_coefficients(ship, speed, frequency, json)
+        list_coefficients(ship, speed, frequency, changes or {}, json)
 
 
 def forces(
@@ -67,12 +68,12 @@ def forces(
         list[str] | None,
         typer.Option(help="Form to show beside stf, repeatable; by default all but bem (Capytaine, at --speed 0)."),
     ] = None,
-    velocities: Velocities = None,
     output: Picture = None,
     json: Json = False,
+    changes: Changes = None,
 ) -> None:
     """Wave force and moments over heading, for several wave lengths, the forms side by side."""
     with answering():
         from quartering.view.commands.forces import compare_forms
 
-        compare_forms(ship, speed, wave_lengths, form or [], output, velocities, json)
+        compare_forms(ship, speed, wave_lengths, form or [], changes or {}, output, json)

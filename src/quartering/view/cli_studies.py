@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view.arguments import Form, Harmonics, Json, Picture, Ship, Velocities
+from quartering.view.arguments import Changes, Form, Harmonics, Json, Picture, Ship
 from quartering.view.outcome import answering
 
 
@@ -23,18 +23,18 @@ def polar(
     ] = None,
     harmonics: Harmonics = 1,
     form: Form = "stf",
-    velocities: Velocities = None,
     output: Annotated[
         str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
     ] = None,
     json: Json = False,
+    changes: Changes = None,
 ) -> None:
     """Map of roll and stability over headings, wave lengths and speeds."""
     with answering():
         from quartering.view.commands.polar import draw_map
 
         waves = (wave_lengths, steepness, wave_height)
-        draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, output, velocities, json)
+        draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, changes or {}, output, json)
 
 
 _RANGE = "from:to or from:to:count"
@@ -46,17 +46,6 @@ def vary(
     speed: Annotated[str, typer.Option(help=f"Speed: 7.5 [m/s], 15kn, 0.25Fn, or {_RANGE}.")] = "0.2Fn",
     wave_length: Annotated[str, typer.Option(help=f"Wave length: 150 [m], 1L, or {_RANGE}.")] = "1L",
     wave_height: Annotated[str, typer.Option(help=f"Wave height: 4 [m], 0.02L, or {_RANGE}.")] = "0.02L",
-    gm: Annotated[str | None, typer.Option(help=f"GM [m, B], {_RANGE}.")] = None,
-    kg: Annotated[str | None, typer.Option(help=f"KG [m, T], {_RANGE}.")] = None,
-    gyradius_roll: Annotated[str | None, typer.Option(help=f"k_xx [m, B], {_RANGE}.")] = None,
-    gyradius_yaw: Annotated[str | None, typer.Option(help=f"k_zz [m, L], {_RANGE}.")] = None,
-    roll_damping: Annotated[str | None, typer.Option(help=f"Added roll damping, share of critical, {_RANGE}.")] = None,
-    bilge_keel_length: Annotated[
-        str | None, typer.Option(help=f"Length of each bilge keel [m, L]: a value, {_RANGE}.")
-    ] = None,
-    bilge_keel_breadth: Annotated[
-        str | None, typer.Option(help=f"Breadth of each bilge keel [m, B]: a value, {_RANGE}.")
-    ] = None,
     coefficient: Annotated[
         list[str] | None, typer.Option(help="K_ppp=0.2:2: factors on a coefficient; repeatable.")
     ] = None,
@@ -65,28 +54,24 @@ def vary(
     ] = None,
     harmonics: Harmonics = 1,
     form: Form = "stf",
-    velocities: Velocities = None,
     output: Annotated[
         str | None, typer.Option("-o", "--output", help="Picture (.png, .svg, .pdf) or dataset (.nc) to write.")
     ] = None,
     json: Json = False,
+    changes: Changes = None,
 ) -> None:
     """What one or two values do to roll and stability, and where the verdict flips."""
     with answering():
         condition = {"heading": heading, "speed": speed, "wave_length": wave_length, "wave_height": wave_height}
-        loading = {
-            "gm": gm, "kg": kg, "gyradius_roll": gyradius_roll, "gyradius_yaw": gyradius_yaw, "roll_damping": roll_damping,
-            "bilge_keel_length": bilge_keel_length, "bilge_keel_breadth": bilge_keel_breadth,
-        }  # fmt: skip
-        ranges = {name: text for name, text in loading.items() if text is not None}
+        told = changes or {}
         if tornado is not None:
             from quartering.view.commands.tornado import draw_tornado
 
-            draw_tornado(ship, condition, ranges, coefficient or [], tornado, harmonics, form, output, velocities, json)
+            draw_tornado(ship, condition, told, coefficient or [], tornado, harmonics, form, output, json)
         else:
             from quartering.view.commands.vary import draw_variation
 
-            draw_variation(ship, condition, ranges, coefficient or [], harmonics, form, output, velocities, json)
+            draw_variation(ship, condition, told, coefficient or [], harmonics, form, output, json)
 
 
 def sweep(

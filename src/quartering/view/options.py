@@ -4,31 +4,24 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from quartering.conventions import InputError, RangeWarning
-from quartering.hull.units import Kind, quantity, split_quantity
+from quartering.options import Option, Refused, checked
 from quartering.study.case_values import MOST_VALUES
+from quartering.units import Kind, Sizes, quantity, split_quantity
 
+__all__ = ["Sizes", "value", "values"]
 _HARDLY_MOVING = 0.02
 """Froude number below which a speed typed without a unit is doubted [1]."""
 
 
-class Sizes(NamedTuple):
-    """What L, B and T stand for [m]."""
-
-    length: float
-    beam: float
-    draught: float
-
-
-def value(text: str, kind: Kind, sizes: Sizes, what: str) -> float:
+def value(text: str, kind: Kind | Option, sizes: Sizes, what: str) -> float:
     """One value with its unit, in SI (angles in degrees).
 
     Parameters
     ----------
     text : str      such as "7.5", "15kn", "0.25Fn", "1.0L", "30"
-    kind : str      "length", "speed", "angle", "time", ..
+    kind : str      "length", "speed", "angle", "time", .. or an option, whose range is then checked
     sizes : Sizes   of the ship [m]
     what : str      the option, for messages
 
@@ -49,8 +42,14 @@ def value(text: str, kind: Kind, sizes: Sizes, what: str) -> float:
     >>> value("1.5L", "length", Sizes(100.0, 20.0, 5.0), "--wave-length")
     150.0
     """
-    found = quantity(text, kind, **sizes._asdict(), what=what)
-    if kind == "speed" and sizes.length > 0 and not split_quantity(text)[1]:
+    if isinstance(kind, Option):
+        found = checked(kind, text, what, sizes)
+        if isinstance(found, str):
+            raise Refused(kind.name, f"{kind.name} = {found}; a number is wanted here", what)
+        found, kind = float(found), kind.kind  # type: ignore[assignment]
+    else:
+        found = quantity(text, kind, **sizes._asdict(), what=what)
+    if kind == "speed" and sizes.length and not split_quantity(text)[1]:
         froude = found / quantity("1 Fn", "speed", length=sizes.length)
         if 0 < froude < _HARDLY_MOVING:
             message = f"{what} {text} is {found:g} m/s, Froude number {froude:.2g}; a Froude number is written 0.25Fn"
@@ -58,7 +57,7 @@ def value(text: str, kind: Kind, sizes: Sizes, what: str) -> float:
     return found
 
 
-def values(texts: Sequence[str], kind: Kind, sizes: Sizes, what: str, count: int) -> list[float]:
+def values(texts: Sequence[str], kind: Kind | Option, sizes: Sizes, what: str, count: int) -> list[float]:
     """Values of an option that takes lists ("0.5L,1L") and ranges ("0.4:2.3L:20": from, to, number of values).
 
     Parameters

@@ -10,7 +10,6 @@ import numpy as np
 
 from quartering.conventions import CUBIC_MONOMIALS, in_unit, written
 from quartering.hull.ship import Ship
-from quartering.hull.units import quantity
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.ends import ENDS_WORDS
 from quartering.loads.comparison import MEANINGS, PANELS
@@ -18,6 +17,7 @@ from quartering.loads.waves import Wave
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
 from quartering.study.loadings import CHOICE_AXES
+from quartering.units import quantity
 
 if TYPE_CHECKING:
     import xarray as xr

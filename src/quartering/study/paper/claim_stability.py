@@ -81,7 +81,7 @@ def linear_theory_does_not_see_it() -> Finding:
     """Motions unstable by Floquet whose linear motion dies out."""
     unseen = total = 0
     worst = -np.inf
-    for one in (paper_ship().with_(coefficients={"K_prr": FED}), modified_model()):
+    for one in (paper_ship().with_(factors={"K_prr": FED}), modified_model()):
         ds = over_headings(one, VERY_STEEP)
         unstable = ds["verdict"].values > Kind.STABLE
         total += int(unstable.sum())
@@ -95,7 +95,7 @@ def three_ways_agree() -> Finding:
     """Figs. 12-13: index, variational equations and integration of the full equations, in a stable and an unstable case."""
     words, worst, signs = [], 0.0, True
     for factor in (1.0, FED):
-        one = paper_ship().with_(coefficients={"K_prr": factor})
+        one = paper_ship().with_(factors={"K_prr": factor})
         model = equations(one, wave_of(one, 1.0, 1 / STEEP), speed_of(one), 30.0)
         motion = steady_motion(model, 9, start="rest")
         verdict = stability(model, motion)
@@ -128,8 +128,8 @@ def k2_tells_stable_from_unstable() -> Finding:
     unstable = seen = false = total = 0
     for changed in (
         one,
-        one.with_(coefficients={"K_prr": FED / 2}),
-        one.with_(coefficients={"K_prr": FED}),
+        one.with_(factors={"K_prr": FED / 2}),
+        one.with_(factors={"K_prr": FED}),
         modified_model(),
     ):
         for s in (MODERATE, STEEP):
@@ -165,7 +165,7 @@ def short_index_is_enough() -> Finding:
     """K2 from I1, I2, I3 with the printed 0.3, 0.1, 0.1 against K2 with every average."""
     ships = {
         "as estimated": paper_ship(),
-        f"K_prr x {FED:g}": paper_ship().with_(coefficients={"K_prr": FED}),
+        f"K_prr x {FED:g}": paper_ship().with_(factors={"K_prr": FED}),
         "Table I": modified_model(),
     }
     words, worst, best, signs = [], 0.0, np.inf, True
@@ -201,7 +201,7 @@ def k_ppp_matters_most() -> Finding:
 def halving_k_ppp_destabilises() -> Finding:
     """Fig. 22 and the text on it."""
     one = paper_ship()
-    half = one.with_(coefficients={"K_ppp": 0.5})
+    half = one.with_(factors={"K_ppp": 0.5})
     rate, change = -np.inf, 0.0
     for s in (MODERATE, STEEP, VERY_STEEP):
         before, after = over_headings(one, s), over_headings(half, s)

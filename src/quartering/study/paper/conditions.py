@@ -11,8 +11,8 @@ from typing import Final
 import numpy as np
 
 from quartering.hull.ship import Ship
-from quartering.hull.units import quantity
 from quartering.loads.waves import Wave
+from quartering.units import quantity
 
 FROUDE: Final = 0.25
 MARINER_FROUDE: Final = 0.20

@@ -98,7 +98,7 @@ def modified_model(of: Ship | None = None, strength: float = 1.0) -> Ship:
     if not 0.0 <= strength <= 1.0:
         raise InputError(f"strength {strength} of the modification: give a value from 0 (none) to 1 (Table I)")
     factors = {name: 1.0 + strength * (ratio - 1.0) for name, ratio in table_ratios().items()}
-    return (of or paper_ship()).with_(coefficients=factors)
+    return (of or paper_ship()).with_(factors=factors)
 
 
 FEEDING: Final = -35.0
@@ -129,4 +129,4 @@ def feeding_model(of: Ship | None = None, multiplier: float = FEEDING) -> Ship:
     -35.0
     """
     factors = table_ratios() | {"K_prr": multiplier}
-    return (of or paper_ship()).with_(coefficients=factors)
+    return (of or paper_ship()).with_(factors=factors)

@@ -10,7 +10,6 @@ import numpy as np
 import xarray as xr
 
 from quartering.hull.ship import Ship
-from quartering.hull.units import quantity
 from quartering.loads.comparison import compare_forces
 from quartering.loads.waves import Wave
 from quartering.motion.of_ship import equations
@@ -29,6 +28,7 @@ from quartering.study.paper.conditions import (
 from quartering.study.paper.curves import coefficient_curves, loading_curves, response_curves
 from quartering.study.paper.model import FEEDING, PAPER_SHIP, feeding_model, modified_model, paper_ship
 from quartering.study.paper.motions import disturbance, integration_check, time_check
+from quartering.units import quantity
 
 CB60: Final = PAPER_SHIP
 CB70: Final = "series60-cb70"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 from rich.table import Table
@@ -13,11 +14,13 @@ from quartering.hydro.coefficients import coefficients
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.ensemble import basin
 from quartering.motion.of_ship import equations
+from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
-from quartering.view.commands.conditions import condition, sizes, velocity_words
+from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import ship_notes, speed_words
 
@@ -29,18 +32,18 @@ def erode(
     typed: tuple[str, str, str, str],
     heights: str | None,
     periods: int,
+    changes: Mapping[str, str],
     output: str | None,
-    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Integrate from a grid of starts in each wave, print what is left of the basin, draw it where asked."""
-    one, wave, speed, heading = condition(name, typed, velocities=velocities)
+    one, wave, speed, heading = condition(name, typed, changes)
     path = claim(output, PICTURES) if output is not None else None
     limit = min(vanishing_angle(one), 90.0)
     rate = coefficients(one, 0.0, 0.0).roll_frequency * limit
     roll, rates = np.linspace(-limit, limit, _ANGLES), np.linspace(-rate, rate, _RATES)
     top = min(2.0 * wave.height, 0.999 * STEEPEST * wave.length)
-    chosen = [0.0, *values([heights or f"0:{top}"], "length", sizes(one), "--wave-heights", _HEIGHTS)]
+    chosen = [0.0, *values([heights or f"0:{top}"], OPTIONS["wave_height"], sizes(one), "--wave-heights", _HEIGHTS)]
     if len(chosen) > _MOST_HEIGHTS:
         raise InputError(
             f'--wave-heights "{heights}": {len(chosen):,} heights, each with a basin of its own; give up to {_MOST_HEIGHTS}'
@@ -86,8 +89,8 @@ def erode(
     show(_curve(height, share, integrity), ship_notes(one))
     if path is not None:
         show(f"Wrote {path}")
+    name += option_words(changes)
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
-    words += velocity_words(velocities)
     first = [f"quartering basin {name} {words} -o basin.png"] if path is None else []
     show(next_steps(*first, f"quartering branch {name} {words} --over wave_height"))
 

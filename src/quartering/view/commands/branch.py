@@ -2,31 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Literal
+
 import numpy as np
 import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError, headed
 from quartering.hull.ship import Ship
-from quartering.hull.units import Kind as Quantity
 from quartering.loads.waves import STEEPEST, Wave
+from quartering.options import OPTIONS, Option
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.branch import branch
-from quartering.study.case_values import checked_headings
+from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import LOADING_AXES
-from quartering.view.commands.conditions import condition, sizes, velocity_words
+from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import working
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import ship_notes, speed_words
 
-_QUANTITIES: dict[str, Quantity] = {
-    "speed": "speed",
-    "heading": "angle",
-    "wave_length": "length",
-    "wave_height": "length",
-}
 _OPTIONS = {"speed": "--speed", "heading": "--heading", "wave_length": "--wave-length", "wave_height": "--wave-height"}
 _STEEPEST = 0.999 * STEEPEST
 ORIGINS = {
@@ -44,12 +42,12 @@ def follow_motions(
     over: str,
     limits: str | None,
     harmonics: int,
+    changes: Mapping[str, str],
     output: str | None,
-    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Follow the branches, print what happens along them, draw them where asked."""
-    one, wave, speed, heading = condition(name, typed, velocities=velocities)
+    one, wave, speed, heading = condition(name, typed, changes)
     path = claim(output, PICTURES) if output is not None else None
     ends = _limits(one, wave, over, limits)
     announce_compilation()
@@ -74,8 +72,8 @@ def follow_motions(
         show(f"Wrote {path}")
     again = f" --harmonics {harmonics}" if harmonics != 9 else ""
     again += f" --limits {limits}" if limits is not None else ""
-    typed_words = velocity_words(velocities)
-    show(next_steps(*_next(ds, f"{name}{typed_words}", typed, over, again if path is None else None)))
+    name += option_words(changes)
+    show(next_steps(*_next(ds, name, typed, over, again if path is None else None)))
 
 
 def _limits(one: Ship, wave: Wave, over: str, text: str | None) -> tuple[float, float] | None:
@@ -94,14 +92,12 @@ def _limits(one: Ship, wave: Wave, over: str, text: str | None) -> tuple[float, 
     ends = text.split(":")
     if len(ends) != 2:
         raise InputError(f'--limits "{text}": give two values, from:to, such as 1:6')
-    kind = _QUANTITIES.get(over, "length" if over in LOADING_AXES and over != "roll_damping" else "ratio")
+    kind: Option | Literal["ratio"] = OPTIONS[over] if over in (*CONDITION_AXES, *LOADING_AXES) else "ratio"
     low, high = (value(end, kind, sizes(one), "--limits") for end in ends)
     if over == "wave_height" and high > low:
         Wave(wave.length, high)  # refuses one that breaks
     if over == "wave_length" and high > low > 0.0:
         Wave(low, wave.height)
-    if over == "heading":
-        checked_headings([low, high], "--limits")
     return low, high
 
 

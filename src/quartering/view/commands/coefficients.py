@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from quartering.hull.ship import ship
+from collections.abc import Mapping
+
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.validity import warn_of_conditions
-from quartering.view.commands.conditions import sizes
+from quartering.view.commands.conditions import sizes, typed_ship, typed_value
 from quartering.view.options import value
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import ESTIMATES, estimated_words, speed_words
 
 
-def list_coefficients(name: str, speed: str, frequency: str | None, as_json: bool) -> None:
+def list_coefficients(name: str, speed: str, frequency: str | None, changes: Mapping[str, str], as_json: bool) -> None:
     """Print the table of coefficients at one speed and encounter frequency."""
-    one = ship(name)
-    u = value(speed, "speed", sizes(one), "--speed")
+    one = typed_ship(name, changes)
+    u = typed_value("speed", speed, one.sizes)
     warn_of_conditions(one, u, [])
     w = coefficients(one, 0.0, u).roll_frequency
     if frequency is not None:
@@ -32,4 +34,5 @@ def list_coefficients(name: str, speed: str, frequency: str | None, as_json: boo
     show(table(title, ("name", "value", "unit", "kind", "source"), shown, (1,)))
     show("Zeros are left out. Y_r is the hydrodynamic one; the equations also carry -m U.")
     show(estimated_words([e.name for e in entries if e.kind in ESTIMATES], one.provenance))
-    show(next_steps(f"quartering forces {name}", f"quartering polar {name}"))
+    again = option_words(changes)
+    show(next_steps(f"quartering forces {name}{again}", f"quartering polar {name}{again}"))

@@ -2,56 +2,78 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Mapping
+from typing import Any
 
 from quartering.conventions import InputError
-from quartering.hull.autopilot import Autopilot
-from quartering.hull.choices import checked_velocities
+from quartering.hull.changes import changed
 from quartering.hull.ship import Ship, ship
-from quartering.hull.units import Kind
 from quartering.loads.waves import Wave
-from quartering.study.case_values import checked_headings
-from quartering.view.options import Sizes, value
+from quartering.options import OPTIONS, Refused
+from quartering.units import Sizes, quantity
+from quartering.view.options import value
 
 
 def sizes(of: Ship) -> Sizes:
     """What L, B and T stand for."""
-    return Sizes(of.hull.length, of.hull.beam, of.hull.draught)
+    return of.sizes
 
 
-def autopilot_of(text: str) -> Autopilot | Literal["none"]:
-    """Autopilot from the words given: "gain", "gain,rate gain", "gain,rate gain,lag", or "none".
+def typed_ship(name: str, changes: Mapping[str, str]) -> Ship:
+    """The ship of a name or file with the options typed beside it.
 
     Raises
     ------
-    InputError    other words, a value below 0
+    InputError    no such ship, an option that cannot be: its name as typed, and the words every door says
     """
-    if text == "none":
-        return "none"
-    parts = text.split(",")
-    kinds: tuple[Kind, ...] = ("ratio", "time", "time")
-    if len(parts) > len(kinds):
-        raise InputError(f'--autopilot "{text}": at most three values, gain, rate gain [s], lag [s]; try 1,10s,2s')
-    nothing = Sizes(0.0, 0.0, 0.0)
-    return Autopilot(*(value(part, kind, nothing, "--autopilot") for part, kind in zip(parts, kinds, strict=False)))
+    return with_typed(ship(name), changes)
 
 
-def ship_as(name: str, velocities: str | None) -> Ship:
-    """A built-in ship, or that of a file, with what the command line says of it."""
-    return (
-        ship(name)
-        if velocities is None
-        else ship(name).with_(velocities=checked_velocities("--velocities", velocities))
-    )
+def with_typed(one: Ship, changes: Mapping[str, str]) -> Ship:
+    """The ship with the options typed.
+
+    Raises
+    ------
+    InputError    as for `typed_ship`
+    """
+    if not changes:
+        return one
+    try:
+        return changed(one, {key: _meant(key, text) for key, text in changes.items()})
+    except Refused as error:
+        known = OPTIONS.get(error.option)
+        typed = next((key for key in (error.option, error.group) if key in changes), known.name if known else "")
+        raise InputError(f"{OPTIONS[typed].command}: {error.words}" if typed in OPTIONS else error.words) from None
 
 
-def velocity_words(velocities: str | None) -> str:
-    """The option as it was typed, for the next command."""
-    return f" --velocities {velocities}" if velocities else ""
+def _meant(name: str, text: str) -> Any:
+    """Words as `Ship.with_` takes them: coefficients as a mapping."""
+    if OPTIONS[name].kind != "coefficients":
+        return text
+    pairs = [part.partition("=") for part in text.split(",")]
+    try:
+        return {key.strip(): quantity(value, "ratio", what=key) for key, _, value in pairs}
+    except InputError:
+        words = f"{name} = {text!r}; it is coefficients with a number each, such as K_ppp=0.5,K_prr=2"
+        raise Refused(name, words) from None
+
+
+def typed_value(name: str, text: str, of: Sizes, what: str | None = None) -> float:
+    """One value of the condition as typed.
+
+    Raises
+    ------
+    InputError    the option as typed, and the words every door says
+
+    Warns
+    -----
+    RangeWarning  a speed without a unit so small that a Froude number may be meant
+    """
+    return value(text, OPTIONS[name], of, what or OPTIONS[name].command)
 
 
 def condition(
-    name: str, typed: tuple[str, str, str, str], autopilot: str | None = None, velocities: str | None = None
+    name: str, typed: tuple[str, str, str, str], changes: Mapping[str, str]
 ) -> tuple[Ship, Wave, float, float]:
     """Ship, wave, speed [m/s] and heading [deg] from the words given.
 
@@ -59,14 +81,11 @@ def condition(
     ----------
     name : str     of a built-in ship, or a path
     typed : (heading, speed, wave length, wave height)
-    autopilot : in place of the ship's own, see `autopilot_of`
-    velocities : in place of the ship's own
+    changes : mapping of str to str    options of the ship
     """
-    one = ship_as(name, velocities)
-    if autopilot is not None:
-        one = one.with_(autopilot=autopilot_of(autopilot))
-    units = sizes(one)
-    (heading,) = checked_headings([value(typed[0], "angle", units, "--heading")], "--heading")
-    speed = value(typed[1], "speed", units, "--speed")
-    wave = Wave(value(typed[2], "length", units, "--wave-length"), value(typed[3], "length", units, "--wave-height"))
-    return one, wave, speed, heading
+    one = typed_ship(name, changes)
+    heading, speed, length, height = (
+        typed_value(key, text, one.sizes)
+        for key, text in zip(("heading", "speed", "wave_length", "wave_height"), typed, strict=True)
+    )
+    return one, Wave(length, height), speed, heading

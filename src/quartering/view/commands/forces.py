@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 import xarray as xr
@@ -11,10 +11,12 @@ from rich.table import Table
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.comparison import MEANINGS, MEASURE, OWN, PANELS, compare_forces
-from quartering.view.commands.conditions import ship_as, sizes, velocity_words
-from quartering.view.options import value, values
+from quartering.options import OPTIONS
+from quartering.view.commands.conditions import sizes, typed_ship, typed_value
+from quartering.view.options import values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import forces_note, metric_prefix, speed_words
 
@@ -27,16 +29,16 @@ def compare_forms(
     speed: str,
     wave_lengths: str,
     forms: Sequence[str],
+    changes: Mapping[str, str],
     output: str | None,
-    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Print and draw force amplitudes per metre of wave amplitude, and how far the forms are apart."""
-    one = ship_as(name, velocities)
+    one = typed_ship(name, changes)
     chosen = _chosen(forms, one)
     path = claim(output, PICTURES) if output is not None else None
-    u = value(speed, "speed", sizes(one), "--speed")
-    lengths = values([wave_lengths], "length", sizes(one), "--wave-lengths", 5)
+    u = typed_value("speed", speed, one.sizes)
+    lengths = values([wave_lengths], OPTIONS["wave_length"], sizes(one), "--wave-lengths", 5)
     if PANELS in chosen and u != 0:
         raise InputError(f"--form {PANELS} with --speed {speed}: the panels are at zero speed; give --speed 0")
     panels = _panels(one, lengths) if PANELS in chosen else None
@@ -54,8 +56,11 @@ def compare_forms(
     show(_by_wave(compared, title), forces_note(compared))
     if path is not None:
         show(f"Wrote {path}")
-    there = f"--heading 60 --speed {speed} --wave-length 1L --wave-height 2{velocity_words(velocities)}"
-    show(next_steps(f"quartering verdict {name} {there}"))
+    show(
+        next_steps(
+            f"quartering verdict {name} --heading 60 --speed {speed} --wave-length 1L --wave-height 2{option_words(changes)}"
+        )
+    )
 
 
 def _chosen(forms: Sequence[str], one: Ship) -> list[str]:

@@ -7,13 +7,16 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from quartering.conventions import SYMBOLS, written
+from quartering.conventions import SYMBOLS, in_unit, written
 from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
 from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
-from quartering.hull.ship import Ship, ship
-from quartering.hull.units import quantity
+from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
+from quartering.options import OPTIONS, parts
+from quartering.units import quantity
+from quartering.view.commands.conditions import typed_ship
 from quartering.view.output import PICTURES, claim, write
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import exponents_words, speed_words
 
@@ -36,9 +39,9 @@ _FROUDE_NUMBERS = (0.0, 0.15, 0.25)
 _NEUTRAL = 1e-9
 
 
-def describe_hull(name: str, output: str | None, as_json: bool) -> None:
+def describe_hull(name: str, changes: Mapping[str, str], output: str | None, as_json: bool) -> None:
     """Print hydrostatics, loading, righting arm and calm-water exponents; draw the hull where asked."""
-    one = ship(name)
+    one = typed_ship(name, changes)
     path = claim(output, PICTURES) if output is not None else None
     floats, fit = hydrostatics(one), righting_polynomial(one)
     angles = np.linspace(0.0, 60.0, 61)
@@ -58,13 +61,17 @@ def describe_hull(name: str, output: str | None, as_json: bool) -> None:
     _print(one, floats, fit, calm)
     if path is not None:
         show(f"Wrote {path}")
-    show(next_steps(f"quartering coefficients {name}", f"quartering polar {name}"))
+    again = option_words(changes)
+    show(next_steps(f"quartering coefficients {name}{again}", f"quartering polar {name}{again}"))
 
 
 def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:
     rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in HYDROSTATICS.items()]
     show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
     show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading_rows(one), (1,)))
+    told = particular_rows(one)
+    if told:
+        show(table("Told, and recorded", ("quantity", "value", "unit", "where it comes from"), told, (1,)))
     powers = (("phi", fit.gm), ("phi^3", fit.gz3), ("phi^5", fit.gz5), ("phi^7", fit.gz7))
     terms = " ".join(f"{c:+.4g} {power}" for power, c in powers if c)
     show(
@@ -89,6 +96,26 @@ def loading_rows(one: Ship) -> list[tuple[str, str, str, str]]:
     ]
 
 
+def particular_rows(one: Ship) -> list[tuple[str, str, str, str]]:
+    """Each further thing the ship was told: what it is, its value, its unit, where it comes from."""
+    rows = []
+    for name, value in one.particulars.items():
+        of = OPTIONS[name]
+        if isinstance(value, Mapping) and of.kind == "group":
+            units = {key: part.unit for key, part in parts(name).items()}
+            text = ", ".join(f"{key} {number:.5g}{in_unit(units[key])}" for key, number in value.items())
+        else:
+            text = (
+                ", ".join(map(str, value))
+                if isinstance(value, Mapping)
+                else f"{value:.5g}"
+                if of.numeric
+                else str(value)
+            )
+        rows.append((of.text, text, of.unit or "-", one.provenance.get(name, "given")))
+    return rows
+
+
 def _course(exponents: np.ndarray) -> str:
     """Stability in calm water in words; without speed nothing holds a ship on its course."""
     largest = float(exponents.real.max())
@@ -101,6 +128,7 @@ def _facts(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
         "hydrostatics": dataclasses.asdict(floats),
         "loading": dataclasses.asdict(one.loading),
         "righting": dataclasses.asdict(fit),
+        "told": dict(one.particulars),
         "calm_water_exponents": [{"speed": u, "exponents": z} for u, z in calm.items()],
         "provenance": dict(one.provenance),
     }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,14 +16,15 @@ from quartering.hydro.calm_water import calm_water_exponents
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
+from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
-from quartering.study.case_values import checked_headings, steepness
 from quartering.study.polar import polar
-from quartering.view.commands.conditions import ship_as, sizes, velocity_words
+from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import bar
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import estimated_names, exponents_words, notes, speed_words, wave_words
 
@@ -43,17 +44,17 @@ def draw_map(
     waves: tuple[str, str | None, str | None],
     harmonics: int,
     form: str,
+    changes: Mapping[str, str],
     output: str | None,
-    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Compute the map, write dataset and picture, print what stands out."""
-    one = ship_as(name, velocities)
+    one = typed_ship(name, changes)
     units = sizes(one)
     data = claim(f"{stem(name)}-polar.nc" if output is None else output, (".nc",))
     picture = claim(data.with_suffix(".png"), (".png",))
-    speed = values(speeds, "speed", units, "--speed", 3)
-    mu = checked_headings(values([headings], "angle", units, "--headings", 37), "--headings")
+    speed = values(speeds, OPTIONS["speed"], units, "--speed", 3)
+    mu = values([headings], OPTIONS["heading"], units, "--headings", 37)
     sea = _waves(one, waves)
     chosen: Form = form  # type: ignore[assignment]  # polar refuses an unknown one
     count = len(speed) * len(mu) * len(sea)
@@ -79,22 +80,19 @@ def draw_map(
     worst = max((s for s in summary if np.isfinite(s.worst_roll)), key=lambda s: s.worst_roll)
     height = float(ds["wave_height"].sel(wave_length=worst.wave_length))
     condition = f"--heading {worst.heading:g} --speed {worst.speed:.4g} --wave-length {worst.wave_length:.4g}"
-    show(
-        next_steps(
-            f"quartering verdict {name} {condition} --wave-height {height:.3g}{velocity_words(velocities)}",
-            f"quartering report {data}",
-        )
-    )
+    again = option_words(changes)
+    step = f"quartering verdict {name} {condition} --wave-height {height:.3g}{again}"
+    show(next_steps(step, f"quartering report {data}"))
 
 
 def _waves(one: Ship, typed: tuple[str, str | None, str | None]) -> list[Wave]:
-    lengths = values([typed[0]], "length", sizes(one), "--wave-lengths", 20)
+    lengths = values([typed[0]], OPTIONS["wave_length"], sizes(one), "--wave-lengths", 20)
     if typed[1] is not None and typed[2] is not None:
         raise InputError("--steepness and --wave-height are two ways to say one thing; leave one out")
     if typed[2] is not None:
-        height = value(typed[2], "length", sizes(one), "--wave-height")
+        height = value(typed[2], OPTIONS["wave_height"], sizes(one), "--wave-height")
         return [Wave(length, height) for length in lengths]
-    slope = steepness(typed[1] or _STEEPNESS, "--steepness")
+    slope = value(typed[1] or _STEEPNESS, OPTIONS["steepness"], sizes(one), "--steepness")
     return [Wave(length, slope * length) for length in lengths]
 
 

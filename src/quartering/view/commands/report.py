@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from quartering.conventions import InputError
-from quartering.hull.units import quantity
 from quartering.stability.ahead import announce_compilation
+from quartering.units import quantity
 from quartering.view.output import claim, stem, write
 from quartering.view.report.page import guidance_page, report_page, write_pdf
 from quartering.view.report.source import Source, report_source

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
@@ -12,9 +13,10 @@ from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
 from quartering.stability.ahead import announce_compilation
-from quartering.view.commands.conditions import condition, sizes, velocity_words
+from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json
 from quartering.view.wording import ship_notes, speed_words
 
@@ -24,13 +26,12 @@ def run_simulation(
     typed: tuple[str, str, str, str],
     roll: str,
     duration: str,
-    autopilot: str | None,
+    changes: Mapping[str, str],
     output: str | None,
-    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Integrate from a roll angle, print what happened, draw it where asked."""
-    one, wave, speed, heading = condition(name, typed, autopilot, velocities)
+    one, wave, speed, heading = condition(name, typed, changes)
     path = claim(output, PICTURES) if output is not None else None
     seconds = value(duration, "time", sizes(one), "--duration")
     heel = value(roll, "angle", sizes(one), "--roll")
@@ -72,8 +73,7 @@ def run_simulation(
         show(f"Wrote {path}")
     show(ship_notes(one))
     condition_words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
-    condition_words += f" --autopilot {autopilot}" if autopilot else ""
-    condition_words += velocity_words(velocities)
+    condition_words += option_words(changes)
     show(next_steps(f"quartering verdict {name} {condition_words}"))
 
 

@@ -11,15 +11,17 @@ from rich.table import Table
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
-from quartering.hull.units import quantity
 from quartering.loads.forces import Form
+from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.tornado import MEASURES, tornado
-from quartering.view.commands.conditions import condition, velocity_words
-from quartering.view.commands.vary import KINDS, condition_option_words, is_range, option, store
+from quartering.units import quantity
+from quartering.view.commands.conditions import condition
+from quartering.view.commands.vary import condition_option_words, is_range, option, store
 from quartering.view.output import PICTURES, claim
 from quartering.view.progress import bar
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import MOST_ROWS, condition_words, estimated_names, flip_words, notes, row_words
 
@@ -39,14 +41,17 @@ def draw_tornado(
     harmonics: int,
     form: str,
     output: str | None,
-    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Change every value by a share, print the largest effects, draw or store them where asked."""
-    if ranges or coefficients or any(is_range(text) for text in typed.values()):
+    if (
+        coefficients
+        or any(is_range(text) for key, text in ranges.items() if OPTIONS[key].axis)
+        or any(is_range(text) for text in typed.values())
+    ):
         raise InputError("--tornado changes every value itself; leave the ranges out, or leave out --tornado")
     words = (typed["heading"], typed["speed"], typed["wave_length"], typed["wave_height"])
-    one, wave, speed, heading = condition(name, words, velocities=velocities)
+    one, wave, speed, heading = condition(name, words, ranges)
     path = claim(output, (*PICTURES, ".nc")) if output is not None else None
     share = quantity(change, "ratio", what="--tornado")
     chosen: Form = form  # type: ignore[assignment]  # tornado refuses an unknown one
@@ -74,7 +79,7 @@ def draw_tornado(
     if path is not None:
         show(f"Wrote {path}")
     first = str(ds["parameter"].values[0])
-    options = condition_option_words(typed) + velocity_words(velocities)
+    options = condition_option_words(typed) + option_words(ranges)
     show(next_steps(f"quartering vary {name}{options} {_range_words(one, ds, first)} -o {first}.png"))
 
 
@@ -119,6 +124,6 @@ def _range_words(one: Ship, ds: xr.Dataset, name: str) -> str:
     now = float(ds["value"].sel(parameter=name))
     if name == "kg":  # as far as half of GM: not above the metacentre
         return f"--kg {now - one.loading.gm / 2:.3g}:{now + one.loading.gm / 2:.3g}"
-    if name in KINDS:
+    if name in OPTIONS:
         return f"{option(name)} {0.8 * now:.3g}:{1.2 * now:.3g}"
     return f"--coefficient {name}=0.2:2"

@@ -12,30 +12,25 @@ from rich.table import Table
 
 from quartering.conventions import InputError, headed, in_unit, written
 from quartering.hull.ship import Ship
-from quartering.hull.units import Kind as Quantity
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
+from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
-from quartering.study.case_values import checked_headings
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import KEEL_AXES, loaded
 from quartering.study.vary import varied, vary
-from quartering.view.commands.conditions import ship_as, sizes, velocity_words
+from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.progress import bar
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import condition_words, estimated_names, notes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-KINDS: dict[str, Quantity] = {
-    "heading": "angle", "speed": "speed", "wave_length": "length", "wave_height": "length", "gm": "length", "kg": "length",
-    "gyradius_roll": "length", "gyradius_yaw": "length", "roll_damping": "ratio",
-    "bilge_keel_length": "length", "bilge_keel_breadth": "length",
-}  # fmt: skip
 _COUNTS = {1: 41, 2: 25}
 _ROWS = 9
 
@@ -48,13 +43,15 @@ def draw_variation(
     harmonics: int,
     form: str,
     output: str | None,
-    velocities: str | None,
     as_json: bool,
 ) -> None:
     """Vary one or two values, print what happens, draw or store it where asked."""
-    as_is = ship_as(name, velocities)
+    told = {
+        key: text for key, text in ranges.items() if key not in KEEL_AXES and not (OPTIONS[key].axis and is_range(text))
+    }
+    as_is = typed_ship(name, told)
     path = claim(output, (*PICTURES, ".nc")) if output is not None else None
-    one, left = _keeled(as_is, ranges)
+    one, left = _keeled(as_is, {key: text for key, text in ranges.items() if key not in told})
     fixed, parameters = _parameters(one, typed, left, coefficients)
     chosen: Form = form  # type: ignore[assignment]  # vary refuses an unknown one
     announce_compilation()
@@ -82,9 +79,9 @@ def draw_variation(
     show(*notes(ds))
     if path is not None:
         show(f"Wrote {path}")
-    words = condition_option_words(typed) + velocity_words(velocities)
+    words = condition_option_words(typed) + option_words(told)
     step = f"quartering vary {name}{words} --tornado 10% -o tornado.png"
-    show(next_steps(step, f"quartering polar {name}"))
+    show(next_steps(step, f"quartering polar {name}{option_words(told)}"))
 
 
 def is_range(text: str) -> bool:
@@ -94,7 +91,7 @@ def is_range(text: str) -> bool:
 
 def _keeled(one: Ship, ranges: Mapping[str, str]) -> tuple[Ship, dict[str, str]]:
     """The ship with the keels of which one size, or both, are given as one value, and what is left to vary."""
-    keels = {key: values([ranges[key]], "length", sizes(one), option(key), 2) for key in KEEL_AXES if key in ranges}
+    keels = {key: values([ranges[key]], OPTIONS[key], sizes(one), option(key), 2) for key in KEEL_AXES if key in ranges}
     alone = [key for key in keels if not is_range(ranges[key])]
     if alone:
         one = loaded(one, {key: found[-1] for key, found in keels.items()})
@@ -114,14 +111,12 @@ def _parameters(
     count = _COUNTS.get(len(texts), 2)
     units = sizes(one)
     parameters = {
-        key: values([text], KINDS.get(key, "ratio"), units, option(key), count) for key, text in texts.items()
+        key: values([text], OPTIONS.get(key, "ratio"), units, option(key), count) for key, text in texts.items()
     }
-    checked_headings(parameters.get("heading", []), "--heading")
     fixed = {
-        key: parameters[key][0] if key in parameters else value(text, KINDS[key], units, option(key))
+        key: parameters[key][0] if key in parameters else value(text, OPTIONS[key], units, option(key))
         for key, text in typed.items()
     }
-    checked_headings([fixed["heading"]], "--heading")
     return fixed, parameters
 
 
@@ -134,7 +129,7 @@ def _factor(text: str) -> tuple[str, str]:
 
 def option(name: str) -> str:
     """The option a parameter is given with."""
-    return f"--{name.replace('_', '-')}" if name in KINDS else f"--coefficient {name}"
+    return f"--{name.replace('_', '-')}" if name in OPTIONS else f"--coefficient {name}"
 
 
 def store(path: Path | None, ds: xr.Dataset, draw: Callable[[], Figure]) -> None:

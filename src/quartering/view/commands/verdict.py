@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, replace
 from typing import NamedTuple
 
@@ -23,7 +24,8 @@ from quartering.motion.steady import Motion, steady_motion
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.verdict import Verdict, stability
 from quartering.study.cure import Cure, cures
-from quartering.view.commands.conditions import condition, velocity_words
+from quartering.view.commands.conditions import condition
+from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import estimated_words, exponents_words
 
@@ -59,16 +61,10 @@ def helps(found: Examined) -> list[Cure]:
 
 
 def judge(
-    name: str,
-    typed: tuple[str, str, str, str],
-    harmonics: int,
-    form: str,
-    autopilot: str | None,
-    velocities: str | None,
-    as_json: bool,
+    name: str, typed: tuple[str, str, str, str], harmonics: int, form: str, changes: Mapping[str, str], as_json: bool
 ) -> None:
     """Print the verdict on one condition."""
-    one, wave, speed, heading = condition(name, typed, autopilot, velocities)
+    one, wave, speed, heading = condition(name, typed, changes)
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     found = examine(one, wave, speed, heading, harmonics, chosen)
@@ -84,9 +80,13 @@ def judge(
         show(_stability_table(found.verdict, calm_water_exponents(one, speed)))
     show(estimated_words(estimates(found), one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
-    words += f" --autopilot {autopilot}" if autopilot else ""
-    words += velocity_words(velocities)
-    show(next_steps(f"quartering simulate {name} {words} -o roll.png", f"quartering polar {name} --speed {typed[1]}"))
+    again = option_words(changes)
+    show(
+        next_steps(
+            f"quartering simulate {name} {words}{again} -o roll.png",
+            f"quartering polar {name} --speed {typed[1]}{again}",
+        )
+    )
 
 
 def estimates(found: Examined) -> list[str]:

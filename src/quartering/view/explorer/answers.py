@@ -12,13 +12,14 @@ import xarray as xr
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.hull.ship import Ship
-from quartering.hull.units import quantity
+from quartering.hull.told import number
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.simulate import simulate
 from quartering.study.branch import branch
 from quartering.study.loadings import loaded
 from quartering.study.polar import polar
 from quartering.study.sensitivity import sensitivity
+from quartering.units import quantity
 from quartering.view.commands.verdict import Examined, examine
 from quartering.view.explorer.fleet import Known
 from quartering.view.explorer.state import LOADING, State
@@ -53,7 +54,7 @@ def scene(state: State, known: Known) -> Scene:
     InputError    a loading that cannot float upright, a wave that breaks
     """
     own = known.ship
-    changes = {name: value for name in LOADING if (value := getattr(state, name)) is not None}
+    changes = {name: number(own, name, value) for name in LOADING if (value := getattr(state, name)) is not None}
     length = own.hull.length
     speed = quantity("0.25 Fn", "speed", length=length) if state.speed is None else state.speed
     at = length if state.wave_length is None else state.wave_length

@@ -14,6 +14,7 @@ from fastapi.responses import HTMLResponse, JSONResponse
 
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, own_words
+from quartering.hull.told import condition, number, numbers
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
@@ -106,20 +107,22 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
 
 def _verdict(call: VerdictCall, fleet: Fleet) -> dict[str, Any]:
     one = call.loaded(fleet)
-    wave = Wave(call.wave_length, call.wave_height)
-    found = examine(one, wave, call.speed, call.heading, call.harmonics, call.form)
+    wave = Wave(call.wave_length, call.wave_height, period=call.wave_period, ship=one)
+    found = examine(one, wave, *condition(one, call.speed, call.heading), call.harmonics, call.form)
     return facts(found, helps(found))
 
 
 def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
     """The map as pieces of about a thousand conditions."""
     one = call.loaded(fleet)
-    waves = [Wave(n, call.steepness * n if call.wave_height is None else call.wave_height) for n in call.wave_length]  # type: ignore[operator]
-    rows = max(1, _AT_ONCE // (len(call.speed) * len(waves)))
-    parts = [call.heading[i : i + rows] for i in range(0, len(call.heading), rows)]
+    lengths = numbers(one, "wave_length", call.wave_length).tolist()
+    steep = None if call.steepness is None else number(one, "steepness", call.steepness)
+    waves = [Wave(n, call.wave_height if steep is None else steep * n, ship=one) for n in lengths]
+    speed, heading = (numbers(one, name, getattr(call, name)).tolist() for name in ("speed", "heading"))
+    rows = max(1, _AT_ONCE // (len(speed) * len(waves)))
+    parts = [heading[i : i + rows] for i in range(0, len(heading), rows)]
     return [
-        lambda part=part: polar(one, waves, call.speed, part, harmonics=call.harmonics, form=call.form)
-        for part in parts
+        lambda part=part: polar(one, waves, speed, part, harmonics=call.harmonics, form=call.form) for part in parts
     ]
 
 

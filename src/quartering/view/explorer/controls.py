@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from nicegui import ui
 
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.units import quantity
+from quartering.options import OPTIONS
+from quartering.study.loadings import own_value
+from quartering.units import quantity
 from quartering.view.explorer.answers import Scene
 from quartering.view.explorer.damping_dials import DampingDials
-from quartering.view.explorer.dials import Dial, Scale, plain
-from quartering.view.explorer.state import LOADING, State
+from quartering.view.explorer.dials import Dial, Scale, plain, scales_of
+from quartering.view.explorer.state import DIALS, LOADING, State
 
 _METHODS = {1: "the paper's method", 3: "balance of 3 harmonics", 5: "balance of 5", 7: "balance of 7"}
 Change = Callable[..., None]
@@ -31,9 +34,9 @@ class Controls:
         self._height = Dial("wave_height", lambda value, at: change(**self._sea(value, at)))
         self._wave = 1.0
         ui.label("Loading").classes("group")
-        self._gm = Dial("gm", lambda value, _: change(gm=value))
-        self._roll = Dial("gyradius_roll", lambda value, _: change(gyradius_roll=value))
-        self._yaw = Dial("gyradius_yaw", lambda value, _: change(gyradius_yaw=value))
+        self._dials = {
+            one.name: Dial(one.name, partial(_turn, change, one.name)) for one in DIALS if one.title == "Loading"
+        }
         ui.label("Roll damping").classes("group")
         self._damping = DampingDials(change)
         self._own = ui.button("the ship's own loading", on_click=lambda: change(**dict.fromkeys(LOADING)))
@@ -51,7 +54,7 @@ class Controls:
     def show(self, of: Scene, state: State, damping: str) -> None:
         """Set every dial to a scene; `damping` says what the roll damping amounts to."""
         hull, load = of.ship.hull, of.ship.loading
-        length, beam, km = hull.length, hull.beam, hydrostatics(hull).km
+        length, km = hull.length, hydrostatics(hull).km
         self._wave = of.wave.length
         self._heading.show(of.heading, [plain("heading", "deg", 0, 180, 1)])
         self._speed.show(of.speed, _speeds(length))
@@ -62,21 +65,22 @@ class Controls:
             plain("wave height", "m", 0.1, round(0.08 * length, 1), 0.1),
             plain("steepness", "H/λ", 0.005, 0.1, 0.001, 1 / of.wave.length),
         ], 1 if state.wave_height is None else 0)  # fmt: skip
-        top = max(0.15 * beam, 1.5 * load.gm)
-        self._gm.show(load.gm, [
-            plain("GM", "m", 0.01 * beam, top, 0.01),
-            Scale("KG", "m", km - top, km - 0.01 * beam, 0.01, lambda gm: km - gm, lambda kg: km - kg),
-        ])  # fmt: skip
-        self._roll.show(load.gyradius_roll, [
-            plain("roll gyradius", "m", 0.25 * beam, 0.5 * beam, 0.01), plain("roll gyradius", "B", 0.25, 0.5, 0.005, 1 / beam),
-        ])  # fmt: skip
-        self._yaw.show(load.gyradius_yaw, [
-            plain("yaw gyradius", "m", 0.15 * length, 0.35 * length, 0.1),
-            plain("yaw gyradius", "L", 0.15, 0.35, 0.005, 1 / length),
-        ])  # fmt: skip
+        for name, dial in self._dials.items():
+            scales = scales_of(OPTIONS[name], of.ship)
+            if name == "gm":  # as far as half as much again, and read as KG too
+                top = max(scales[0].high, 1.5 * load.gm)
+                low = scales[0].low
+                kg = Scale("KG", "m", km - top, km - low, 0.01, lambda gm: km - gm, lambda kg: km - kg)
+                scales = [scales[0]._replace(high=top), kg]
+            dial.show(own_value(of.ship, name), scales)
         self._damping.show(of, state, damping)
         self._own.set_visibility(any(getattr(state, name) is not None for name in LOADING))
         self._method.set_value(state.harmonics)
+
+
+def _turn(change: Change, name: str, value: float, _: int) -> None:
+    """Change one value of the loading."""
+    change(**{name: value})
 
 
 def _speeds(length: float) -> list[Scale]:

@@ -9,9 +9,10 @@ from nicegui import ui
 
 from quartering.hull.ship import Ship
 from quartering.hydro.ship_damping import AMPLITUDE, equivalent_fraction
+from quartering.options import OPTIONS
 from quartering.study.loadings import KEEL_AXES, own_value
 from quartering.view.explorer.answers import Scene
-from quartering.view.explorer.dials import Dial, plain
+from quartering.view.explorer.dials import Dial, scales_of
 from quartering.view.explorer.state import State
 
 _WAYS = {"fraction": "per cent of critical", "components": "bilge keels, by Ikeda"}
@@ -61,7 +62,6 @@ class DampingDials:
     def show(self, of: Scene, state: State, hint: str) -> None:
         """Set the choice and the dials to a scene."""
         ship, self._own = of.ship, of.known.ship
-        length, beam = ship.hull.length, ship.hull.beam
         by_fraction = ship.roll_method == "fraction"
         self._quiet = True
         self._way.set_value("fraction" if by_fraction else "components")
@@ -70,17 +70,12 @@ class DampingDials:
         self._of_keels.set_visibility(not by_fraction)
         self._hint.set_text(hint)
         if by_fraction:
-            self._fraction.show(ship.loading.roll_damping, [plain("roll damping", "%", 0, 20, 0.5, 100.0)])
+            self._fraction.show(ship.loading.roll_damping, scales_of(OPTIONS["roll_damping"], ship))
             return
-        given = state.bilge_keel_length, state.bilge_keel_breadth
-        self._keels = _shown(ship) if None in given else given  # type: ignore[assignment]
-        self._length.show(self._keels[0], [
-            plain("keel length", "m", 0.05 * length, 0.6 * length, 0.1),
-            plain("keel length", "L", 0.05, 0.6, 0.01, 1 / length),
-        ])  # fmt: skip
-        self._breadth.show(self._keels[1], [
-            plain("keel breadth", "m", 0, 0.06 * beam, 0.01), plain("keel breadth", "B", 0, 0.06, 0.001, 1 / beam),
-        ])  # fmt: skip
+        given = tuple(getattr(state, name) for name in KEEL_AXES)
+        self._keels = _shown(ship) if None in given else given
+        for dial, size, name in zip((self._length, self._breadth), self._keels, KEEL_AXES, strict=True):
+            dial.show(size, scales_of(OPTIONS[name], ship))
 
 
 def damping_hint(of: Scene) -> str:

@@ -9,6 +9,10 @@ from typing import NamedTuple
 from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
+from quartering.hull.ship import Ship
+from quartering.options import Option
+from quartering.units import Kind, quantity
+
 
 class Scale(NamedTuple):
     """One way to read a value.
@@ -40,6 +44,30 @@ def plain(name: str, unit: str, low: float, high: float, step: float, factor: fl
     1.0
     """
     return Scale(name, unit, low, high, step, lambda si: si * factor, lambda typed: typed / factor)
+
+
+def scales_of(one: Option, of: Ship) -> list[Scale]:
+    """The scales of an option's dial for a ship: those the table gives, else one over its range.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.options import OPTIONS
+    >>> [(one.unit, one.low, one.high) for one in scales_of(OPTIONS["gyradius_roll"], ship("box"))]
+    [('m', 5.0, 10.0), ('B', 0.25, 0.5)]
+    """
+    kind: Kind = "ratio" if one.kind == "steepness" else one.kind  # type: ignore[assignment]
+    rows = one.dial if one.dial is not None else ((one.unit, one.low, one.high, 0.0),)
+    found = []
+    for unit, low, high, step in rows:
+        factor = 1.0 / quantity(f"1 {unit}" if unit not in ("1", "") else 1.0, kind, **of.sizes._asdict())
+        ends = [
+            factor * quantity(end, kind, **of.sizes._asdict()) if isinstance(end, str) else float(end or 0.0)
+            for end in (low, high)
+        ]
+        words, low, high = one.label or one.name.replace("_", " "), *ends
+        found.append(plain(words, unit, low, high, step or (high - low) / 100, factor))
+    return found
 
 
 def _ends(scale: Scale) -> tuple[tuple[Callable[[float], int], float], ...]:

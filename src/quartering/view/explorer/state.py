@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Literal
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 from urllib.parse import urlencode
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ValidationError,
+    WithJsonSchema,
+    create_model,
+    model_validator,
+)
 
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, own_words
+from quartering.options import OPTIONS, checked, line_of, ship_options
 from quartering.study.loadings import KEEL_AXES
+from quartering.units import Sizes
 
 Panel = Literal["motion", "stability", "curve", "causes", "hull"]
 """What the right side of the page shows."""
@@ -18,8 +29,56 @@ Panel = Literal["motion", "stability", "curve", "causes", "hull"]
 Over = Literal["wave_height", "wave_length", "speed", "frequency"]
 """What the response curve is drawn over."""
 
-LOADING = ("gm", "gyradius_roll", "gyradius_yaw", "roll_damping", *KEEL_AXES)
+DIALS = tuple(one for one in ship_options() if one.axis and one.dial != ())
+"""Options a page has a dial for."""
+
+LOADING = tuple(one.name for one in DIALS)
 """Loading values a page can change; None keeps the ship's own."""
+
+
+def plain_number(value: Any) -> Any:
+    """A value, as a number where it is text that is one: numbers of a link come as text."""
+    try:
+        return float(value) if isinstance(value, str) else value
+    except ValueError:
+        return value
+
+
+Value = Annotated[
+    Any, BeforeValidator(plain_number), WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}]})
+]
+"""A number, or text with a unit; it is looked at, and refused in the words of the table, where the ship is known."""
+
+_LARGEST = Sizes(1000.0, 300.0, 100.0)
+"""A ship larger than any, which limits in sizes of the ship are taken of before it is known [m]."""
+
+
+def loading_fields(names: Iterable[str] = LOADING) -> dict[str, Any]:
+    """Fields of a record that changes values of a ship: numbers or text with a unit, None for the ship's own.
+
+    Limits and words are those of the table; they are looked at where the ship they are measured by is known.
+    """
+    return {name: (Value | None, Field(default=None, description=line_of(OPTIONS[name]))) for name in names}
+
+
+def checked_loading(given: Any) -> Any:
+    """Refuse values no ship has: what does not need the ship to be known.
+
+    Raises
+    ------
+    ValueError
+    """
+    if isinstance(given, Mapping):
+        for one in DIALS:
+            if given.get(one.name) is not None:
+                checked(one, given[one.name], sizes=_LARGEST)
+    return given
+
+
+if TYPE_CHECKING:
+    Loaded = BaseModel
+else:
+    Loaded = create_model("Loaded", **loading_fields())
 
 
 def check_keels(roll_damping: float | None, length: float | None, breadth: float | None) -> None:
@@ -35,15 +94,13 @@ def check_keels(roll_damping: float | None, length: float | None, breadth: float
         raise ValueError("roll_damping stands for the bilge keels too; give it or the two sizes of the keels, not both")
 
 
-class State(BaseModel):
+class State(Loaded):
     """What a page shows: ship, loading, sea, condition, panel.
 
     Parameters
     ----------
     ship : str                              name the server knows it by
-    gm, gyradius_roll, gyradius_yaw : float    [m]; None: the ship's own
-    roll_damping : float                    fraction of critical; None: the ship's own
-    bilge_keel_length, bilge_keel_breadth : float    of one of the pair, in place of roll_damping [m]; a breadth of 0: none
+    gm, gyradius_roll, roll_damping, .. : float    the options of `DIALS`, in SI; None: the ship's own
     speed : float                           [m/s]; None: Fn 0.25
     heading : float                         0 following, 180 head [deg]
     wave_length : float                     [m]; None: the ship's length
@@ -62,12 +119,6 @@ class State(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     ship: str = Field(default="series60-cb60", max_length=1000)
-    gm: float | None = Field(default=None, gt=0, le=1e3)
-    gyradius_roll: float | None = Field(default=None, gt=0, le=1e3)
-    gyradius_yaw: float | None = Field(default=None, gt=0, le=1e4)
-    roll_damping: float | None = Field(default=None, ge=0, le=1)
-    bilge_keel_length: float | None = Field(default=None, gt=0, le=1e3)
-    bilge_keel_breadth: float | None = Field(default=None, ge=0, le=1e2)
     speed: float | None = Field(default=None, ge=0, le=100)
     heading: float = Field(default=60.0, ge=0, le=180)
     wave_length: float | None = Field(default=None, gt=0, le=1e4)
@@ -88,10 +139,16 @@ class State(BaseModel):
             raise ValueError("wave_height and steepness are both given; leave one out")
         return given if height is not None or steepness is not None else {**given, "steepness": 1 / 30}
 
+    @model_validator(mode="before")
+    @classmethod
+    def _in_range(cls, given: Any) -> Any:
+        """Every value in the range of its option."""
+        return checked_loading(given)
+
     @model_validator(mode="after")
     def _one_roll_damping(self) -> State:
         """A fraction of critical or a pair of keels."""
-        check_keels(self.roll_damping, self.bilge_keel_length, self.bilge_keel_breadth)
+        check_keels(*(getattr(self, name) for name in ("roll_damping", *KEEL_AXES)))
         return self
 
     @model_validator(mode="before")
@@ -127,7 +184,7 @@ class State(BaseModel):
     def query(self) -> str:
         """The part of a link after the question mark: the ship, and everything that is not as it would be anyway."""
         usual = State()
-        changed = {n: v for n, v in self if v is not None and (n == "ship" or v != getattr(usual, n))}
+        changed = {"ship": self.ship} | {n: v for n, v in self if v is not None and v != getattr(usual, n)}
         return urlencode({name: f"{v:.10g}" if isinstance(v, float) else v for name, v in changed.items()})
 
     def changed(self, **values: Any) -> State:

@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
-from quartering.hull.units import quantity
+from quartering.units import quantity
 from quartering.view.plots import style
 from quartering.view.plots.polar_map import COURSE_INK, GREY, HATCHES, draw_cells, edges
 

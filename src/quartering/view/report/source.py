@@ -13,10 +13,9 @@ from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.digest import fingerprint
-from quartering.hull.choices import Velocities
+from quartering.hull.option_types import Velocities
 from quartering.hull.readers import available_ships
 from quartering.hull.ship import Ship, ship
-from quartering.hull.units import quantity
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
@@ -24,6 +23,7 @@ from quartering.study.loadings import base_of
 from quartering.study.polar import polar
 from quartering.study.store import read_store
 from quartering.study.sweep import sweep
+from quartering.units import quantity
 from quartering.view.commands.result import opened
 from quartering.view.progress import bar
 

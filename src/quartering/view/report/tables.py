@@ -10,7 +10,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.righting import righting_polynomial, vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import coefficients
-from quartering.view.commands.hull import HYDROSTATICS, LOADING, loading_rows
+from quartering.view.commands.hull import HYDROSTATICS, LOADING, loading_rows, particular_rows
 from quartering.view.wording import ESTIMATES
 
 
@@ -47,7 +47,9 @@ def hydrostatics_table(ship: Ship) -> Table:
 
 def loading_table(ship: Ship) -> Table:
     """Loading with where each value comes from."""
-    rows = [Row(row, row[-1].startswith(("assumed", "estimated"))) for row in loading_rows(ship)]
+    rows = [
+        Row(row, row[-1].startswith(("assumed", "estimated"))) for row in (*loading_rows(ship), *particular_rows(ship))
+    ]
     if ship.autopilot is not None:
         rows.append(Row(("autopilot", ship.autopilot.words, "", "given")))
     if ship.righting == "spline":

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 import re
 from numbers import Real
-from typing import Final, Literal
+from typing import Final, Literal, NamedTuple
 
 from quartering.conventions import GRAVITY, InputError
 
-Kind = Literal["length", "speed", "mass", "angle", "time", "density", "area", "ratio"]
+Kind = Literal["length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio"]
 
+_LENGTHS: Final = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048}
 _UNITS: Final[dict[str, dict[str, float]]] = {
-    "length": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048},
+    "length": _LENGTHS,
+    "wave length": _LENGTHS,
     "speed": {"m/s": 1.0, "kn": 1852.0 / 3600.0, "km/h": 1.0 / 3.6},
     "mass": {"kg": 1.0, "t": 1e3},
     "angle": {"deg": 1.0, "rad": 180.0 / math.pi},
@@ -24,6 +26,63 @@ _UNITS: Final[dict[str, dict[str, float]]] = {
 """Kind -> unit -> factor to the unit a bare number has: m, m/s, kg, deg, s, kg/m3, m2."""
 
 _SHIP_UNITS: Final = ("L", "B", "T")
+BARE: Final[dict[Kind, str]] = {
+    "length": "m", "wave length": "m", "speed": "m/s", "mass": "kg", "angle": "deg", "time": "s", "density": "kg/m3",
+    "area": "m2", "ratio": "1",
+}  # fmt: skip
+"""Kind -> the unit a bare number has."""
+
+
+class Sizes(NamedTuple):
+    """What L, B and T stand for [m]; None where no ship is known."""
+
+    length: float | None = None
+    beam: float | None = None
+    draught: float | None = None
+
+
+NO_SHIP: Final = Sizes()
+
+
+def wave_length_of(period: float) -> float:
+    """Length of the deep-water wave of a period.
+
+    Parameters
+    ----------
+    period : float    seen from a fixed point [s]
+
+    Returns
+    -------
+    float             g T^2 / (2 pi) [m]
+
+    Notes
+    -----
+    Source: [Lewis89] ch. VIII, waves on deep water.
+
+    Examples
+    --------
+    >>> round(wave_length_of(10.0), 2)
+    156.13
+    """
+    return GRAVITY * period**2 / (2.0 * math.pi)
+
+
+def units_of(kind: Kind, sizes: Sizes = NO_SHIP) -> tuple[str, ...]:
+    """Units a quantity may be written in, where the sizes of a ship are known those of the ship among them.
+
+    Examples
+    --------
+    >>> units_of("speed", Sizes(100.0))
+    ('m/s', 'kn', 'km/h', 'Fn')
+    """
+    own = tuple(unit for unit in _UNITS[kind] if unit)
+    if kind in ("length", "wave length"):
+        own += tuple(letter for letter, size in zip(_SHIP_UNITS, sizes, strict=True) if size)
+    if kind == "wave length":
+        own += tuple(_UNITS["time"])
+    return own + (("Fn",) if kind == "speed" and sizes.length else ())
+
+
 _PATTERN: Final = re.compile(
     r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[-+]?\.?(?:nan|inf))\s*\*?\s*(\S*)\s*", re.IGNORECASE
 )
@@ -84,7 +143,8 @@ def quantity(
     Parameters
     ----------
     value : float or str              4.5, "4.5 m", "18 kn", "0.38 B", "1.2L", "0.25 Fn", "5 %"
-    kind : str                        "length", "speed", "mass", "angle", "time", "density", "area" or "ratio"
+    kind : str                        "length", "speed", "mass", "angle", "time", "density", "area", "ratio" or "wave length",
+                                      which a period gives too: "9 s"
     length, beam, draught : float     what L, B and T stand for [m]; left out, those units are refused
     what : str                        name used in messages; the kind when left out
 
@@ -108,14 +168,16 @@ def quantity(
     name = what or kind
     number, unit = split_quantity(value, name)
     factors = dict(_UNITS[kind])
-    if kind == "length":
+    if kind in ("length", "wave length"):
         sizes = zip(_SHIP_UNITS, (length, beam, draught), strict=True)
         factors |= {letter: size for letter, size in sizes if size is not None}
     elif kind == "speed" and length is not None:
         factors["Fn"] = math.sqrt(GRAVITY * length)
     if unit == "":
         return number
+    if kind == "wave length" and unit in _UNITS["time"]:
+        return wave_length_of(number * _UNITS["time"][unit])
     if unit not in factors:
-        allowed = ", ".join(u for u in factors if u) or "none"
+        allowed = ", ".join([*(u for u in factors if u), *(_UNITS["time"] if kind == "wave length" else ())]) or "none"
         raise InputError(f'{name}: unit "{unit}" in "{value}" is not known for a {kind}; units allowed: {allowed}')
     return number * factors[unit]

@@ -1,0 +1,121 @@
+"""The options of a ship on the command line: every command that takes a ship takes them, as the table declares them."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping
+from functools import wraps
+from typing import Annotated, Any
+
+import typer
+
+from quartering.conventions import InputError
+from quartering.options import OPTIONS, Option, checked, line_of, ship_options
+from quartering.view.outcome import answering
+
+_RANGES = "; or a range, from:to or from:to:count"
+
+
+def command_options() -> list[Option]:
+    """Options a command takes: those of a ship, of a group only what a study may vary.
+
+    Examples
+    --------
+    >>> {"gm", "autopilot", "bilge_keel_length"} <= {one.name for one in command_options()}
+    True
+    """
+    return [one for one in ship_options() if one.kind != "table" and (not one.group or one.axis)]
+
+
+def takes_ship_options(command: Callable[..., None], ranges: bool = False) -> Callable[..., None]:
+    """A command with the options of a ship added, which it gets as one mapping, ``changes``, of the words typed.
+
+    Parameters
+    ----------
+    command : function    of its own options and ``changes``
+    ranges : bool         may the axes of a study be ranges?
+
+    Returns
+    -------
+    function              where it takes a wave length, a wave period may be typed in its place
+    """
+    own = dict(inspect.signature(command, eval_str=True).parameters)
+    own.pop("changes")
+    if "wave_length" in own:
+        period = Annotated[str | None, typer.Option(OPTIONS["wave_period"].command, help=_help(OPTIONS["wave_period"]))]
+        wave = own["wave_length"]
+        own["wave_length"] = wave.replace(default=None, annotation=_optional(wave.annotation))
+        own["wave_period"] = inspect.Parameter(
+            "wave_period", inspect.Parameter.KEYWORD_ONLY, default=None, annotation=period
+        )
+    usual = (
+        {}
+        if "wave_length" not in own
+        else {"wave_length": inspect.signature(command).parameters["wave_length"].default}
+    )
+    added = [one for one in command_options() if one.name not in own]
+    for one in added:
+        text = _help(one) + (_RANGES if ranges and one.axis else "")
+        annotation = Annotated[str | None, typer.Option(one.command, help=text)]
+        own[one.name] = inspect.Parameter(one.name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation)
+
+    @wraps(command)
+    def run(**given: Any) -> None:
+        with answering():
+            changes = {one.name: text for one in added if (text := given.pop(one.name)) is not None}
+            if "wave_length" in own:
+                given["wave_length"] = _wave_length(
+                    given.pop("wave_period"), given["wave_length"], usual["wave_length"]
+                )
+        command(**given, changes=changes)
+
+    kinds = {name: one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for name, one in own.items()}
+    run.__signature__ = inspect.Signature(list(kinds.values()))  # type: ignore[attr-defined]
+    run.__annotations__ = {name: one.annotation for name, one in own.items()}
+    del run.__wrapped__
+    return run
+
+
+def _optional(annotation: Any) -> Any:
+    return Annotated[str | None, annotation.__metadata__[0]]
+
+
+def _help(one: Option) -> str:
+    line = line_of(one)
+    return f"{line[0].upper()}{line[1:]}"
+
+
+def _wave_length(period: str | None, length: str | None, usual: Any) -> str:
+    """The wave length typed, or the period typed in its place, with its unit."""
+    if period is not None and length is not None:
+        raise InputError("--wave-length and --wave-period are two ways to say one thing; leave one out")
+    if period is None:
+        if length is None and usual is inspect.Parameter.empty:
+            raise InputError(
+                "--wave-length is missing; give it, such as 150 or 1.0L, or give --wave-period, such as 9.8s"
+            )
+        return usual if length is None else length
+    return ",".join(":".join(_seconds(end) for end in item.split(":")[:2]) + _count(item) for item in period.split(","))
+
+
+def _seconds(text: str) -> str:
+    return f"{checked(OPTIONS['wave_period'], text, OPTIONS['wave_period'].command):.12g}s"
+
+
+def _count(item: str) -> str:
+    return "".join(f":{part}" for part in item.split(":")[2:])
+
+
+def option_words(changes: Mapping[str, str]) -> str:
+    """Options that give the same ship again, each with a blank before it.
+
+    Examples
+    --------
+    >>> option_words({"gm": "0.8", "name": "my ship"})
+    " --gm 0.8 --name 'my ship'"
+    """
+    return "".join(f" {OPTIONS[name].command} {_shell(text)}" for name, text in changes.items())
+
+
+def _shell(text: str) -> str:
+    return f"'{text}'" if " " in text or "{" in text else text
