@@ -19,7 +19,7 @@ from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.names import checked_values
 from quartering.options import OPTIONS, Option, Refused, checked, options, part_values, parts, quoted, unknown
-from quartering.units import Sizes
+from quartering.units import Sizes, quantity
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
@@ -275,7 +275,8 @@ def _coefficients(given: Any, where: str, name: str) -> dict[str, float]:
     if not isinstance(given, Mapping):
         raise Refused(name, f"{name} = {quoted(given)}; it is a mapping of coefficients, such as {{K_ppp: 0.5}}", where)
     try:
-        return checked_values("", given)
+        plain = {key: quantity(one, "ratio", what=key) if isinstance(one, str) else one for key, one in given.items()}
+        return checked_values("", plain)
     except InputError as error:
         raise Refused(name, str(error).removeprefix(": "), where) from None
 
