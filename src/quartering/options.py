@@ -213,7 +213,7 @@ def checked(of: Option, given: Any, where: str = "", sizes: Sizes = NO_SHIP) -> 
     >>> checked(option("water_density"), 1.025)
     Traceback (most recent call last):
     ...
-    quartering.options.Refused: water_density = 1.025; it is from 500 kg/m3 to 1500 kg/m3; did you mean 1.025 t/m3? Try 1025
+    quartering.options.Refused: water_density = 1.025 kg/m3; it is from 500 kg/m3 to 1500 kg/m3; did you mean 1.025 t/m3? Try 1025
     """
     if not of.numeric:
         return _word(of, given, where) if of.kind == "word" else _text(of, given, where)
@@ -242,7 +242,7 @@ def _refused(of: Option, given: Any, where: str, sizes: Sizes, what: str = "") -
     usual = of.usual if of.usual is not None else of.default
     in_unit = _resolved(usual, of, sizes) if of.numeric and isinstance(usual, str) else None
     own = f" {of.unit}" if of.unit not in ("1", "") else ""
-    more = "" if in_unit is None or usual == f"{in_unit:.4g}{own}" else f" = {in_unit:.4g}{own}"
+    more = "" if in_unit is None or str(usual).endswith(own or "?") else f" = {in_unit:.4g}{own}"
     advice = (
         "" if usual is None else f"{'Try' if slip else 'try'} {usual if isinstance(usual, str) else f'{usual:g}'}{more}"
     )
@@ -280,12 +280,12 @@ def _slip(of: Option, given: Any, sizes: Sizes) -> str:
     number, unit = (
         split_quantity(given) if not (isinstance(given, str) and "/" in given and not of.unit) else (math.nan, "x")
     )
+    if of.kind == "angle" and of.high == 360 and unit in ("", "deg"):
+        return f"did you mean {number % 360.0:g} deg?"
     if unit or of.kind == "steepness" or not math.isfinite(number):
         high = _resolved(of.high, of, sizes)
         over = high is not None and unit != "" and _number(given, of, sizes) > high
         return "is the unit right?" if over and of.kind != "steepness" else ""
-    if of.kind == "angle" and of.high == 360:
-        return f"did you mean {number % 360.0:g} deg?"
     if number <= 0:
         return ""
     for other in (*units_of(of.kind, sizes), *(("%",) if of.kind == "ratio" else ())):  # type: ignore[arg-type]
@@ -344,7 +344,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
            words={"keel": "up from the keel at midship", "waterline": "up from the calm water"}, example="keel"),
     # How it is loaded
     Option("gm", "length", place="loading", low=0, above=True, usual="0.05 B", default="0.05 B", axis=True,
-           hint="upright, it floats stably",
+           hint="the metacentric height of a ship that floats upright",
            dial=(("m", "0.01 B", "0.15 B", 0.01),), home="loading.gm", label="GM"),
     Option("kg", "length", place="loading", low="-1 T", usual="1 T", axis=True, dial=(), home="loading.kg", label="KG"),
     Option("gyradius_roll", "length", place="loading", low=0, above=True, high="2 B", usual="0.35 B", default="0.35 B",

@@ -41,8 +41,9 @@ def values_of(one: Option, given: Any, own: Ship, where: str = "") -> list[float
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> values_of(option("wave_length"), ["0.5 L", 80, "10 s"], ship("wigley"))
-    [50.0, 80.0, 156.13105230526392]
+    >>> from quartering.options import option
+    >>> [round(one, 2) for one in values_of(option("wave_length"), ["0.5 L", 80, "10 s"], ship("wigley"))]
+    [50.0, 80.0, 156.13]
     """
     items = [given] if isinstance(given, str) or np.ndim(given) == 0 else list(given)
     if not items:
@@ -84,6 +85,7 @@ def range_values(item: str, one: Option, own: Ship, where: str = "") -> list[flo
     Examples
     --------
     >>> from quartering.hull.ship import ship
+    >>> from quartering.options import option
     >>> range_values("0..90 deg step 45", option("heading"), ship("wigley"))
     [0.0, 45.0, 90.0]
     """
