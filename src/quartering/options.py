@@ -210,10 +210,10 @@ def checked(of: Option, given: Any, where: str = "", sizes: Sizes = NO_SHIP) -> 
     --------
     >>> checked(option("gyradius_roll"), "0.38 B", sizes=Sizes(120.0, 16.0, 6.5))
     6.08
-    >>> checked(option("water_density"), 1.025)
+    >>> checked(option("roll_damping"), 5)
     Traceback (most recent call last):
     ...
-    quartering.options.Refused: water_density = 1.025 kg/m3; it is from 500 kg/m3 to 1500 kg/m3; did you mean 1.025 t/m3? Try 1025
+    quartering.options.Refused: roll_damping = 5; it is from 0 to 1, or ikeda or ikeda-simplified; did you mean 5 %? Try 0.05
     """
     if not of.numeric:
         return _word(of, given, where) if of.kind == "word" else _text(of, given, where)
