@@ -375,7 +375,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
            words={"polynomial": "odd, to phi^7", "spline": "the curve itself"}),
     Option("sections", "word", "section coefficients", default="auto", home="hull.section_method",
            words={"auto": "the section's own contour", "lewis": "its Lewis form", "close-fit": "its own contour"}),
-    Option("ends", "word", "water round stem and stern", default="strips", home="hull.ends", words=_ENDS),
+    Option("ends", "word", "water round stem and stern", default="three-dimensional", home="hull.ends", words=_ENDS),
     Option("drag_coefficient", "ratio", "cross-flow drag of the sections; gives the cubic coefficients", low=0, high=10,
            usual=0.8, default=0.8, home="drag_coefficient"),
     Option("velocity_scale", "speed", "velocity at which the cross-flow drag is made cubic", low=0, above=True, high=100,

@@ -60,7 +60,7 @@ def test_a_misspelt_word_gets_the_nearest_one_at_every_door(tmp_path):
     with pytest.raises(qt.InputError, match='did you mean "absolute"'):
         qt.sweep(ship("wigley"), 5.0, 60.0, 200.0, 1.0, velocities=["absolut"])
     (tmp_path / "my.yaml").write_text("base: wigley\nvelocities: relativ\n")
-    with pytest.raises(qt.InputError, match="did you mean 'relative'"):
+    with pytest.raises(qt.InputError, match='did you mean "relative"'):
         ship(tmp_path / "my.yaml")
     (tmp_path / "case.yaml").write_text(CASE + "loading: {velocities: absolut}\n")
     with pytest.raises(qt.InputError, match=r"line 6.*absolute"):

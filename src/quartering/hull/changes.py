@@ -228,6 +228,8 @@ def _solved_by(ship: Ship, hull: Hull, given: Mapping[str, Any], where: str, dat
         for one in options(kinds=("word",))
         if one.home.startswith("hull.")
     }
+    if database is not None and "ends" not in given:
+        chosen["ends"] = "strips"  # the database stands for the whole hull, its ends among it
     if chosen.get("ends") == "three-dimensional" and database is not None:
         raise Refused(
             "ends",

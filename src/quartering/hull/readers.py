@@ -7,12 +7,13 @@ from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 from quartering.conventions import InputError
 from quartering.hull.changes import changed
 from quartering.hull.lines import DIMENSIONS, dimension, hull_of
 from quartering.hull.loading_entries import LOADING, loading_entries, loading_of, own_entries
+from quartering.hull.option_types import Ends
 from quartering.hull.own_database import Database, database_of
 from quartering.hull.own_measured import MeasuredFile, measured_source
 from quartering.hull.roll_method import roll_damping_note
@@ -140,6 +141,8 @@ def _made(where: str, keys: ShipKeys) -> Ship:
     hull = hull_of(where, keys, base.hull if base else None)
     entries = loading_entries(own_entries(keys), base_keys, base, hull)
     loading = loading_of(where, hull, entries)
+    if base is None:
+        hull = replace(hull, ends=cast(Ends, OPTIONS["ends"].default))
     start = Ship(hull.name, hull, loading) if base is None else replace(base, hull=hull, loading=loading, database=None)
     given = {
         name: entry.value for name, entry in keys.told.items() if name not in (*DIMENSIONS, *LOADING, "loading_case")
