@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +18,7 @@ from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
-from quartering.motion.terms import TermTable, term_table, with_spline
+from quartering.motion.terms import TermTable, term_table
 from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
 
 
@@ -52,22 +53,8 @@ class ShipSystem:
         System    m h conditions, the heights of one condition beside each other
         """
         count = amplitude.shape[1]
-        factor = amplitude.reshape(-1, 1)
-        s = self.system
-
-        def spread(array: Floats) -> Floats:
-            return np.repeat(array, count, axis=0) if count > 1 else array
-
-        return System(
-            linear=spread(s.linear),
-            coefficients=spread(s.coefficients),
-            powers=s.powers,
-            modulus=s.modulus,
-            mean=spread(s.mean),
-            cos=spread(s.cos) * factor,
-            sin=spread(s.sin) * factor,
-            frequency=spread(s.frequency),
-        )
+        spread = self.system.each(lambda array: np.repeat(array, count, axis=0)) if count > 1 else self.system
+        return spread.raised(amplitude.reshape(-1))
 
 
 def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
@@ -106,15 +93,11 @@ def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
 def _term_table(c: Coefficients) -> TermTable:
     """The nonlinear terms of all conditions: one table, or coefficients by condition where they vary with the speed."""
     if not c.varying:
-        return _with_curve(term_table(nonlinear_terms(c)), c)
+        return term_table(nonlinear_terms(c))
     _, first, back = np.unique(c.speed, return_index=True, return_inverse=True)
     tables = [term_table(nonlinear_terms(c, int(k))) for k in first]
     linear, coefficients = (np.stack([getattr(t, part) for t in tables])[back] for part in ("linear", "coefficients"))
-    return _with_curve(TermTable(linear, tables[0].powers, tables[0].modulus, coefficients), c)
-
-
-def _with_curve(table: TermTable, c: Coefficients) -> TermTable:
-    return table if c.righting is None else with_spline(table, c.righting)
+    return TermTable(linear, tables[0].powers, tables[0].modulus, coefficients)
 
 
 def excitation(
@@ -195,8 +178,9 @@ def ship_system(
     table = _term_table(c)
     linear += table.linear
     frequency = np.where(slow, np.nan, np.abs(omega))
-    steering = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
-    system = canonical(c.inertia, table, frequency, force.real, -force.imag, linear=linear, **steering)  # type: ignore[arg-type]
+    given: dict[str, Any] = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
+    given |= {"linear": linear, "restoring": c.righting}
+    system = canonical(c.inertia, table, frequency, force.real, -force.imag, **given)
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
 
 

@@ -13,8 +13,7 @@ from quartering.motion.steering import HEADING, RUDDER, holds_heading, turning
 from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
 from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
-from quartering.stability.steered import steered_transitions
-from quartering.stability.variation import transition_matrices
+from quartering.stability.transition import even_steps, transition_matrices
 
 Complex = NDArray[np.complex128]
 
@@ -219,13 +218,10 @@ def _transitions(
     variation: tuple[Complex, Floats] | None,
 ) -> Floats:
     """State transition matrices (n, s, s), each by the method that reaches the accuracy at the least cost."""
-    if system.states > HEADING:
-        if system.states > RUDDER:
-            rate = np.maximum(rate, -system.linear[:, 3, RUDDER])
-        steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
-        return steered_transitions(system, turning(system.linear, u, orders), orders, span, steps)
-    if variation is None or accuracy < FINEST or system.has_modulus:
-        steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
+    if system.states > RUDDER:
+        rate = np.maximum(rate, -system.linear[:, 3, RUDDER])
+    if variation is None or accuracy < FINEST or not system.smooth or not system.plain:
+        steps = np.where(found, even_steps(steps_for(system.frequency, span, rate, max(orders), accuracy)), 1)
         return transition_matrices(system, u, orders, span, steps)
     phasors, along = variation
     steps, scale = magnus_steps(system.frequency, phasors, rate, span, accuracy)
@@ -234,7 +230,7 @@ def _transitions(
     rest = np.flatnonzero(found & ~np.isfinite(phi).all(axis=(1, 2)))
     if rest.size:
         few = rows(system, rest)
-        many = steps_for(few.frequency, span, rate[rest], max(orders), accuracy)
+        many = even_steps(steps_for(few.frequency, span, rate[rest], max(orders), accuracy))
         phi[rest] = transition_matrices(few, u[rest], orders, span, many)
     return phi
 

@@ -222,8 +222,7 @@ def _scaled(s: System, values: Mapping[str, Floats]) -> System:
     if "frequency" in values:
         s = replace(s, frequency=values["frequency"].copy())
     if "excitation" in values:
-        factor = values["excitation"][:, None]
-        s = replace(s, mean=factor * s.mean, cos=factor * s.cos, sin=factor * s.sin)
+        s = s.raised(values["excitation"])
     return s
 
 
