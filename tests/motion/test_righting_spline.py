@@ -9,7 +9,6 @@ import quartering as qt
 from quartering.hull.righting import polynomial_miss, righting_arm, righting_spline, vanishing_angle
 from quartering.hull.spline import odd_spline
 from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.terms import KNOT_CODE
 
 TERMS = {"Y_v": -0.4, "K_v": 0.1, "K_p": -0.05, "K_ppp": -0.08, "N_r": -0.6, "N_v": -0.1, "K_prr": 0.2}
 ANGLES = np.arange(0.0, 81.0, 5.0)
@@ -155,7 +154,7 @@ def test_a_ship_with_a_spline_says_so_and_refuses_half_a_polynomial(tmp_path):
         next(e.value for e in qt.coefficients(qt.ship("wigley"), 0.5, 5.0).table() if e.name == "K_phi"), rel=2e-3
     )
     model = qt.equations(ship, qt.Wave(100.0, 1.0), 5.0, 40.0)
-    assert (model.system.modulus > KNOT_CODE).any()
+    assert model.system.knots.shape[1] > 1
     with pytest.raises(qt.InputError, match='righting="polynomial"'):
         qt.coefficients(ship.with_(factors={"K_phiphiphi": 2.0}), 0.5, 5.0)
     with pytest.raises(qt.InputError, match="polynomial"):

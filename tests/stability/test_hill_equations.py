@@ -7,7 +7,7 @@ from quartering.motion.equations import Model
 from quartering.motion.status import Status
 from quartering.motion.steady import Motion
 from quartering.stability.hill import hill_exponents
-from quartering.stability.variation import transition_matrices
+from quartering.stability.transition import transition_matrices
 from tests.reference import table
 
 MATHIEU, MEISSNER = table("mathieu.csv"), table("meissner.csv")

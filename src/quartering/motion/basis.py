@@ -54,8 +54,8 @@ def basis(orders: tuple[int, ...], degree: int, modulus: bool, extra: int = 0, f
     degree : int             highest degree of the products
     modulus : bool           products with a modulus present: not band-limited, so many samples are taken
     extra : int              additional harmonics of a derivative that must come out exact
-    fewest : int             samples a cycle at the least, and a quarter of that for each harmonic: drag |q| q is not band-limited,
-                             but its harmonics fall with the cube of their order
+    fewest : int             samples a cycle at the least, and a quarter of that for each harmonic: drag |q| q is not
+                             band-limited, but its harmonics fall with the cube of their order
 
     Returns
     -------

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,7 +46,7 @@ def joined(systems: Sequence[System]) -> System:
         block = np.zeros((s.count, 3, len(where)))
         block[:, :, [where[key] for key in keys]] = s.coefficients
         blocks.append(block)
-    stacked = {name: _stacked([getattr(s, name) for s in systems], name) for name in PER_CONDITION[2:]}
+    stacked: dict[str, Any] = {name: _stacked([getattr(s, name) for s in systems], name) for name in PER_CONDITION[2:]}
     return replace(
         systems[0],
         linear=np.concatenate([s.linear for s in systems]),

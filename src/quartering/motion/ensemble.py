@@ -29,7 +29,7 @@ _AT_ONCE = 64
 
 @kernel
 def _march(first, last, equations, h, forcing, begin, steps, limit, states, times):
-    """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, h): the wave's harmonics at half steps.
+    """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, h): the wave's harmonics.
 
     ``begin`` steps, whole periods, have been taken before. ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes
     `limit`; ``times`` (rows, W) is when it did, NaN before.

@@ -29,18 +29,14 @@ PER_CONDITION: Final = Parts._fields
 """What of a `System` has a row a condition; the products are alike in all."""
 
 
-def _none(*shape: int) -> Any:
-    return field(default_factory=lambda: np.zeros((1, *shape)))
-
-
 @dataclass(frozen=True, eq=False)
 class System:
     """The canonical equations of n conditions: accelerations as explicit functions of the state and the time.
 
     ``d/dt (v, p, r) = linear (v, phi, p, r) + coefficients products + push strips + arm moment(phi) + mean + cos cos(w t)
-    + sin sin(w t)``, d phi/dt = p. With an autopilot the heading psi (d psi/dt = r), and with a lag the rudder angle delta, stand
-    among the linear columns. The products are of the state and of variables that known inputs in time enter: a state with an
-    input added, as the velocity through the water v - w0, or an input alone, as a stiffness that changes with the wave.
+    + sin sin(w t)``, d phi/dt = p. With an autopilot the heading psi (d psi/dt = r), and with a lag the rudder angle delta,
+    stand among the linear columns. The products are of the state and of variables that known inputs in time enter: a state with
+    an input added, as the velocity through the water v - w0, or an input alone, as a stiffness that changes with the wave.
 
     Parameters
     ----------
@@ -68,13 +64,13 @@ class System:
     cos: Floats
     sin: Floats
     frequency: Floats
-    inputs: Floats = _none(0, 3)
+    inputs: Floats = field(default_factory=lambda: np.zeros((1, 0, 3)))
     extra: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, dtype=np.int64))
-    strips: Floats = _none(0, 5)
-    push: Floats = _none(3, 3)
-    knots: Floats = _none(0)
-    cubics: Floats = _none(0, 4)
-    arm: Floats = _none(3)
+    strips: Floats = field(default_factory=lambda: np.zeros((1, 0, 5)))
+    push: Floats = field(default_factory=lambda: np.zeros((1, 3, 3)))
+    knots: Floats = field(default_factory=lambda: np.zeros((1, 0)))
+    cubics: Floats = field(default_factory=lambda: np.zeros((1, 0, 4)))
+    arm: Floats = field(default_factory=lambda: np.zeros((1, 3)))
     layout: Layout = SHIP
     periods: int = 1
 
@@ -228,8 +224,8 @@ def canonical(
     rudder : (n, 3) or (3,) float          Y_delta, K_delta, N_delta [N, N m, N m]
     autopilot : Autopilot, optional        that moves it; without one it stays amidships
     restoring : OddSpline, optional        a moment K over phi beside the terms [N m]
-    water : (w0, w1), optional             (n,) complex each: the velocity products of the table are then on the velocity through
-                                           the water, see `relative_terms` [m/s, 1/s]
+    water : (w0, w1), optional             (n,) complex each: the velocity products of the table are then on the velocity
+                                           through the water, see `relative_terms` [m/s, 1/s]
     strips : Strips, optional              cross-flow drag on the velocity through the water; of one or of n conditions
 
     Returns
@@ -273,7 +269,7 @@ def canonical(
         product = inverse @ matrix
         return np.ascontiguousarray(np.broadcast_to(product, (w.size, *product.shape[-2:])))
 
-    extra, known = np.empty(0, dtype=np.int64), {}
+    extra, known = np.empty(0, dtype=np.int64), dict[str, Any]()
     if water is not None:
         table, extra = relative_terms(table)
         known = {"inputs": np.array(np.broadcast_to(relative_inputs(*water), (w.size, 2, 3)))}

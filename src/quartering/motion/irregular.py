@@ -34,14 +34,18 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
     """Runge-Kutta steps for rows first..last of realisations abreast.
 
-    ``forcing`` (steps + 7, 3 + e + z, n) begins 3 steps before the first step: accelerations, known inputs, water at the strips.
+    ``forcing`` (steps + 7, 3 + e + z, n) begins 3 steps before the first step: accelerations, known inputs, water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.
     """
     kinds = forcing.shape[1]
     room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
-    waves, total, roll_angle = np.zeros((3, equations.parts.inputs.shape[2])), room[4], equations.program.displacements[1]
+    waves, total, roll_angle = (
+        np.zeros((3, equations.parts.inputs.shape[2])),
+        room[4],
+        equations.program.displacements[1],
+    )
     waves[:, 0], waves[:, 1] = 1.0, 1.0  # a series stands where the mean of an input and the cosine of the water would
     for row in range(first, last):
         y, own = states[row], forcing[:, :, row * WIDTH : (row + 1) * WIDTH]
@@ -90,8 +94,8 @@ def irregular(
     duration : float            [s]
     step : float                of time [s]
     limit : float               roll angle that counts as capsize [rad]; a realisation stops there
-    water : (c, m) complex      velocity of the water in each component, as `force`, of a model that has it: w0 [m/s] and w1 [1/s]
-                                of `Model.water`, then that at each of `Model.strips` [m/s]
+    water : (c, m) complex      velocity of the water in each component, as `force`, of a model that has it: w0 [m/s] and w1
+                                [1/s] of `Model.water`, then that at each of `Model.strips` [m/s]
 
     Returns
     -------
@@ -101,7 +105,8 @@ def irregular(
 
     Raises
     ------
-    InputError        a model with water in motion and none given, or the reverse; shapes that do not fit together, numbers that are not finite, a step, duration or limit not above 0
+    InputError        a model with water in motion and none given, or the reverse; shapes that do not fit together, numbers
+                      that are not finite, a step, duration or limit not above 0
 
     Notes
     -----
@@ -160,7 +165,8 @@ def _known_inputs(model: Model, components: int, water: ArrayLike | None) -> NDA
     if given.shape != (components, own + strips) or not np.isfinite(given).all():
         raise InputError(
             f"water {given.shape}: this model has {own} velocities of the water (w0, w1) and {strips} strips; give finite"
-            f" numbers ({components}, {own + strips}), one row a component" + ("" if own + strips else ", or leave it out")
+            f" numbers ({components}, {own + strips}), one row a component"
+            + ("" if own + strips else ", or leave it out")
         )
     scale = np.concatenate([-np.ones(own), np.cbrt(model.strips.c) if model.strips is not None else np.empty(0)])
     return (given * scale).T

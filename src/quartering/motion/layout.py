@@ -21,8 +21,8 @@ class Layout:
     rows : tuple of int            row of the right-hand side that is the rate of each; -1 where it follows another state
     follows : tuple of int         state whose value is its rate, as phi' = p; -1 where the equations give it
     velocities : tuple of int      state that is the velocity of each mode of motion (sway, roll, yaw)
-    displacements : tuple of int   state that is its displacement; -1 where the equations do not hold it: the mean of such a mode
-                                   is a velocity
+    displacements : tuple of int   state that is its displacement; -1 where the equations do not hold it: the mean of such a
+                                   mode is a velocity
 
     Examples
     --------
@@ -52,5 +52,7 @@ SHIP = Layout(("v", "phi", "p", "r"), (0, -1, 1, 2), (-1, 2, -1, -1), (0, 2, 3),
 STEERED = Layout((*SHIP.states, "psi"), (*SHIP.rows, -1), (*SHIP.follows, 3), SHIP.velocities, SHIP.displacements)
 """With an autopilot: the heading as well."""
 
-LAGGING = Layout((*STEERED.states, "delta"), (*STEERED.rows, 3), (*STEERED.follows, -1), SHIP.velocities, SHIP.displacements)
+LAGGING = Layout(
+    (*STEERED.states, "delta"), (*STEERED.rows, 3), (*STEERED.follows, -1), SHIP.velocities, SHIP.displacements
+)
 """With a steering gear that lags: the rudder angle as well, whose equation is the fourth row."""

@@ -29,7 +29,7 @@ _GROUP = 4
 
 
 class Alike(NamedTuple):
-    """The equations of one ship for a row of histories: ``rates = matrix columns``, the columns being the state and its products.
+    """The equations of one ship for a row of histories: ``rates = matrix columns``, of the state and its products.
 
     Parameters
     ----------

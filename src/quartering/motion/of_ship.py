@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.conventions import InputError
+from quartering.conventions import GRAVITY, InputError
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.hydro.coefficient_table import Coefficients
@@ -16,10 +18,13 @@ from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
 from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
-from quartering.loads.waves import Wave, least_encounter_frequency
+from quartering.loads.waves import Wave, encounter_frequency, folded, heading_components, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table
+from quartering.motion.water import Strips
 from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
+
+Drag = Literal["cubic", "strips"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +134,44 @@ def excitation(
     return pressure + scattered, omega
 
 
+def drag_strips(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) -> Strips:
+    """Cross-flow drag of a ship at many conditions, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    ship, wavenumber, speed, heading    as in `ship_system`
+
+    Returns
+    -------
+    Strips    at the points the lines are integrated at; the drag acts, and the water's velocity is taken, at half the draught
+              of each section
+
+    Notes
+    -----
+    w = i sigma sin(delta) e^(-k T/2) e^(i k1 x) as in `water_velocity`, at the strip and not fitted.  Source: [Hoerner65] for
+    the drag; wave kinematics, closed form.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> drag_strips(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0])).water.shape[0]
+    1
+    """
+    k, U, mu = (np.asarray(values, dtype=float)[:, None] for values in (wavenumber, speed, heading))
+    sections, loading = strips(ship.hull), ship.loading
+    x = sections.x - hydrostatics(ship).lcb
+    along, across = heading_components(mu)
+    sigma = np.sqrt(GRAVITY * k)
+    water = 1j * sigma * across * np.exp(-k * sections.draught / 2 + 1j * k * along * x)
+    omega = encounter_frequency(sigma, U, mu)[:, 0]
+    return Strips(
+        x=x,
+        lever=loading.kg - ship.hull.draught + sections.draught / 2,
+        c=0.5 * loading.density * ship.drag_coefficient * sections.draught * sections.weight,
+        water=folded(omega, water)[1],
+    )
+
+
 def ship_system(
     ship: Ship,
     wavenumber: Floats,
@@ -137,6 +180,7 @@ def ship_system(
     form: Form = "stf",
     *,
     known: tuple[NDArray[np.complex128], Floats] | None = None,
+    drag: Drag = "cubic",
 ) -> ShipSystem:
     """Equations of a ship at many conditions, per metre of wave amplitude.
 
@@ -148,6 +192,7 @@ def ship_system(
     heading : (m,) float       mu: 0 following, 180 head [deg]
     form : str                 of the diffraction force, see `wave_forces`
     known : optional           what `excitation` gives, when it has been found already
+    drag : str                 of the cross-flow: "cubic", the ten cubics on velocities over ground, or "strips": `drag_strips`
 
     Returns
     -------
@@ -173,13 +218,17 @@ def ship_system(
     c = coefficients(ship, omega, speed)
     if form != "paper":
         force = force + ship_lift_phasors(ship, c, wavenumber, speed, heading)
+    moving: dict[str, Any] = {}
+    if drag == "strips":
+        c = replace(c, cubic=np.zeros_like(c.cubic))
+        moving["strips"] = drag_strips(ship, wavenumber, speed, heading)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
     table = _term_table(c)
     linear += table.linear
     frequency = np.where(slow, np.nan, np.abs(omega))
     given: dict[str, Any] = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
-    given |= {"linear": linear, "restoring": c.righting}
+    given |= {"linear": linear, "restoring": c.righting, **moving}
     system = canonical(c.inertia, table, frequency, force.real, -force.imag, **given)
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
 

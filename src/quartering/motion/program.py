@@ -128,9 +128,7 @@ def _program(powers: bytes, modulus: bytes, extra: bytes, layout: Layout) -> Pro
     of = np.frombuffer(extra, dtype=np.int64).copy()
     terms = [tuple(row) for row in np.frombuffer(powers, dtype=np.int64).reshape(bars.size, PLAIN + of.size).tolist()]
     columns = _Columns(states, PLAIN + of.size)
-    keys: list[Key] = [
-        (term, bar - 1, SIZE if bar else TIMES) for term, bar in zip(terms, bars.tolist(), strict=True)
-    ]
+    keys: list[Key] = [(term, bar - 1, SIZE if bar else TIMES) for term, bar in zip(terms, bars.tolist(), strict=True)]
     products = [columns.make(key) for key in keys]
     values = len(columns.links)
     slopes, factors = [], []

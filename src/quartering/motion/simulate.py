@@ -3,6 +3,7 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -56,7 +57,7 @@ def _derivative(program, lanes, time, y, waves, room, out):
         columns[s, 0] = y[s]
     waves[0] = 1.0
     for h in range(1, waves.size // 2 + 1):
-        waves[2 * h - 1], waves[2 * h] = np.cos(h * w * time), np.sin(h * w * time)
+        waves[2 * h - 1], waves[2 * h] = math.cos(h * w * time), math.sin(h * w * time)
     enter_inputs(program, lanes, waves, columns)
     forces(program, lanes, waves[1], waves[2], columns, sums, force)
     for k in range(3):

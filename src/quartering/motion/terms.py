@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from quartering.conventions import STATE, InputError
 from quartering.names import ROWS, barred, term
 
+
 @dataclass(frozen=True)
 class Factors:
     """Powers of (v, phi, p, r) in one term, and which variable (1-4, 0 for none) stands between modulus bars."""

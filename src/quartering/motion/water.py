@@ -64,7 +64,11 @@ class Strips:
             object.__setattr__(self, name, value)
 
     def __repr__(self) -> str:
-        return f"Strips({self.x.size} strips from {self.x.min():.4g} to {self.x.max():.4g} m)" if self.x.size else "Strips()"
+        return (
+            f"Strips({self.x.size} strips from {self.x.min():.4g} to {self.x.max():.4g} m)"
+            if self.x.size
+            else "Strips()"
+        )
 
     @property
     def array(self) -> Floats:

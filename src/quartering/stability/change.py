@@ -145,7 +145,7 @@ def _by_products(
 
 
 def _by_table(
-    system: System, changes: System, states: Floats, moved: Floats, phases: Floats, beside: Beside
+    system: System, changes: System, states: Floats, moved: Floats, _phases: Floats, _beside: Beside
 ) -> tuple[Floats, Floats]:
     """Part of the table of the restoring moment, as `_by_products`."""
     rows, changed = np.zeros((len(states), 3, 4)), np.zeros((*moved.shape[:2], 3, 4))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from quartering.motion.batch import rows
 from quartering.motion.equations import Floats, System
-from quartering.motion.steering import HEADING, RUDDER, holds_heading, turning
+from quartering.motion.steering import HEADING, RUDDER, holds_heading
 from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
 from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition

@@ -3,6 +3,7 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from typing import Final
 
 import numpy as np
@@ -39,12 +40,12 @@ def _matrix_at(program, parts_lanes, factors, angle, periods, u, value, rate, wa
         if factors[b] == 0.0:
             value[b], rate[b] = 1.0, 1.0
         elif b + 1 < factors.size and factors[b + 1] == factors[b] and (b == 0 or factors[b - 1] != factors[b]):
-            c, s = np.cos(factors[b] * angle), np.sin(factors[b] * angle)
+            c, s = math.cos(factors[b] * angle), math.sin(factors[b] * angle)
             value[b], rate[b] = c, -factors[b] * s
             value[b + 1], rate[b + 1] = s, factors[b] * c
     waves[0] = 1.0
     for h in range(1, waves.size // 2 + 1):
-        waves[2 * h - 1], waves[2 * h] = np.cos(h * periods * angle), np.sin(h * periods * angle)
+        waves[2 * h - 1], waves[2 * h] = math.cos(h * periods * angle), math.sin(h * periods * angle)
     states(program, factors, value, rate, u, parts_lanes.frequency, columns)
     enter_inputs(program, parts_lanes, waves, columns)
     slopes(program, parts_lanes, waves[1], waves[2], columns, sums, jacobian)
@@ -79,7 +80,7 @@ def _advance(phi, slope, ahead, weight, stage, total):
 
 @kernel
 def _march(first, last, program, parts, factors, periods, u, span, steps, rows, transition):
-    """Fourth-order Runge-Kutta solution (n, s, s) over ``span`` cycles of the conditions in ``rows`` (r, W), all of ``steps``."""
+    """Fourth-order Runge-Kutta solution (n, s, s) over ``span`` cycles of the conditions in ``rows`` (r, W)."""
     width, size, nb = rows.shape[1], program.states, factors.size
     lanes = row_of_lanes(parts, width)
     columns, _, matrix, sums = room_for(program, lanes)
@@ -109,7 +110,9 @@ def _march(first, last, program, parts, factors, periods, u, span, steps, rows, 
                                 stage[a, b, l], total[a, b, l] = phi[a, b, l], 0.0
                 if j != 2 and (j > 0 or n == 0):  # the middle stands for two stages, the end for the next beginning
                     angle = (2 * n + (j + 1) // 2) * half_angle
-                    _matrix_at(program, lanes, factors, angle, periods, motion, value, rate, waves, columns, sums, matrix)
+                    _matrix_at(
+                        program, lanes, factors, angle, periods, motion, value, rate, waves, columns, sums, matrix
+                    )
                 _slope(program, matrix, stage, slope)
                 for l in range(width):
                     ahead[l] = 0.5 * h[l] if j < 2 else h[l]
