@@ -1,20 +1,25 @@
 """Ships in moving water: cubics on the velocity through it, and drag strip by strip."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
 from quartering.motion.batch import copies, joined
-from quartering.motion.equations import Model
+from quartering.motion.change import change_of_motion
+from quartering.motion.equations import PER_CONDITION, Model
 from quartering.motion.harmonic import harmonic_balance, solve_with_care
 from quartering.motion.irregular import irregular
 from quartering.motion.simulate import simulate
 from quartering.motion.steady import steady_motion
+from quartering.motion.steering import state_matrix
 from quartering.motion.water import Strips
+from quartering.stability.assessment import assess
+from quartering.stability.change import change_of_stability
 from quartering.stability.contribution import contributions
-from quartering.stability.verdict import stability
+from quartering.stability.variation import variational_harmonics
 from tests.reference import HERE
 
 WATER = json.loads((HERE / "moving_water.json").read_text())
@@ -51,11 +56,11 @@ def test_cubics_on_relative_velocity_agree_with_integration_elsewhere(row):
     model = raw_model(row)
     motion = steady_motion(model, 21)
     np.testing.assert_allclose(motion.state(0.0), row["state0_v_phi_p_r"], atol=1e-7)
-    verdict = stability(model, motion)
+    found = assess(model.system, motion.coefficients[None], motion.orders, accuracy=1e-10).floquet
     wanted = np.array([phasor(m) for m in row["multipliers"]])
-    apart = np.abs(verdict.multipliers[:, None] - wanted[None]).min(axis=0)
+    apart = np.abs(found.multipliers[0][:, None] - wanted[None]).min(axis=0)
     assert apart.max() < 1e-6
-    assert verdict.exponents.real.max() == pytest.approx(row["largest_exponent"], abs=1e-6)
+    assert found.exponents.real.max() == pytest.approx(row["largest_exponent"], abs=1e-6)
 
 
 def test_a_model_of_bare_numbers_is_absolute():
@@ -68,9 +73,19 @@ def test_a_model_of_bare_numbers_is_absolute():
     assert absolute.system.inputs.shape[1] == 0
 
 
-@pytest.mark.parametrize(("model", "tolerance"), [(raw_model(RAW[1]), 1e-8), (dragged_model(), 1e-4)])
+def gentle() -> Model:
+    """The second reference system in half its wave."""
+    row = RAW[1]
+    half = {name: [0.5 * part for part in row[name]] for name in ("w0", "w1")}
+    return raw_model(row | half | {"force": [[0.5 * part for part in pair] for pair in row["force"]]})
+
+
+@pytest.mark.parametrize(("model", "tolerance"), [(gentle(), 1e-8), (dragged_model(), 1e-4)])
 def test_harmonic_balance_is_the_integrated_motion(model, tolerance):
-    """Two methods, one of them in time: 1e-8 where the equations are smooth, 1e-4 with |q| q, of the largest roll."""
+    """Two methods, one of them in time: 1e-8 where the equations are smooth, 1e-4 with |q| q, of the roll at its frequency.
+
+    What stands at one instant is further off by the harmonics left out.
+    """
     motion = steady_motion(model, 9)
     period = 2 * np.pi / model.frequency
     times = np.arange(5) * period / 5
@@ -88,7 +103,7 @@ def test_floquet_with_drag_is_the_growth_of_a_disturbance():
     """Two methods: exponents to 1e-5 1/s from the distance of two neighbouring integrations over four periods."""
     model = dragged_model()
     motion = steady_motion(model, 21)
-    verdict = stability(model, motion)
+    found = assess(model.system, motion.coefficients[None], motion.orders, accuracy=1e-9).floquet
     period = 2 * np.pi / model.frequency
     start, away = motion.state(0.0), 1e-6 * np.eye(4)
     ends = [
@@ -98,7 +113,9 @@ def test_floquet_with_drag_is_the_growth_of_a_disturbance():
     ]  # fmt: skip
     phi = np.stack([(ends[2 * i] - ends[2 * i + 1]) / 2e-6 for i in range(4)], axis=1)
     exponents = np.sort(np.log(np.abs(np.linalg.eigvals(phi))) / period)
-    np.testing.assert_allclose(np.sort(verdict.exponents.real), exponents, atol=1e-5)
+    np.testing.assert_allclose(np.sort(found.exponents[0].real), exponents, atol=1e-5)
+    coarse = assess(model.system, motion.coefficients[None], motion.orders, accuracy=1e-6).floquet
+    np.testing.assert_allclose(coarse.exponents[0].real.max(), exponents.max(), atol=1e-5)
 
 
 NAMES = (("sway_velocity", 1.0), ("roll", np.pi / 180), ("roll_rate", np.pi / 180), ("yaw_rate", np.pi / 180))
@@ -159,15 +176,42 @@ def test_one_component_of_a_sea_is_the_regular_wave():
             irregular(model, [model.frequency], [force], [[0.0]], 60.0)
 
 
-def test_blame_adds_up_to_the_growth_with_drag_and_water():
-    """Closed form: the parts are those of the mean matrix, whose eigenvalue is their sum."""
-    for model in (dragged_model(), raw_model(RAW[0])):
-        motion = steady_motion(model, 9)
-        verdict = stability(model, motion)
-        parts = contributions(model, motion, oscillating=True)
-        assert ("cross-flow drag" in parts) == (model.strips is not None)
-        near = np.abs(verdict.mean_jacobian.real - sum(parts.values())).min()
-        assert near < 2e-4 * max(abs(value) for value in parts.values())
+def test_blame_is_what_a_change_of_drag_does_to_the_roll_mode():
+    """Authority: central difference of the mean matrix's eigenvalue, the motion held."""
+    model = dragged_model()
+    motion = steady_motion(model, 9)
+    parts = contributions(model, motion, oscillating=True)
+    eigenvalues = []
+    for factor in (1.001, 0.999):
+        more = replace(model.system, push=factor * model.system.push)
+        mean = variational_harmonics(more, motion.coefficients[None], motion.orders)[:, 0].real
+        eigenvalues.append(max(np.linalg.eigvals(state_matrix(mean, more.linear)[0]), key=lambda value: value.imag))
+    change = (eigenvalues[0] - eigenvalues[1]).real / 0.002
+    assert parts["cross-flow drag"] == pytest.approx(change, rel=1e-3)
+    assert change < 0
+
+
+@pytest.mark.parametrize(("model", "tolerance"), [(gentle(), 1e-6), (dragged_model(), 1e-4)])
+def test_derivatives_by_the_wave_are_central_differences(model, tolerance):
+    """Authority: motions and exponents of waves 1e-3 higher and lower; |q| q has samples near its zeros."""
+    system, orders, step = model.system, (1, 3, 5, 7, 9), 1e-3
+
+    def at(factor):
+        other = system.raised(np.array([factor]))
+        u, _, _ = harmonic_balance(other, orders)
+        found = assess(other, u, orders, accuracy=1e-11)
+        return u[0], found.first_order.k2[0], found.floquet.exponents[0].real.max()
+
+    twice = system.raised(np.array([2.0]))
+    change = replace(system, **{name: getattr(twice, name) - getattr(system, name) for name in PER_CONDITION})
+    u, k2, exponent = at(1.0)
+    (above, k2_above, up), (below, k2_below, down) = at(1 + step), at(1 - step)
+    du = change_of_motion(system, change, u, orders)
+    np.testing.assert_allclose(du[0], (above - below) / (2 * step), atol=tolerance * np.abs(du).max() + 1e-5 * step)
+    rate = np.abs(system.linear[0]).max()
+    found = change_of_stability(system, change, u, du, orders, rate)
+    assert found.k2[0] == pytest.approx((k2_above - k2_below) / (2 * step), abs=10 * tolerance * abs(k2))
+    assert found.exponent[0] == pytest.approx((up - down) / (2 * step), abs=10 * tolerance * abs(exponent))
 
 
 def test_strips_refuse_what_is_no_drag():

@@ -55,7 +55,8 @@ def _correct(one, tables, u, share, scale, tangent, force, bordered, pivots, ste
     size = 3 * nb
     by_share = np.empty(size)
     for iteration in range(8):
-        _by_share(one, tables, u, share, force, residual, no_matrix, room, by_share)
+        if iteration == 0:  # the point hardly moves from here on
+            _by_share(one, tables, u, share, force, residual, no_matrix, room, by_share)
         balance((program, parts, i, share), tables, u, residual, matrix, room)
         for row in range(size):
             step[row] = -(residual[row] + (1.0 - share) * force[row])

@@ -94,7 +94,7 @@ def relative_terms(table: TermTable) -> tuple[TermTable, NDArray[np.int64]]:
 
     Notes
     -----
-    Lift and added mass of the linear terms stand in the wave force.  Source: `docs/theory`, the ship in moving water.
+    Linear terms stay on the velocity over ground: what the water does through lift and added mass stands in the wave force.
 
     Examples
     --------
