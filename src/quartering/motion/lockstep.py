@@ -40,19 +40,22 @@ def states(program, factors, value, rate, u, w, columns):
     for s in range(program.states):
         for l in range(width):
             columns[s, l] = 0.0
-    for k in range(3):
-        velocity, displacement = program.velocities[k], program.displacements[k]
-        for b in range(factors.size):
-            if factors[b] == 0.0:
-                held = displacement if displacement >= 0 else velocity
-                for l in range(width):
-                    columns[held, l] += u[k, b, l]
-                continue
+    sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
+    for b in range(factors.size):
+        by_phase, own = rate[b], value[b]
+        if factors[b] > 0.0:
             for l in range(width):
-                columns[velocity, l] += u[k, b, l] * (rate[b] * w[l])
-            if displacement >= 0:
+                velocity = by_phase * w[l]
+                columns[sway, l] += u[0, b, l] * velocity
+                columns[roll, l] += u[1, b, l] * velocity
+                columns[yaw, l] += u[2, b, l] * velocity
+        for k in range(3):
+            held = program.displacements[k]
+            if held < 0 and factors[b] == 0.0:
+                held = program.velocities[k]
+            if held >= 0:
                 for l in range(width):
-                    columns[displacement, l] += u[k, b, l] * value[b]
+                    columns[held, l] += u[k, b, l] * own
 
 
 @abreast
@@ -122,27 +125,27 @@ def _derivative(program, tables, lanes, u, matrix, column, room):
         rate = factors[row % nb]
         for l in range(width):
             matrix[row, row, l] = -(rate * w[l]) * (rate * w[l])
+    sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
     every = 2 if lanes.strips.shape[0] > 0 and samples % 2 == 0 else 1
     for n in range(0, samples, every):
         at_sample(program, tables, n, u, lanes, columns)
         slopes(program, lanes, waves[1, n], waves[2, n], columns, sums, jacobian)
-        for j in range(3):
-            velocity, displacement = program.velocities[j], program.displacements[j]
-            for b in range(nb):
-                value, rate = values[b, n], rates[b, n]
-                swings, holds = factors[b] > 0.0, displacement >= 0
-                for k in range(3):
-                    if swings and holds:
+        for b in range(nb):
+            value, rate = values[b, n], rates[b, n] if factors[b] > 0.0 else 0.0
+            for k in range(3):
+                for l in range(width):
+                    velocity = rate * w[l]
+                    column[k, 0, b, l] = -jacobian[k, sway, l] * velocity
+                    column[k, 1, b, l] = -jacobian[k, roll, l] * velocity
+                    column[k, 2, b, l] = -jacobian[k, yaw, l] * velocity
+            for j in range(3):
+                held = program.displacements[j]
+                if held < 0 and factors[b] == 0.0:
+                    held = program.velocities[j]
+                if held >= 0:
+                    for k in range(3):
                         for l in range(width):
-                            by_velocity = jacobian[k, velocity, l] * (rate * w[l])
-                            column[k, j, b, l] = -(by_velocity + jacobian[k, displacement, l] * value)
-                    elif swings:
-                        for l in range(width):
-                            column[k, j, b, l] = -jacobian[k, velocity, l] * (rate * w[l])
-                    else:
-                        held = displacement if holds else velocity
-                        for l in range(width):
-                            column[k, j, b, l] = -jacobian[k, held, l]
+                            column[k, j, b, l] -= jacobian[k, held, l] * value
         for c in range(nb):
             project = every * weights[c] * values[c, n]
             for k in range(3):
