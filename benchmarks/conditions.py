@@ -41,14 +41,14 @@ BLOCK, ORDERS, ACCURACY = 1024, (1, 3), 1e-6
 FOUND = (Status.CONVERGED, Status.CONVERGED_BY_FOLLOWING)
 
 
-def systems():
-    """The conditions in blocks, with a cubic righting moment."""
+def systems(drag="cubic"):
+    """The conditions in blocks, with a cubic righting moment; cross-flow drag as cubics over ground, or by strips in water."""
     ship = qt.ship("series60-cb60")
     length = ship.hull.length
     speeds = np.array([0.15, 0.2, 0.25]) * np.sqrt(9.81 * length)
     lengths = np.linspace(0.5, 2.4, 20) * length
     u, mu, wave = (a.ravel() for a in np.meshgrid(speeds, np.linspace(2.5, 177.5, 37), lengths, indexing="ij"))
-    base = ship_system(ship, 2 * np.pi / wave, u, mu)
+    base = ship_system(ship, 2 * np.pi / wave, u, mu, drag=drag)
     cubic = base.system.powers.sum(axis=1) <= 3
     blocks = []
     for steepness in np.linspace(1 / 200, 1 / 40, 14):
@@ -162,6 +162,11 @@ def main():
             f" {1e6 * median / count:.1f} us each"
         )
     ours = rates["motion, multipliers, K2, S"]
+    median, least, most = seconds(motion_and_stability, systems("strips"))
+    print(
+        f"{'drag by strips in the water':28s} {count / median:9,.0f} a second ({count / most:,.0f} to {count / least:,.0f}),"
+        f" {ours * count / median:.2f} of the rate with cubics, goal 0.50"
+    )
     work, machine = operations(blocks[len(blocks) // 2])
     print(
         f"about {work:,.0f} operations a condition; dgemm does {machine / 1e9:.0f} thousand million a second here, so the"

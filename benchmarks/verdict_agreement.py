@@ -51,11 +51,7 @@ def rungs(system):
     u, orders, _, _ = steady_motions(system, 9)
     found = np.isfinite(u).all(axis=(1, 2))
     keep = found & (np.hypot(u[:, 1, 0], u[:, 1, 1]) < 1.0)
-    chosen = System(*(a[keep] if a.shape[:1] == keep.shape else a for a in system.kernel_arrays()))
-    chosen = System(
-        chosen.linear, chosen.coefficients, system.powers, system.modulus, system.mean[keep], system.cos[keep],
-        system.sin[keep], system.frequency[keep],
-    )  # fmt: skip
+    chosen = system.each(lambda array: array[keep])
     result = assess(chosen, u[keep], orders)
     f = result.first_order
     slow = f.slow.max(axis=1)

@@ -9,8 +9,8 @@ from scipy.integrate import solve_ivp
 import quartering as qt
 from quartering.hull.autopilot import Rudder
 from quartering.hydro.rudder import rudder_derivatives
-from quartering.motion.basis import basis
 from quartering.motion.branch import balance_of
+from quartering.motion.equations import kernel_arguments
 from quartering.motion.struble import modified_struble
 from quartering.study.conditions import RESULTS
 
@@ -99,18 +99,15 @@ def test_gains_of_zero_leave_the_motion_of_the_bare_ship():
 
 def test_derivative_of_the_balance_is_exact_with_a_rudder_that_lags():
     """Authority: central differences of the residual."""
-    from quartering.motion.balance import balance
+    from quartering.motion.balance import balance_at
 
     s = model_with(qt.Autopilot(1.0, 2.0, 1.5), (0.02, 0.1, 0.05)).system
-    table = basis((0, 1, 2, 3), s.degree, s.has_modulus)
-    linear, coefficients, powers, modulus, mean, cos, sin, frequency = s.kernel_arrays()
-    one = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
+    given = kernel_arguments(s, s.basis((0, 1, 2, 3)))
     u = np.random.default_rng(1).normal(size=(3, 7)) * 0.3
 
     def residual(at, matrix):
         out = np.empty(21)
-        scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, 7)))
-        balance(one, table.arrays, at, 1.0, out, matrix, scratch)
+        balance_at(*given, at, out, matrix)
         return out
 
     exact = np.empty((21, 21))

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from quartering.conventions import CUBIC_MONOMIALS
-from quartering.motion.basis import basis
-from quartering.motion.equations import System, canonical
+from quartering.motion.equations import FEWEST, System, canonical, kernel_arguments
 from quartering.motion.harmonic import harmonic_balance, solve_with_care
 from quartering.motion.lockstep import in_step
 from quartering.motion.terms import term_table
@@ -32,9 +31,9 @@ def systems(extra=(), mean=0.0, force=0.1, seed=1971) -> System:
 
 
 def found_in_step(system, orders):
-    table = basis(orders, system.degree, system.has_modulus)
+    table = system.basis(orders, fewest=FEWEST)
     u, waiting, error = np.zeros((system.count, 3, table.factors.size)), np.ones(system.count, np.int8), np.zeros(COUNT)
-    in_step(0, system.count, *system.kernel_arrays(), *table.arrays, False, False, u, waiting, error)
+    in_step(0, system.count, *kernel_arguments(system, table), False, False, u, waiting, error)
     return u, waiting == 0, error
 
 

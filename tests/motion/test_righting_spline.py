@@ -9,7 +9,6 @@ import quartering as qt
 from quartering.hull.righting import polynomial_miss, righting_arm, righting_spline, vanishing_angle
 from quartering.hull.spline import odd_spline
 from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.terms import KNOT_CODE
 
 TERMS = {"Y_v": -0.4, "K_v": 0.1, "K_p": -0.05, "K_ppp": -0.08, "N_r": -0.6, "N_v": -0.1, "K_prr": 0.2}
 ANGLES = np.arange(0.0, 81.0, 5.0)
@@ -99,7 +98,7 @@ def test_multipliers_agree_with_the_flow_near_the_orbit():
 
 def test_samples_leave_an_aliasing_error_below_1e_8():
     """The samples taken (64 a harmonic) against 16 times as many, at nine harmonics past the deck edge."""
-    import quartering.motion.harmonic as at
+    import quartering.motion.equations as at
     from quartering.motion.basis import basis
 
     model = model_with(deck_edge(ANGLES))
@@ -107,7 +106,7 @@ def test_samples_leave_an_aliasing_error_below_1e_8():
     orders = (1, 3, 5, 7, 9)
     fine = basis(orders, model.system.degree, True, 15 * 64 * 9)
     with pytest.MonkeyPatch.context() as patched:
-        patched.setattr(at, "basis", lambda *_: fine)
+        patched.setattr(at, "basis", lambda *_, **__: fine)
         u, _, _ = harmonic_balance(model.system, orders)
     assert np.abs(u[0] - usual).max() < 1e-8 * np.abs(usual).max()
 
@@ -155,7 +154,7 @@ def test_a_ship_with_a_spline_says_so_and_refuses_half_a_polynomial(tmp_path):
         next(e.value for e in qt.coefficients(qt.ship("wigley"), 0.5, 5.0).table() if e.name == "K_phi"), rel=2e-3
     )
     model = qt.equations(ship, qt.Wave(100.0, 1.0), 5.0, 40.0)
-    assert (model.system.modulus > KNOT_CODE).any()
+    assert model.system.knots.shape[1] > 1
     with pytest.raises(qt.InputError, match='righting="polynomial"'):
         qt.coefficients(ship.with_(factors={"K_phiphiphi": 2.0}), 0.5, 5.0)
     with pytest.raises(qt.InputError, match="polynomial"):

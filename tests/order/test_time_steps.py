@@ -5,7 +5,7 @@ import pytest
 
 import quartering as qt
 from quartering.motion.simulate import simulate
-from quartering.stability.steered import steered_transitions
+from quartering.stability.transition import transition_matrices
 from tests.motion.test_autopilot import AUTOPILOTS, model_with
 from tests.reference import DYNAMICS, model_of
 
@@ -15,7 +15,7 @@ def test_transition_matrix_with_an_autopilot_has_fourth_order(autopilot):
     model = model_with(autopilot)
     motion = qt.steady_motion(model, 9)
     u, orders = motion.coefficients[None], motion.orders
-    fine, *rest = (steered_transitions(model.system, u, orders, 0.5, np.array([n])) for n in (3200, 60, 120, 240))
+    fine, *rest = (transition_matrices(model.system, u, orders, 0.5, np.array([n])) for n in (3200, 60, 120, 240))
     errors = [np.abs(phi - fine).max() for phi in rest]
     assert np.log2(errors[0] / errors[1]) == pytest.approx(4.0, abs=0.3)
     assert np.log2(errors[1] / errors[2]) == pytest.approx(4.0, abs=0.3)

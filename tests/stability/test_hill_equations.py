@@ -1,5 +1,7 @@
 """Linear equations with periodic stiffness against closed forms: Mathieu's and Meissner's."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -7,7 +9,7 @@ from quartering.motion.equations import Model
 from quartering.motion.status import Status
 from quartering.motion.steady import Motion
 from quartering.stability.hill import hill_exponents
-from quartering.stability.variation import transition_matrices
+from quartering.stability.transition import transition_matrices
 from tests.reference import table
 
 MATHIEU, MEISSNER = table("mathieu.csv"), table("meissner.csv")
@@ -33,6 +35,27 @@ def test_trace_of_the_monodromy_matrix_is_two_on_mathieus_characteristic_curves(
     step = 1e-4
     slope = (trace_over_half_a_cycle(a + step, q) - trace_over_half_a_cycle(a - step, q)) / (2 * step)
     assert abs(trace_over_half_a_cycle(a, q) - exact) < 1e-8 * max(1.0, abs(slope))
+
+
+def test_a_stiffness_that_changes_with_the_wave_is_mathieus_equation():
+    """Agreement: a known input alone beside phi, and the variation about a motion that modulates the stiffness as much."""
+    a, q = 1.3, 0.4
+    still = Model(np.eye(3), {"Y_v": -0.3, "N_r": -0.2, "K_phi": -a}, 1.0, (0, 0, 0), (0, 0, 0)).system
+    system = replace(
+        still,
+        powers=np.array([[0, 1, 0, 0, 1]]),
+        modulus=np.array([0]),
+        coefficients=np.array([[[0.0], [1.0], [0.0]]]),
+        extra=np.array([-1]),
+        inputs=np.array([[[0.0, 0.0, 0.0, 2 * q, 0.0]]]),  # 2 q cos 2t
+    )
+    assert system.symmetric
+    by_input = transition_matrices(system, np.zeros((1, 3, 2)), (1,), 0.5, np.array([2000]))[0]
+    by_motion = transition_matrices(mathieu(a, q), UNIT.coefficients[None], (1,), 0.5, np.array([2000]))[0]
+    np.testing.assert_allclose(by_input, by_motion, atol=1e-10)
+    exponents, _ = hill_exponents(system, np.zeros((1, 3, 2)), (1,), reach=14)
+    exact = np.sort(np.abs(np.linalg.eigvals(by_input)))
+    np.testing.assert_allclose(np.sort(np.abs(np.exp(exponents[0] * np.pi))), exact, atol=1e-8)
 
 
 @pytest.mark.parametrize("shift", [-0.3, 0.2, 0.45])

@@ -1,84 +1,116 @@
-"""The balance equations of one condition, their derivative, and Newton's method on them: compiled kernels."""
+"""The balance equations of one condition, their derivative, and Newton's method on them: compiled kernels.
+
+The right-hand side is evaluated at all instants of the cycle abreast.
+"""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import numpy as np
+
 from quartering.compiled import inner, kernel
 from quartering.motion.dense import lu_factor, lu_solve
-from quartering.motion.polynomial import accelerations
+from quartering.motion.rates import WIDTH, at_instants, enter_inputs, fill, forces, room_for, row_of_lanes, slopes
 from quartering.motion.steering import add_steering, mean_is_heading
 
 
 @inner
-def orbit_state(values, rates, factors, w, u, n, state):
-    """State (v, phi, p, r) at sample ``n`` of the motion ``u`` (3, b), written into ``state``.
+def room_for_one(program, parts, tables):
+    """Lanes for the instants of a cycle, what their evaluation needs, columns of a derivative, and a wave held still."""
+    nb, samples = tables[0].shape
+    lanes = row_of_lanes(parts, min(samples, WIDTH))
+    still = np.zeros(parts.inputs.shape[2])
+    still[0] = 1.0
+    return lanes, room_for(program, lanes), np.zeros((3, 3, nb)), still
+
+
+@inner
+def _orbit_states(program, tables, w, u, held, begin, columns):
+    """States at the samples from ``begin`` on of the motion ``u`` (3, b), one a lane.
 
     Notes
     -----
     Source: [H71] eq. (A-3), for any set of harmonics; the mean's column holds mean sway and yaw velocity, mean heel.
     """
-    state[:] = 0.0
-    for b in range(values.shape[0]):
-        rate = rates[b, n]
-        if factors[b] > 0.0:
-            rate = rate * w
-            state[2] += u[1, b] * rate
-        state[0] += u[0, b] * rate
-        state[1] += u[1, b] * values[b, n]
-        state[3] += u[2, b] * rate
+    values, rates, factors, _, _ = tables
+    count = min(columns.shape[1], values.shape[1] - begin)
+    for s in range(program.states):
+        for l in range(columns.shape[1]):
+            columns[s, l] = 0.0
+    for k in range(3):
+        velocity, displacement = program.velocities[k], program.displacements[k]
+        for b in range(factors.size):
+            own = u[k, b]
+            if factors[b] == 0.0:
+                state = displacement if displacement >= 0 else velocity
+                for l in range(count):
+                    columns[state, l] += 0.0 if held and k == 2 else own
+                continue
+            for l in range(count):
+                columns[velocity, l] += own * (rates[b, begin + l] * w)
+            if displacement >= 0:
+                for l in range(count):
+                    columns[displacement, l] += own * values[b, begin + l]
 
 
 @kernel
-def balance(system, tables, u, strength, residual, matrix, scratch):
+def balance(one, tables, u, residual, matrix, room):
     """Residual of the balance equations at ``u`` and, if asked for, its exact derivative.
 
     Parameters
     ----------
-    system : tuple    one condition: linear, coefficients, powers, modulus, mean, cos, sin, frequency
-    tables : tuple    of a `Basis`: values, rates, factors, weights
+    one : tuple       program and parts of a `System`, which condition, and the share of the known inputs that acts; the lanes
+                      of ``room`` hold the condition (`rates.fill`)
+    tables : tuple    of a `Basis`: values, rates, factors, weights, and the wave's harmonics
     u : (3, b)        unknowns: mean, cos and sin coefficients of sway, roll, yaw
-    strength : float  multiplies the nonlinear products
     residual : (3 b,), matrix : (3 b, 3 b)    out, mode by mode; a matrix of (0, 0) is not wanted
-    scratch : tuple   (4, 8), (4,), (3,), (3, 4), (3, 3, b) work arrays
+    room : tuple      from `room_for_one`
 
     Notes
     -----
     Row (k, c) is projection c of acceleration minus right-hand side.  Source: [H71] eqs. (A-10), (A-11) for one
     harmonic, [Krack19] for more; exact for polynomials by the number of samples in the tables.
     """
-    linear, coefficients, powers, modulus, mean, cos, sin, w = system
-    values, rates, factors, weights = tables
-    power_table, state, force, jacobian, column = scratch
+    program, parts, i, share = one
+    values, rates, factors, weights, waves = tables
+    lanes, (columns, force, jacobian, sums), column, still = room
+    linear, w = parts.linear[i], parts.frequency[i]
     with_matrix = matrix.shape[0] > 0
     nb, samples = values.shape
     residual[:] = 0.0
     matrix[:] = 0.0
     held = mean_is_heading(linear, factors)
-    for n in range(samples):
-        orbit_state(values, rates, factors, w, u, n, state)
-        if held:
-            state[3] -= u[2, 0]
-        accelerations(linear, coefficients, powers, modulus, strength, state, power_table, force, jacobian)
-        for c in range(nb):
-            project = weights[c] * values[c, n]
-            for k in range(3):
-                residual[k * nb + c] -= project * force[k]
+    for begin in range(0, samples, columns.shape[1]):
+        at_instants(i, share, parts, waves, begin, lanes)
+        _orbit_states(program, tables, w, u, held, begin, columns)
+        enter_inputs(program, lanes, still, columns)
+        forces(program, lanes, 1.0, 0.0, columns, sums, force)
+        count = min(columns.shape[1], samples - begin)
+        for l in range(count):
+            for c in range(nb):
+                project = weights[c] * values[c, begin + l]
+                for k in range(3):
+                    residual[k * nb + c] -= project * force[k, l]
         if not with_matrix:
             continue
-        for b in range(nb):
-            value = values[b, n]
-            rate = rates[b, n] * w if factors[b] > 0.0 else rates[b, n]
-            roll_rate = rate if factors[b] > 0.0 else 0.0
-            for k in range(3):
-                column[k, 0, b] = -jacobian[k, 0] * rate
-                column[k, 1, b] = -jacobian[k, 1] * value - jacobian[k, 2] * roll_rate
-                column[k, 2, b] = 0.0 if held and b == 0 else -jacobian[k, 3] * rate
-        for c in range(nb):
-            project = weights[c] * values[c, n]
-            for k in range(3):
-                for j in range(3):
-                    for b in range(nb):
-                        matrix[k * nb + c, j * nb + b] += project * column[k, j, b]
+        slopes(program, lanes, 1.0, 0.0, columns, sums, jacobian)
+        for l in range(count):
+            n = begin + l
+            for j in range(3):
+                velocity, displacement = program.velocities[j], program.displacements[j]
+                for b in range(nb):
+                    swings, holds = factors[b] > 0.0, displacement >= 0
+                    rate = rates[b, n] * w if swings else 0.0 if holds or (held and j == 2) else 1.0
+                    value = values[b, n] if holds else 0.0
+                    for k in range(3):
+                        by_value = jacobian[k, displacement, l] * value if holds else 0.0
+                        column[k, j, b] = -jacobian[k, velocity, l] * rate - by_value
+            for c in range(nb):
+                project = weights[c] * values[c, n]
+                for k in range(3):
+                    for j in range(3):
+                        for b in range(nb):
+                            matrix[k * nb + c, j * nb + b] += project * column[k, j, b]
     if linear.shape[1] > 4:
         add_steering(linear, factors, w, u, residual, matrix)
     first = 1 if factors[0] == 0.0 else 0
@@ -89,9 +121,17 @@ def balance(system, tables, u, strength, residual, matrix, scratch):
             if with_matrix:
                 matrix[k * nb + b, k * nb + b] -= inertia
         if first == 1:
-            residual[k * nb] -= mean[k]
-        residual[k * nb + first] -= cos[k]
-        residual[k * nb + first + 1] -= sin[k]
+            residual[k * nb] -= parts.mean[i, k]
+        residual[k * nb + first] -= parts.cos[i, k]
+        residual[k * nb + first + 1] -= parts.sin[i, k]
+
+
+@kernel
+def balance_at(program, parts, tables, u, residual, matrix):
+    """`balance` of the first condition of a system, from Python."""
+    room = room_for_one(program, parts, tables)
+    fill(0, 1.0, parts, room[0])
+    balance((program, parts, 0, 1.0), tables, u, residual, matrix, room)
 
 
 @inner
@@ -145,7 +185,7 @@ def _add(u, step, damping, out):
 
 
 @inner
-def newton(system, tables, u, strength, work):
+def newton(one, tables, u, work):
     """Damped Newton from ``u``, in place; returns (0 converged, 1 not converged, 2 singular) and a sign.
 
     The sign is that of the determinant of the derivative at the solution: it changes from one side of a fold to the other.
@@ -157,9 +197,9 @@ def newton(system, tables, u, strength, work):
     -----
     Source: [Krack19] (Newton's method on balance equations).
     """
-    residual, no_matrix, factored, pivots, trial, step, after, scratch = work
+    residual, no_matrix, factored, pivots, trial, step, after, room = work
     for _ in range(40):
-        balance(system, tables, u, strength, residual, factored, scratch)
+        balance(one, tables, u, residual, factored, room)
         _negative(residual, step)
         sign = lu_factor(factored, pivots)
         if sign == 0:
@@ -172,7 +212,7 @@ def newton(system, tables, u, strength, work):
         damping = 1.0
         while True:
             _add(u, step, damping, trial)
-            balance(system, tables, trial, strength, residual, no_matrix, scratch)
+            balance(one, tables, trial, residual, no_matrix, room)
             _negative(residual, after)
             lu_solve(factored, pivots, after)
             left = relative_step(after, trial)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations import PER_CONDITION, System
+from quartering.motion.program import PLAIN
 
 
 def joined(systems: Sequence[System]) -> System:
@@ -34,25 +36,48 @@ def joined(systems: Sequence[System]) -> System:
     array([[0.1, 0. ],
            [0. , 0.1]])
     """
-    first = systems[0]
-    stacked = {
-        name: np.concatenate([getattr(s, name) for s in systems]) for name in PER_CONDITION if name != "coefficients"
-    }
-    products = [list(zip(map(tuple, s.powers.tolist()), s.modulus.tolist(), strict=True)) for s in systems]
-    if all(one == products[0] for one in products):
-        return replace(first, coefficients=np.concatenate([s.coefficients for s in systems]), **stacked)
+    extra = max((s.extra for s in systems), key=len)
+    if any(len(s.extra) and not np.array_equal(s.extra, extra) for s in systems):
+        raise ValueError(f"known inputs to different states: {[s.extra.tolist() for s in systems]}")
+    products = [[(*_wide(row, extra.size), bars) for row, bars in _products(s)] for s in systems]
     where = {key: i for i, key in enumerate(dict.fromkeys(key for one in products for key in one))}
     blocks = []
     for s, keys in zip(systems, products, strict=True):
         block = np.zeros((s.count, 3, len(where)))
         block[:, :, [where[key] for key in keys]] = s.coefficients
         blocks.append(block)
-    return System(
+    stacked: dict[str, Any] = {name: _stacked([getattr(s, name) for s in systems], name) for name in PER_CONDITION[2:]}
+    return replace(
+        systems[0],
+        linear=np.concatenate([s.linear for s in systems]),
         coefficients=np.concatenate(blocks),
-        powers=np.array([powers for powers, _ in where], dtype=np.int64).reshape(-1, 4),
-        modulus=np.array([modulus for _, modulus in where], dtype=np.int64),
+        powers=np.array([key[:-1] for key in where], dtype=np.int64).reshape(-1, PLAIN + extra.size),
+        modulus=np.array([key[-1] for key in where], dtype=np.int64),
+        extra=extra,
         **stacked,
     )
+
+
+def _products(s: System) -> list[tuple[tuple[int, ...], int]]:
+    return list(zip(map(tuple, s.powers.tolist()), s.modulus.tolist(), strict=True))
+
+
+def _wide(powers: tuple[int, ...], extra: int) -> tuple[int, ...]:
+    return powers + (0,) * (PLAIN + extra - len(powers))
+
+
+def _stacked(arrays: list[NDArray[np.float64]], name: str) -> NDArray[np.float64]:
+    """Arrays of different conditions one after another, the shorter ones filled up so that nothing is added to their equations.
+
+    A table of cubics goes on with its last piece; one that is missing altogether is zero, and so are inputs and strips.
+    """
+    shape = np.max([array.shape[1:] for array in arrays], axis=0).astype(int)
+    filled = []
+    for array in arrays:
+        more = [(0, 0), *((0, int(to - own)) for to, own in zip(shape, array.shape[1:], strict=True))]
+        table = name in ("knots", "cubics") and array.shape[1] > 0
+        filled.append(np.pad(array, more, mode="edge") if table else np.pad(array, more))
+    return np.concatenate(filled)
 
 
 def rows(system: System, which: slice | NDArray[np.intp]) -> System:

@@ -9,10 +9,9 @@ import numpy as np
 
 from quartering.conventions import InputError
 from quartering.motion.arclength import Path, corrected, follow, tangent_at
-from quartering.motion.balance import balance
-from quartering.motion.basis import basis
+from quartering.motion.balance import balance_at
 from quartering.motion.batch import joined
-from quartering.motion.equations import Floats, System
+from quartering.motion.equations import FEWEST, Floats, System, kernel_arguments
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.status import Status
 from quartering.motion.steady import roll_peaks
@@ -98,13 +97,10 @@ def balance_of(
     >>> balance_of(system, (1,), np.array([[0, 0], [0.0, 1.0], [0, 0]]))[0].round(12).tolist()
     [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
-    table = basis(orders, system.degree, system.has_modulus)
-    linear, coefficients, powers, modulus, mean, cos, sin, frequency = system.kernel_arrays()
-    one = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
-    nb = table.factors.size
-    residual, matrix = np.empty(3 * nb), np.empty((3 * nb, 3 * nb)) if with_matrix else _NO_MATRIX
-    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)), np.empty((3, 3, nb)))
-    balance(one, table.arrays, np.ascontiguousarray(u), 1.0, residual, matrix, scratch)
+    table = system.basis(orders, fewest=FEWEST)
+    size = 3 * table.factors.size
+    residual, matrix = np.empty(size), np.empty((size, size)) if with_matrix else _NO_MATRIX
+    balance_at(*kernel_arguments(system, table), np.ascontiguousarray(u), residual, matrix)
     return residual, matrix
 
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.basis import harmonics_at
+from quartering.motion.basis import harmonics_at, waves_at
 from quartering.motion.branch import balance_of
-from quartering.motion.equations import Floats, System
-from quartering.motion.terms import KNOT, KNOT_CODE
+from quartering.motion.equations import PER_CONDITION, Floats, System
+from quartering.motion.program import PLAIN
 
 OFFSETS = np.array([-2.0, -1.0, 1.0, 2.0])
 """Steps away at which `difference` wants its function."""
@@ -60,8 +60,8 @@ def change_of_motion(system: System, changes: System, u: Floats, orders: tuple[i
 
     Notes
     -----
-    du = -R_u^-1 dR, with the residual R of the balance equations. R is affine in everything but the frequency, so dR is a
-    difference without error; by the frequency, a smooth function, R is differenced at the motion held.  Singular at a fold.
+    du = -R_u^-1 dR, with the residual R of the balance equations differenced at the motion held: without error where it is a
+    polynomial in the parameter, as in every coefficient and in the water's velocity of a cubic.  Singular at a fold.
     Source: implicit function theorem; [Krack19].
 
     Examples
@@ -75,7 +75,6 @@ def change_of_motion(system: System, changes: System, u: Floats, orders: tuple[i
     True
     """
     here, matrix = balance_of(system, orders, u)
-    names = ("linear", "coefficients", "mean", "cos", "sin")
     by_frequency = np.zeros_like(here)
     if changes.frequency.any():
         others = (replace(system, frequency=system.frequency * (1 + _STEP * offset)) for offset in OFFSETS)
@@ -83,9 +82,16 @@ def change_of_motion(system: System, changes: System, u: Floats, orders: tuple[i
         by_frequency = difference(turned, _STEP) / system.frequency
     right = np.empty((changes.count, here.size))
     for i in range(changes.count):
-        moved = replace(system, **{name: getattr(system, name) + getattr(changes, name)[[i]] for name in names})
-        right[i] = balance_of(moved, orders, u, with_matrix=False)[0] - here + changes.frequency[i] * by_frequency
+        moved = (_moved(system, changes, i, _STEP * offset) for offset in OFFSETS)
+        around = np.array([balance_of(one, orders, u, with_matrix=False)[0] for one in moved])
+        right[i] = difference(around, _STEP) + changes.frequency[i] * by_frequency
     return np.asarray(-np.linalg.solve(matrix, right.T).T.reshape(-1, *u.shape))
+
+
+def _moved(system: System, changes: System, i: int, step: float) -> System:
+    """The system a step along one of its changes, its frequency held."""
+    names = [name for name in PER_CONDITION if name != "frequency"]
+    return replace(system, **{name: getattr(system, name) + step * getattr(changes, name)[[i]] for name in names})
 
 
 def states_along(u: Floats, frequency: Floats, orders: tuple[int, ...], phases: Floats) -> Floats:
@@ -148,25 +154,56 @@ def change_of_states(
     return states_along(du, np.full(len(du), frequency), orders, phases) + turned[:, None, None] * velocities
 
 
-def products(
-    states: Floats, sign: Floats, powers: NDArray[np.int64], modulus: NDArray[np.int64]
-) -> Callable[[tuple[int, ...]], Floats]:
-    """The nonlinear products at given states, and their derivatives of any order.
+def variables_along(system: System, states: Floats, phases: Floats) -> Floats:
+    """What the products of a system's first condition are made of, at given phases.
 
     Parameters
     ----------
-    states : (s, 4) float                      v, phi, p, r
-    sign : (s, 4) float                        of each, or its mean over some neighbourhood
-    powers : (t, 4) int, modulus : (t,) int    of each product, as in `System`
+    system : System
+    states : (..., s, 4) float    v, phi, p, r
+    phases : (s,) float           [rad]
 
     Returns
     -------
-    function of the variables (0-3) to differentiate by, which gives (s, t) float
+    (..., s, 4 + e) float         with the variables that known inputs enter
+    """
+    return _with_inputs(system, states, system.inputs[0], phases)
+
+
+def _with_inputs(system: System, states: Floats, inputs: Floats, phases: Floats) -> Floats:
+    series = np.swapaxes(inputs @ waves_at(system.periods * phases, inputs.shape[-1]), -1, -2)  # (..., s, e)
+    own = np.where(system.extra >= 0, states[..., np.maximum(system.extra, 0)], 0.0)
+    return np.concatenate([states, own + series], axis=-1)
+
+
+def change_of_variables(system: System, changes: System, moved: Floats, phases: Floats) -> Floats:
+    """Derivatives (m, s, 4 + e) of the variables of products, from those of the states ``moved`` (m, s, 4) and the inputs."""
+    return _with_inputs(system, moved, changes.inputs, phases)
+
+
+def of_states(system: System) -> Floats:
+    """Derivatives (4 + e, 4) of the variables of products by the states: ones and zeros."""
+    return np.concatenate([np.eye(PLAIN), np.equal.outer(system.extra, np.arange(PLAIN)).astype(float)])
+
+
+def products(
+    variables: Floats, sign: Floats, powers: NDArray[np.int64], modulus: NDArray[np.int64]
+) -> Callable[[tuple[int, ...]], Floats]:
+    """The nonlinear products, and their derivatives of any order by the variables they are made of.
+
+    Parameters
+    ----------
+    variables : (s, v) float                   v, phi, p, r, then those that known inputs enter
+    sign : (s, v) float                        of each, or its mean over some neighbourhood
+    powers : (t, v) int, modulus : (t,) int    of each product, as in `System`
+
+    Returns
+    -------
+    function of the variables (from 0) to differentiate by, which gives (s, t) float
 
     Notes
     -----
-    |x| is sign(x) x, and a knot's (|phi| - knot)+^3 sgn phi is the cube of phi - sign(phi) knot beyond the knot: every product
-    is a monomial with a sign.  Source: closed form.
+    |x| is sign(x) x: every product is a monomial with a sign.  Source: closed form.
 
     Examples
     --------
@@ -175,24 +212,22 @@ def products(
     >>> made(())[0].tolist(), made((2,))[0].tolist(), made((2, 2))[0].tolist()
     ([-9.0], [6.0], [-2.0])
     """
-    knots, which = np.unique(np.where(modulus > KNOT_CODE, (modulus - KNOT_CODE) * KNOT, 0.0), return_inverse=True)
-    heel = states[:, [1]] - np.where(states[:, [1]] >= 0, knots, -knots)
-    raised = [_powers(heel) if s == 1 else _powers(states[:, [s]]) for s in range(4)]
-    beyond = np.abs(states[:, [1]]) > knots[which]
-    factor = np.where(modulus > KNOT_CODE, beyond, 1.0)
+    count = variables.shape[1]
+    raised = [_powers(variables[:, v]) for v in range(count)]
+    factor = np.ones((len(variables), len(powers)))
     full = powers.copy()
-    for s in range(4):
-        barred = modulus == s + 1
-        factor = np.where(barred, sign[:, [s]] * factor, factor)
-        full[barred, s] += 1
+    for v in range(count):
+        barred = modulus == v + 1
+        factor = np.where(barred, sign[:, [v]] * factor, factor)
+        full[barred, v] += 1
 
     def derivative(by: tuple[int, ...]) -> Floats:
         left, value = full.copy(), factor
-        for s in by:
-            value = value * left[:, s]
-            left[:, s] = np.maximum(left[:, s] - 1, 0)
-        for s in range(4):
-            value = value * raised[s][left[:, s], :, which if s == 1 else 0].T
+        for v in by:
+            value = value * left[:, v]
+            left[:, v] = np.maximum(left[:, v] - 1, 0)
+        for v in range(count):
+            value = value * raised[v][left[:, v]].T
         return np.asarray(value)
 
     return derivative
@@ -201,3 +236,27 @@ def products(
 def _powers(x: Floats) -> Floats:
     """Powers 0 to 7 (8, ...) of an array."""
     return np.cumprod(np.concatenate([np.ones_like(x)[None], np.repeat(x[None], _HIGHEST - 1, axis=0)]), axis=0)
+
+
+def table_at(knots: Floats, cubics: Floats, angle: Floats) -> tuple[Floats, Floats, NDArray[np.intp]]:
+    """Slope and curvature of a table of cubics, odd in the angle, and which of its pieces holds each angle.
+
+    Parameters
+    ----------
+    knots : (b,), cubics : (b, 4)    as in `System`
+    angle : (s,) float               [rad]
+
+    Returns
+    -------
+    slope, curvature : (s,) float
+    piece : (s,) int
+
+    Examples
+    --------
+    >>> table_at(np.zeros(1), np.array([[0.0, 0.0, 0.0, 2.0]]), np.array([-0.5]))[:2]
+    (array([1.5]), array([-6.]))
+    """
+    size = np.abs(angle)
+    piece = np.clip(np.searchsorted(knots, size, side="left") - 1, 0, None)
+    x, (_, b, c, d) = size - knots[piece], cubics[piece].T
+    return b + x * (2 * c + 3 * x * d), np.sign(angle) * (2 * c + 6 * x * d), piece

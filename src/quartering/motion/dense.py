@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 from quartering.compiled import abreast, inner
-from quartering.motion.abreast import WIDTH
 
 
 @inner
@@ -70,11 +69,11 @@ def factor_abreast(a, pivots, inverse, sign):
     -----
     Source: closed form (Gaussian elimination with partial pivoting), conditions abreast.
     """
-    m = a.shape[0]
-    for l in range(WIDTH):
+    m, width = a.shape[0], a.shape[2]
+    for l in range(width):
         sign[l] = 1.0
     for j in range(m):
-        for l in range(WIDTH):
+        for l in range(width):
             best, size = j, abs(a[j, j, l])
             for i in range(j + 1, m):
                 if abs(a[i, j, l]) > size:
@@ -91,10 +90,10 @@ def factor_abreast(a, pivots, inverse, sign):
                 a[j, j, l] = 1.0
             inverse[j, l] = 1.0 / a[j, j, l]
         for i in range(j + 1, m):
-            for l in range(WIDTH):
+            for l in range(width):
                 a[i, j, l] *= inverse[j, l]
             for k in range(j + 1, m):
-                for l in range(WIDTH):
+                for l in range(width):
                     a[i, k, l] -= a[i, j, l] * a[j, k, l]
 
 
@@ -106,20 +105,20 @@ def solve_abreast(a, pivots, inverse, b):
     -----
     Source: closed form (forward and back substitution), conditions abreast.
     """
-    m = a.shape[0]
+    m, width = a.shape[0], a.shape[2]
     for j in range(m):
-        for l in range(WIDTH):
+        for l in range(width):
             best = pivots[j, l]
             swapped = b[best, l]
             b[best, l] = b[j, l]
             b[j, l] = -swapped
     for j in range(m):
         for i in range(j + 1, m):
-            for l in range(WIDTH):
+            for l in range(width):
                 b[i, l] -= a[i, j, l] * b[j, l]
     for i in range(m - 1, -1, -1):
         for k in range(i + 1, m):
-            for l in range(WIDTH):
+            for l in range(width):
                 b[i, l] -= a[i, k, l] * b[k, l]
-        for l in range(WIDTH):
+        for l in range(width):
             b[i, l] *= inverse[i, l]

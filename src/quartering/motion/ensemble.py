@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import kernel
 from quartering.conventions import InputError
-from quartering.motion.abreast import WIDTH
+from quartering.motion.basis import waves_at
 from quartering.motion.equations import Floats, Model
-from quartering.motion.march import chain, room_for, step_sum
+from quartering.motion.march import alike, room_to_march, step_sum
+from quartering.motion.rates import WIDTH
 from quartering.motion.simulate import CAPSIZE_ANGLE
 from quartering.threads import in_threads
 
@@ -27,14 +28,15 @@ _AT_ONCE = 64
 
 
 @kernel
-def _march(first, last, chain, mean, cos, sin, h, forcing, begin, steps, limit, states, times):
-    """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, 2): cosine and sine at half steps.
+def _march(first, last, equations, h, forcing, begin, steps, limit, states, times):
+    """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, h): the wave's harmonics.
 
     ``begin`` steps, whole periods, have been taken before. ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes
     `limit`; ``times`` (rows, W) is when it did, NaN before.
     """
-    room, excitation = room_for(chain), np.empty((3, 3, WIDTH))
-    total = room[2]
+    room, excitation, none = room_to_march(equations), np.empty((3, 3, WIDTH)), np.empty((3, 0, WIDTH))
+    lanes, total, waves = room[0], room[4], np.empty((3, forcing.shape[1]))
+    roll = equations.program.displacements[1]
     for row in range(first, last):
         y, going = states[row], np.isnan(times[row]).sum()
         for n in range(steps):
@@ -42,16 +44,19 @@ def _march(first, last, chain, mean, cos, sin, h, forcing, begin, steps, limit, 
                 break
             for j in range(3):
                 phase = (2 * n + j) % forcing.shape[0]
+                for i in range(forcing.shape[1]):
+                    waves[j, i] = forcing[phase, i]
                 for k in range(3):
                     for l in range(WIDTH):
-                        excitation[j, k, l] = mean[k] + cos[k] * forcing[phase, 0] + sin[k] * forcing[phase, 1]
-            step_sum(chain, h, excitation, y, room)
+                        wave = lanes.cos[k, l] * waves[j, 1] + lanes.sin[k, l] * waves[j, 2]
+                        excitation[j, k, l] = lanes.mean[k, l] + wave
+            step_sum(equations, h, excitation, none, waves, y, room)
             for s in range(y.shape[0]):
                 for l in range(WIDTH):
                     if np.isnan(times[row, l]):
                         y[s, l] += h / 6.0 * total[s, l]
             for l in range(WIDTH):
-                if np.isnan(times[row, l]) and not abs(y[1, l]) <= limit:
+                if np.isnan(times[row, l]) and not abs(y[roll, l]) <= limit:
                     times[row, l] = (begin + n + 1) * h
                     going -= 1
 
@@ -104,11 +109,10 @@ def capsize_times(
     filled = np.pad(states, ((0, rows * WIDTH - len(states)), (0, 0)), mode="edge")
     filled = np.pad(filled, ((0, 0), (0, model.system.states - 4)))
     going = np.ascontiguousarray(filled.reshape(rows, WIDTH, -1).transpose(0, 2, 1))
-    *_, mean, cos, sin, _ = model.system.kernel_arrays()
     phase = np.pi * np.arange(2 * steps) / steps
-    forcing = np.column_stack([np.cos(phase), np.sin(phase)])
+    forcing = np.ascontiguousarray(waves_at(phase, model.system.inputs.shape[2]).T)
     times = np.full((rows, WIDTH), np.nan)
-    wave = (chain(model.system), mean[0], cos[0], sin[0], 2 * np.pi / model.frequency / steps, forcing)
+    wave = (alike(model.system), 2 * np.pi / model.frequency / steps, forcing)
     for begin in range(0, periods, _AT_ONCE):
         ahead = min(_AT_ONCE, periods - begin)
         in_threads(_march, rows, *wave, begin * steps, ahead * steps, limit, going, times, smallest=1)

@@ -13,14 +13,19 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.spline import OddSpline, odd_spline
+from quartering.motion.basis import Basis, basis
+from quartering.motion.layout import LAGGING, SHIP, STEERED, Layout
+from quartering.motion.program import PLAIN, Program, program
+from quartering.motion.rates import Parts
 from quartering.motion.steering import steered
-from quartering.motion.terms import TermTable, checked_number, term_table, with_spline
+from quartering.motion.terms import TermTable, checked_number, term_table
+from quartering.motion.water import Strips, relative_inputs, relative_terms
 from quartering.names import RUDDER_NAMES
 
 Floats = NDArray[np.float64]
 
 
-PER_CONDITION: Final = ("linear", "coefficients", "mean", "cos", "sin", "frequency")
+PER_CONDITION: Final = Parts._fields
 """What of a `System` has a row a condition; the products are alike in all."""
 
 
@@ -28,17 +33,27 @@ PER_CONDITION: Final = ("linear", "coefficients", "mean", "cos", "sin", "frequen
 class System:
     """The canonical equations of n conditions: accelerations as explicit functions of the state and the time.
 
-    ``d/dt (v, p, r) = linear (v, phi, p, r) + coefficients products + mean + cos cos(w t) + sin sin(w t)``, d phi/dt = p.
-    With an autopilot the heading psi (d psi/dt = r), and with a lag the rudder angle delta, stand among the linear columns.
+    ``d/dt (v, p, r) = linear (v, phi, p, r) + coefficients products + push strips + arm moment(phi) + mean + cos cos(w t)
+    + sin sin(w t)``, d phi/dt = p. With an autopilot the heading psi (d psi/dt = r), and with a lag the rudder angle delta,
+    stand among the linear columns. The products are of the state and of variables that known inputs in time enter: a state with
+    an input added, as the velocity through the water v - w0, or an input alone, as a stiffness that changes with the wave.
 
     Parameters
     ----------
     linear : (n, 3, 4) float          rows sway, roll, yaw; columns v, phi, p, r, and as `steered` adds them psi, delta
     coefficients : (n, 3, t) float    of the nonlinear products
-    powers : (t, 4) int               powers of (v, phi, p, r) in each product
-    modulus : (t,) int                1-4 for the variable between modulus bars, 0 for none
+    powers : (t, 4 + e) int           of (v, phi, p, r) and of the e variables that known inputs enter, in each product
+    modulus : (t,) int                variable (from 1) between modulus bars, 0 for none
     mean, cos, sin : (n, 3) float     excitation accelerations
     frequency : (n,) float            w > 0 [rad/s]
+    inputs : (n, e, 1 + 2 h) float    Fourier series of the known inputs: mean, cos and sin of each harmonic of the wave
+    extra : (e,) int                  state that each is added to; -1 for an input alone
+    strips : (n, z, 5) float          cross-flow drag, as `Strips.array`
+    push : (n, 3, 3) float            accelerations per unit of |q| q of the strips
+    knots, cubics : (n, b), (n, b, 4) table of the restoring moment beyond its slope at 0, odd in phi: on from each knot
+    arm : (n, 3) float                accelerations per unit of that moment
+    layout : Layout                   of the state
+    periods : int                     of the wave in one of ``frequency``
     """
 
     linear: Floats
@@ -49,6 +64,21 @@ class System:
     cos: Floats
     sin: Floats
     frequency: Floats
+    inputs: Floats = field(default_factory=lambda: np.zeros((1, 0, 3)))
+    extra: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, dtype=np.int64))
+    strips: Floats = field(default_factory=lambda: np.zeros((1, 0, 5)))
+    push: Floats = field(default_factory=lambda: np.zeros((1, 3, 3)))
+    knots: Floats = field(default_factory=lambda: np.zeros((1, 0)))
+    cubics: Floats = field(default_factory=lambda: np.zeros((1, 0, 4)))
+    arm: Floats = field(default_factory=lambda: np.zeros((1, 3)))
+    layout: Layout = SHIP
+    periods: int = 1
+
+    def __post_init__(self) -> None:
+        for name in PER_CONDITION:  # what was left out is alike in all conditions
+            array = getattr(self, name)
+            if len(array) != self.count and len(array) == 1:
+                object.__setattr__(self, name, np.repeat(array, self.count, axis=0))
 
     @property
     def count(self) -> int:
@@ -67,25 +97,47 @@ class System:
 
     @property
     def degree(self) -> int:
-        """Highest degree of the polynomial products (1 when the system is linear)."""
-        return int(self.powers.sum(axis=1).max(initial=1))
+        """Highest degree of the polynomial products (1 when the system is linear), known inputs alone not counted."""
+        return int(self.powers[:, self._of_state].sum(axis=1).max(initial=1))
+
+    @property
+    def _of_state(self) -> NDArray[np.bool_]:
+        return np.concatenate([np.ones(PLAIN, dtype=bool), self.extra >= 0])
 
     @property
     def has_modulus(self) -> bool:
-        """Is some product not smooth? A spline is not: its third derivative jumps."""
-        return bool(self.modulus.any())
+        """Is some term not smooth? A restoring moment from a table is not: its third derivative jumps."""
+        return bool(self.modulus.any()) or self.knots.shape[1] > 0
+
+    @property
+    def has_drag(self) -> bool:
+        """Is there cross-flow drag by strips, whose second derivative jumps?"""
+        return self.strips.shape[1] > 0
+
+    @property
+    def smooth(self) -> bool:
+        """Have the equations all derivatives?"""
+        return not (self.has_modulus or self.has_drag)
 
     @property
     def symmetric(self) -> bool:
         """Does reversing the state and shifting by half a period leave the equations as they are?"""
-        return not self.mean.any() and bool((self.powers.sum(axis=1) % 2 == 1).all())
+        if self.mean.any():
+            return False
+        harmonics = np.repeat(np.arange(1 + self.inputs.shape[2] // 2), 2)[1:]
+        odd, even = (self.inputs[:, :, harmonics % 2 == parity].any(axis=(0, 2)) for parity in (1, 0))
+        used = self.powers[:, PLAIN:].any(axis=0)
+        if (used & even & (odd | (self.extra >= 0))).any():
+            return False
+        changes_sign = np.concatenate([np.ones(PLAIN, dtype=bool), odd | (self.extra >= 0)])
+        return bool((self.powers[:, changes_sign].sum(axis=1) % 2 == 1).all())
 
     @property
     def finite(self) -> NDArray[np.bool_]:
         """Conditions (n,) of which every number is finite and the frequency positive."""
         ok = np.isfinite(self.frequency) & (self.frequency > 0)
-        for array in (self.linear, self.coefficients, self.mean, self.cos, self.sin):
-            ok &= np.isfinite(array).reshape(self.count, -1).all(axis=1)
+        for name in PER_CONDITION:
+            ok &= np.isfinite(getattr(self, name)).reshape(self.count, -1).all(axis=1)
         return ok
 
     def each(self, change: Callable[[Floats], Floats]) -> System:
@@ -93,13 +145,57 @@ class System:
         arrays: dict[str, Any] = {name: change(getattr(self, name)) for name in PER_CONDITION}
         return replace(self, **arrays)
 
-    def kernel_arrays(self) -> tuple[NDArray[Any], ...]:
+    def raised(self, factor: Floats) -> System:
+        """The excitation and all known inputs times a factor (n,) or (1,): the wave at another height."""
+        by = np.asarray(factor, dtype=float).reshape(-1, 1)
+        strips = np.concatenate([self.strips[:, :, :3], by[:, :, None] * self.strips[:, :, 3:]], axis=2)
+        inputs = by[:, :, None] * self.inputs
+        return replace(self, mean=by * self.mean, cos=by * self.cos, sin=by * self.sin, inputs=inputs, strips=strips)
+
+    def begun_at(self, phase: Floats) -> System:
+        """The equations with the time counted from phases (n,) of a cycle [rad]."""
+        turn = self.periods * np.asarray(phase, dtype=float)[:, None]
+
+        def turned(cos: Floats, sin: Floats, h: int = 1) -> tuple[Floats, Floats]:
+            c, s = np.cos(h * turn), np.sin(h * turn)
+            return cos * c + sin * s, sin * c - cos * s
+
+        cos, sin = turned(self.cos, self.sin)
+        strips, inputs = self.strips.copy(), self.inputs.copy()
+        strips[:, :, 3], strips[:, :, 4] = turned(self.strips[:, :, 3], self.strips[:, :, 4])
+        for h in range(1, inputs.shape[2] // 2 + 1):
+            own = turned(self.inputs[:, :, 2 * h - 1], self.inputs[:, :, 2 * h], h)
+            inputs[:, :, 2 * h - 1], inputs[:, :, 2 * h] = own
+        return replace(self, cos=cos, sin=sin, strips=strips, inputs=inputs)
+
+    def basis(self, orders: tuple[int, ...], *, lower: int = 0, extra: int = 0, fewest: int = 0) -> Basis:
+        """Sampled harmonics with enough phases for these equations, `lower` in degree; with drag at least `fewest` a cycle."""
+        alone = int(self.powers[:, ~self._of_state].sum(axis=1).max(initial=0))
+        extra += self.periods * alone * (self.inputs.shape[2] // 2)
+        return basis(orders, self.degree - lower, self.has_modulus, extra, fewest=fewest if self.has_drag else 0)
+
+    @property
+    def program(self) -> Program:
+        """How the kernels make the products."""
+        return program(self.powers, self.modulus, self.extra, self.layout)
+
+    @property
+    def parts(self) -> Parts:
         """Arrays in the order every compiled kernel takes them.
 
         All are writeable and contiguous: a kernel is compiled again for arrays that are not.
         """
-        own = (self.linear, self.coefficients, self.powers, self.modulus, self.mean, self.cos, self.sin, self.frequency)
-        return tuple(array if array.flags.carray else np.require(array, requirements=("C", "W")) for array in own)
+        own = (getattr(self, name) for name in PER_CONDITION)
+        return Parts(*(a if a.flags.carray else np.require(a, requirements=("C", "W")) for a in own))
+
+
+FEWEST: Final = 32
+"""Samples of a cycle with drag |q| q: 32 misjudge its fundamental by 6/32^3, 2e-4."""
+
+
+def kernel_arguments(system: System, table: Basis) -> tuple[Any, ...]:
+    """Program, parts, and the tables of a basis with the wave's harmonics, as every kernel takes them."""
+    return system.program, system.parts, (*table.arrays, table.waves(system.periods, system.inputs.shape[2]))
 
 
 def canonical(
@@ -112,6 +208,9 @@ def canonical(
     linear: ArrayLike | None = None,
     rudder: ArrayLike = 0.0,
     autopilot: Autopilot | None = None,
+    restoring: OddSpline | None = None,
+    water: tuple[ArrayLike, ArrayLike] | None = None,
+    strips: Strips | None = None,
 ) -> System:
     """Remove the acceleration coupling: multiply every row by the inverse inertia.
 
@@ -124,6 +223,10 @@ def canonical(
     linear : (n, 3, 4) float, optional     linear terms of each condition in place of the table's
     rudder : (n, 3) or (3,) float          Y_delta, K_delta, N_delta [N, N m, N m]
     autopilot : Autopilot, optional        that moves it; without one it stays amidships
+    restoring : OddSpline, optional        a moment K over phi beside the terms [N m]
+    water : (w0, w1), optional             (n,) complex each: the velocity products of the table are then on the velocity
+                                           through the water, see `relative_terms` [m/s, 1/s]
+    strips : Strips, optional              cross-flow drag on the velocity through the water; of one or of n conditions
 
     Returns
     -------
@@ -166,8 +269,20 @@ def canonical(
         product = inverse @ matrix
         return np.ascontiguousarray(np.broadcast_to(product, (w.size, *product.shape[-2:])))
 
-    raw_linear = table.linear if linear is None else np.asarray(linear, dtype=float)
+    extra, known = np.empty(0, dtype=np.int64), dict[str, Any]()
+    if water is not None:
+        table, extra = relative_terms(table)
+        known = {"inputs": np.array(np.broadcast_to(relative_inputs(*water), (w.size, 2, 3)))}
+    if strips is not None:
+        known |= {"strips": strips.array, "push": rows(-np.eye(3))}
+    raw_linear = table.linear if linear is None else np.array(linear, dtype=float)
+    if restoring is not None:
+        raw_linear = raw_linear.copy()
+        raw_linear[..., 1, 1] += restoring.slope
+        knots, cubics = restoring_table(restoring)
+        known |= {"knots": knots[None], "cubics": cubics[None], "arm": row((0.0, 1.0, 0.0))}
     accelerations = rows(raw_linear)
+    layout = SHIP if autopilot is None else STEERED if autopilot.lag == 0.0 else LAGGING
     return System(
         linear=accelerations if autopilot is None else steered(accelerations, row(rudder), autopilot),
         coefficients=rows(table.coefficients),
@@ -177,7 +292,39 @@ def canonical(
         cos=row(force_cos),
         sin=row(force_sin),
         frequency=w,
+        extra=extra,
+        layout=layout,
+        **known,
     )
+
+
+def restoring_table(spline: OddSpline) -> tuple[Floats, Floats]:
+    """Cubics of a righting spline between its knots, without its slope at 0.
+
+    Parameters
+    ----------
+    spline : OddSpline
+
+    Returns
+    -------
+    knots : (b,) float       where each begins, the first 0 [rad]
+    cubics : (b, 4) float    a, b, c, d of a + b x + c x^2 + d x^3, x beyond the knot
+
+    Examples
+    --------
+    >>> spline = odd_spline([10, 20, 30, 40], [-1.0, -1.8, -2.0, -1.5])
+    >>> knots, cubics = restoring_table(spline)
+    >>> x = np.radians(18.0) - knots[1]
+    >>> bool(np.isclose(cubics[1] @ x ** np.arange(4) + spline.slope * np.radians(18.0), spline.value(np.radians(18.0))))
+    True
+    """
+    knots = np.append(0.0, spline.knots)
+    cubics = [np.array([0.0, 0.0, 0.0, spline.cubic])]
+    for x, jump in zip(np.diff(knots), spline.jumps, strict=True):
+        a, b, c, d = cubics[-1]
+        at_knot = [a + x * (b + x * (c + x * d)), b + x * (2 * c + 3 * x * d), c + 3 * x * d, d + jump]
+        cubics.append(np.array(at_knot))
+    return knots, np.array(cubics)
 
 
 def _triple(values: ArrayLike, name: str) -> Floats:
@@ -206,6 +353,10 @@ class Model:
                                    one the rudder stays amidships and those terms do nothing
     restoring : (angles, moments)  righting moment [N m], positive where it rights the ship, at heel angles [deg]: a spline, to
                                    which "K_phi", .. of the terms add; or the spline of the moment K itself
+    water : (w0, w1) complex       phasors of e^{i w t}: velocity of the water across the ship at G [m/s] and its slope along it
+                                   [1/s]; velocity products are then on v - w0, p, r - w1. Without them on v, p, r: the paper's
+                                   equations
+    strips : Strips                cross-flow drag of the velocity through the water, strip by strip, beside the terms
 
     Raises
     ------
@@ -233,6 +384,8 @@ class Model:
     references: tuple[str, ...]
     autopilot: Autopilot | None
     restoring: OddSpline | None
+    water: tuple[complex, complex] | None
+    strips: Strips | None
     system: System = field(init=False, repr=False)
 
     def __init__(
@@ -247,6 +400,8 @@ class Model:
         references: tuple[str, ...] = ("H71",),
         autopilot: Autopilot | None = None,
         restoring: tuple[ArrayLike, ArrayLike] | OddSpline | None = None,
+        water: tuple[complex, complex] | None = None,
+        strips: Strips | None = None,
     ) -> None:
         masses = np.array(inertia, dtype=float)
         if masses.shape != (3, 3) or not np.isfinite(masses).all():
@@ -269,13 +424,16 @@ class Model:
             "references": references,
             "autopilot": autopilot,
             "restoring": odd_spline(*restoring).times(-1.0) if isinstance(restoring, tuple) else restoring,
+            "water": None if water is None else (complex(water[0]), complex(water[1])),
+            "strips": strips,
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
         rudder = [checked_number(name, self.terms.get(name, 0.0)) for name in RUDDER_NAMES]
         table = term_table({name: value for name, value in self.terms.items() if name not in RUDDER_NAMES})
-        if self.restoring is not None:
-            table = with_spline(table, self.restoring)
         forces = (self.force_cos, self.force_sin, self.force_mean)
-        system = canonical(masses, table, frequency, *forces, rudder=rudder, autopilot=autopilot)
+        known: dict[str, Any] = {"restoring": self.restoring, "water": self.water, "strips": strips}
+        if strips is not None and len(strips.water) != 1:
+            raise InputError(f"strips of {len(strips.water)} conditions; a model is one: give water one number a strip")
+        system = canonical(masses, table, frequency, *forces, rudder=rudder, autopilot=autopilot, **known)
         object.__setattr__(self, "system", system)

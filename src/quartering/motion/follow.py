@@ -9,36 +9,60 @@ from quartering.compiled import inner
 from quartering.motion.balance import balance
 from quartering.motion.dense import lu_factor, lu_solve
 
+_STEP = 1e-4
+
 
 @inner
-def _excitation(system, first, nb, out):
+def _excitation(one, first, nb, out):
     """Excitation as it stands in the balance equations (3 b,)."""
-    mean, cos, sin = system[4], system[5], system[6]
+    _, parts, i, _ = one
     for row in range(3 * nb):
         out[row] = 0.0
     for k in range(3):
         if first == 1:
-            out[k * nb] = mean[k]
-        out[k * nb + first] = cos[k]
-        out[k * nb + first + 1] = sin[k]
+            out[k * nb] = parts.mean[i, k]
+        out[k * nb + first] = parts.cos[i, k]
+        out[k * nb + first + 1] = parts.sin[i, k]
 
 
 @inner
-def _correct(system, tables, u, share, scale, tangent, force, bordered, pivots, step, work):
+def _by_share(one, tables, u, share, force, residual, no_matrix, room, out):
+    """Derivative (3 b,) of the residual by the share of the wave, from the forces and from the known inputs.
+
+    The inputs enter as a cubic at most or as |q| q, smooth enough for a central difference: it steers Newton's steps and the
+    tangent, not the solution.
+    """
+    program, parts, i, _ = one
+    for row in range(out.size):
+        out[row] = -force[row]
+    if parts.inputs.shape[1] + parts.strips.shape[1] == 0:
+        return
+    for side in (-1.0, 1.0):
+        balance((program, parts, i, share + side * _STEP), tables, u, residual, no_matrix, room)
+        for row in range(out.size):
+            out[row] += side * residual[row] / (2.0 * _STEP)
+
+
+@inner
+def _correct(one, tables, u, share, scale, tangent, force, bordered, pivots, step, work):
     """Newton's method across the tangent from a predicted point (u, share); returns iterations, or -1, and the share.
 
     On success ``bordered`` holds the factored bordered matrix of the last iterate.
     """
-    residual, matrix, scratch = work[0], work[2], work[7]
+    residual, no_matrix, matrix, room = work[0], work[1], work[2], work[7]
+    program, parts, i, _ = one
     nb = u.shape[1]
     size = 3 * nb
+    by_share = np.empty(size)
     for iteration in range(8):
-        balance(system, tables, u, 1.0, residual, matrix, scratch)
+        if iteration == 0:  # the point hardly moves from here on
+            _by_share(one, tables, u, share, force, residual, no_matrix, room, by_share)
+        balance((program, parts, i, share), tables, u, residual, matrix, room)
         for row in range(size):
             step[row] = -(residual[row] + (1.0 - share) * force[row])
             for column in range(size):
                 bordered[row, column] = matrix[row, column] * scale[column // nb]
-            bordered[row, size] = -force[row]
+            bordered[row, size] = by_share[row]
             bordered[size, row] = tangent[row]
         bordered[size, size] = tangent[size]
         step[size] = 0.0
@@ -98,7 +122,7 @@ def _turn(bordered, pivots, tangent, new):
 
 
 @inner
-def follow(system, tables, linear_motion, u, work):
+def follow(one, tables, linear_motion, u, work):
     """Follow the motion from rest while the excitation grows from 0 to 1; leaves ``u`` near the first motion at 1.
 
     Pseudo-arclength continuation: the share of the excitation is an unknown beside the harmonics, and each step goes along
@@ -119,7 +143,7 @@ def follow(system, tables, linear_motion, u, work):
     step, trial = np.empty(size + 1), np.empty((3, nb))
     bordered, pivots = np.empty((size + 1, size + 1)), np.empty(size + 1, np.int64)
     first = 1 if tables[2][0] == 0.0 else 0
-    _excitation(system, first, nb, force)
+    _excitation(one, first, nb, force)
     _set_off(linear_motion, scale, tangent)
     for row in range(size):
         u[row // nb, row % nb] = 0.0
@@ -128,7 +152,7 @@ def follow(system, tables, linear_motion, u, work):
         for row in range(size):
             trial[row // nb, row % nb] = u[row // nb, row % nb] + length * tangent[row] * scale[row // nb]
         iterations, reached = _correct(
-            system, tables, trial, share + length * tangent[size], scale, tangent, force, bordered, pivots, step, work
+            one, tables, trial, share + length * tangent[size], scale, tangent, force, bordered, pivots, step, work
         )
         same = iterations >= 0 and _turn(bordered, pivots, tangent, new) > 0.9
         if not same:  # not converged, or the branch bent too sharply to be sure it is the same one

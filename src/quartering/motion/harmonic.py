@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
-from quartering.motion.balance import balance, copy_motion, newton
-from quartering.motion.basis import basis
-from quartering.motion.equations import Floats, System
+from quartering.motion.balance import balance, copy_motion, newton, room_for_one
+from quartering.motion.equations import FEWEST, Floats, System, kernel_arguments
 from quartering.motion.follow import follow
 from quartering.motion.lockstep import in_step
+from quartering.motion.rates import fill
 from quartering.motion.status import Status
 from quartering.threads import in_threads
 
@@ -39,48 +39,49 @@ def _changed(before, after):
 
 
 @kernel
-def _solve(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-           values, rates, factors, weights, given_start, from_rest, u, waiting, status, error):  # fmt: skip
+def _solve(first, last, program, parts, tables, given_start, from_rest, u, waiting, status, error):
     """Periodic motions of the waiting ones of first..last; u (n, 3, b) holds the start when `given_start`, then the result."""
-    nb = values.shape[0]
+    nb = tables[2].size
     size = 3 * nb
-    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3), np.empty((3, 4)),
-               np.empty((3, 3, nb)))  # fmt: skip
+    room = room_for_one(program, parts, tables)
     work = (np.empty(size), np.empty((0, 0)), np.empty((size, size)),
             np.empty(size, np.int64), np.empty((3, nb)), np.empty(size), np.empty(size),
-            scratch)  # fmt: skip
+            room)  # fmt: skip
     residual, no_matrix = work[0], work[1]
-    tables = (values, rates, factors, weights)
     linear_motion, kept = np.zeros((3, nb)), np.zeros((3, nb))
     for i in range(first, last):
-        system = (linear[i], coefficients[i], powers, modulus, mean[i], cos[i], sin[i], frequency[i])
         if waiting[i] == 0:
             continue
-        if given_start:
-            outcome, _ = newton(system, tables, u[i], 1.0, work)
-        else:
+        one = (program, parts, i, 1.0)
+        side = 0
+        if not given_start:
             for k in range(3):
                 for b in range(nb):
                     linear_motion[k, b] = 0.0
-            outcome, side = newton(system, tables, linear_motion, 0.0, work)
+            fill(i, 0.0, parts, room[0])
+            outcome, side = newton(one, tables, linear_motion, work)
             if outcome == 0:
                 copy_motion(linear_motion, u[i])
-                outcome, side_found = newton(system, tables, u[i], 1.0, work)
-                elsewhere = outcome == 0 and from_rest and (side_found != side or _changed(linear_motion, u[i]))
-                if elsewhere:
-                    copy_motion(u[i], kept)
-                if (outcome != 0 or elsewhere) and follow(system, tables, linear_motion, u[i], work):
-                    outcome, _ = newton(system, tables, u[i], 1.0, work)
-                    status[i] = _BY_FOLLOWING
-                elif elsewhere:
-                    copy_motion(kept, u[i])
+        fill(i, 1.0, parts, room[0])
+        if given_start:
+            outcome, _ = newton(one, tables, u[i], work)
+        elif outcome == 0:
+            outcome, side_found = newton(one, tables, u[i], work)
+            elsewhere = outcome == 0 and from_rest and (side_found != side or _changed(linear_motion, u[i]))
+            if elsewhere:
+                copy_motion(u[i], kept)
+            if (outcome != 0 or elsewhere) and follow(one, tables, linear_motion, u[i], work):
+                outcome, _ = newton(one, tables, u[i], work)
+                status[i] = _BY_FOLLOWING
+            elif elsewhere:
+                copy_motion(kept, u[i])
         if outcome != 0:
             status[i] = _SINGULAR if outcome == 2 else _NO_MOTION
             continue
-        balance(system, tables, u[i], 1.0, residual, no_matrix, scratch)
+        balance(one, tables, u[i], residual, no_matrix, room)
         scale = 1e-300
         for k in range(3):
-            scale = max(scale, abs(cos[i, k]), abs(sin[i, k]), abs(mean[i, k]))
+            scale = max(scale, abs(parts.cos[i, k]), abs(parts.sin[i, k]), abs(parts.mean[i, k]))
         for row in range(size):
             error[i] = max(error[i], abs(residual[row]) / scale)
 
@@ -213,11 +214,11 @@ def _solved(
     system: System, orders: tuple[int, ...], start: Floats | None, from_rest: bool, *, abreast: bool
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Solve what full steps abreast find, if wanted, then with care what still waits; mark what has no motion."""
-    table = basis(orders, system.degree, system.has_modulus)
+    table = system.basis(orders, fewest=FEWEST)
     u = np.zeros((system.count, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
     finite, residual = system.finite, np.zeros(system.count)
     status, waiting = np.where(finite, _CONVERGED, _NOT_FINITE).astype(np.int8), finite.astype(np.int8)
-    given = (*system.kernel_arrays(), *table.arrays, start is not None, from_rest, u, waiting)
+    given = (*kernel_arguments(system, table), start is not None, from_rest, u, waiting)
     if abreast:
         in_threads(in_step, system.count, *given, residual)
     if waiting.any():

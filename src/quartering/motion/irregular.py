@@ -6,13 +6,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import kernel
 from quartering.conventions import STATE, InputError
-from quartering.motion.abreast import WIDTH
 from quartering.motion.equations import Floats, Model
-from quartering.motion.march import chain, room_for, step_sum
+from quartering.motion.march import alike, room_to_march, step_sum
+from quartering.motion.rates import WIDTH
 from quartering.motion.simulate import CAPSIZE_ANGLE
 from quartering.threads import in_threads
 
@@ -31,33 +31,40 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 
 
 @kernel
-def _march(first, last, chain, forcing, between, h, begin, limit, states, peak, square, capsize):
+def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
     """Runge-Kutta steps for rows first..last of realisations abreast.
 
-    ``forcing`` (steps + 7, 3, n) begins 3 steps before the first step. ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
+    ``forcing`` (steps + 7, 3 + e + z, n) begins 3 steps before the first step: accelerations, known inputs, water.
+    ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.
     """
-    room, excitation = room_for(chain), np.zeros((3, 3, WIDTH))
-    total = room[2]
+    kinds = forcing.shape[1]
+    room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
+    waves, total, roll_angle = (
+        np.zeros((3, equations.parts.inputs.shape[2])),
+        room[4],
+        equations.program.displacements[1],
+    )
+    waves[:, 0], waves[:, 1] = 1.0, 1.0  # a series stands where the mean of an input and the cosine of the water would
     for row in range(first, last):
         y, own = states[row], forcing[:, :, row * WIDTH : (row + 1) * WIDTH]
         for n in range(forcing.shape[0] - between.size + 1):
-            for k in range(3):
+            for k in range(kinds):
                 for l in range(WIDTH):
-                    excitation[0, k, l], excitation[2, k, l] = own[n + _BEFORE, k, l], own[n + _BEFORE + 1, k, l]
-                    excitation[1, k, l] = 0.0
+                    given[0, k, l], given[2, k, l] = own[n + _BEFORE, k, l], own[n + _BEFORE + 1, k, l]
+                    given[1, k, l] = 0.0
                 for i in range(between.size):
                     for l in range(WIDTH):
-                        excitation[1, k, l] += between[i] * own[n + i, k, l]
-            step_sum(chain, h, excitation, y, room)
+                        given[1, k, l] += between[i] * own[n + i, k, l]
+            step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
             for s in range(y.shape[0]):
                 for l in range(WIDTH):
                     going = 1.0 if np.isnan(capsize[row, l]) else 0.0
                     y[s, l] += going * h / 6.0 * total[s, l]
             for l in range(WIDTH):
                 going = 1.0 if np.isnan(capsize[row, l]) else 0.0
-                roll = abs(y[1, l])
+                roll = abs(y[roll_angle, l])
                 peak[row, l] = max(peak[row, l], roll)
                 square[row, l] += going * roll * roll
                 if going > 0.0 and not roll <= limit:
@@ -73,6 +80,7 @@ def irregular(
     *,
     step: float = 0.2,
     limit: float = CAPSIZE_ANGLE,
+    water: ArrayLike | None = None,
 ) -> xr.Dataset:
     """Largest roll of many realisations of an irregular sea, from rest.
 
@@ -86,6 +94,8 @@ def irregular(
     duration : float            [s]
     step : float                of time [s]
     limit : float               roll angle that counts as capsize [rad]; a realisation stops there
+    water : (c, m) complex      velocity of the water in each component, as `force`, of a model that has it: w0 [m/s] and w1
+                                [1/s] of `Model.water`, then that at each of `Model.strips` [m/s]
 
     Returns
     -------
@@ -95,7 +105,8 @@ def irregular(
 
     Raises
     ------
-    InputError        shapes that do not fit together, numbers that are not finite, a step, duration or limit not above 0
+    InputError        a model with water in motion and none given, or the reverse; shapes that do not fit together, numbers
+                      that are not finite, a step, duration or limit not above 0
 
     Notes
     -----
@@ -123,26 +134,42 @@ def irregular(
         raise InputError(f"step {step} s and duration {duration} s: both greater than zero, the step the smaller")
     if not limit > 0:
         raise InputError(f"limit {limit} rad: the roll angle that counts as capsize is greater than zero; try pi/2")
+    known = _known_inputs(model, w.size, water)
     count, steps = phases.shape[0], round(duration / step)
     rows = -(-count // WIDTH)
-    acceleration = np.linalg.solve(model.inertia, f.T)  # (3, c)
-    turned = acceleration[:, None, :] * np.exp(1j * phases)  # (3, n, c)
-    amplitude = np.zeros((2 * w.size + 1, 3, rows * WIDTH))
+    acceleration = np.concatenate([np.linalg.solve(model.inertia, f.T), known])  # (3 + m, c)
+    turned = acceleration[:, None, :] * np.exp(1j * phases)  # (3 + m, n, c)
+    amplitude = np.zeros((2 * w.size + 1, len(acceleration), rows * WIDTH))
     amplitude[: w.size, :, :count] = turned.real.transpose(2, 0, 1)
     amplitude[w.size : -1, :, :count] = -turned.imag.transpose(2, 0, 1)
-    amplitude[-1] = model.system.mean[0][:, None]
+    amplitude[-1, :3] = model.system.mean[0][:, None]
     amplitude = amplitude.reshape(2 * w.size + 1, -1)
     states = np.zeros((rows, model.system.states, WIDTH))
     peak, square = np.zeros((rows, WIDTH)), np.zeros((rows, WIDTH))
-    capsize, links = np.full((rows, WIDTH), np.nan), chain(model.system)
+    capsize, equations = np.full((rows, WIDTH), np.nan), alike(model.system)
     for begin in range(0, steps, _CHUNK):
         samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
         angle = np.multiply.outer((begin - _BEFORE + np.arange(samples)) * step, w)
         waves = np.concatenate([np.cos(angle), np.sin(angle), np.ones((samples, 1))], axis=1)
-        forcing = (waves @ amplitude).reshape(samples, 3, -1)
-        arrays = (links, forcing, _BETWEEN, step, begin * step, limit, states, peak, square, capsize)
+        forcing = (waves @ amplitude).reshape(samples, len(acceleration), -1)
+        arrays = (equations, forcing, _BETWEEN, step, begin * step, limit, states, peak, square, capsize)
         in_threads(_march, rows, *arrays, smallest=1)
     return _dataset(model, states, peak, square, capsize, count, steps * step, step)
+
+
+def _known_inputs(model: Model, components: int, water: ArrayLike | None) -> NDArray[np.complex128]:
+    """Phasors (m, c) of the model's known inputs, -w0 and -w1, then of the water at its strips as the equations take it."""
+    own = 0 if model.water is None else 2
+    strips = 0 if model.strips is None else model.strips.x.size
+    given = np.zeros((components, 0), complex) if water is None else np.asarray(water, complex)
+    if given.shape != (components, own + strips) or not np.isfinite(given).all():
+        raise InputError(
+            f"water {given.shape}: this model has {own} velocities of the water (w0, w1) and {strips} strips; give finite"
+            f" numbers ({components}, {own + strips}), one row a component"
+            + ("" if own + strips else ", or leave it out")
+        )
+    scale = np.concatenate([-np.ones(own), np.cbrt(model.strips.c) if model.strips is not None else np.empty(0)])
+    return (given * scale).T
 
 
 def _dataset(

@@ -9,18 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from quartering.compiled import abreast, kernel
-from quartering.motion.abreast import (
-    WIDTH,
-    forces,
-    gather,
-    linear_response,
-    raise_powers,
-    rows_abreast,
-    slopes,
-    states,
-    steady_response,
-)
 from quartering.motion.dense import factor_abreast, solve_abreast
+from quartering.motion.rates import WIDTH, enter_inputs, forces, gather, room_for, row_of_lanes, slopes
 
 _ITERATIONS = 8
 _LEFT, _DONE = 1, 2
@@ -28,82 +18,183 @@ _NO_AUTOPILOT = (0j, 0j, 0j)
 
 
 @abreast
-def _inertia_and_waves(tables, mean, cos, sin, w, u, residual):
-    """Start of the residual (3 b, W): acceleration less excitation."""
-    factors = tables[2]
-    nb = factors.size
-    first = 1 if factors[0] == 0.0 else 0
-    for k in range(3):
-        for b in range(nb):
-            for l in range(WIDTH):
-                rate = factors[b] * w[l]
-                residual[k * nb + b, l] = -rate * rate * u[k, b, l]
-        for l in range(WIDTH):
-            residual[k * nb + first, l] -= cos[k, l]
-            residual[k * nb + first + 1, l] -= sin[k, l]
-        if first == 1:
-            for l in range(WIDTH):
-                residual[k * nb, l] -= mean[k, l]
+def gather_motions(begin, last, u, row):
+    """Copy the motions (n, 3, b) from ``begin`` on into a row (3, b, W)."""
+    for l in range(row.shape[2]):
+        i = min(begin + l, last - 1)
+        for k in range(3):
+            for b in range(row.shape[1]):
+                row[k, b, l] = u[i, k, b]
 
 
 @abreast
-def balance_abreast(system, tables, degrees, u, residual, room):
+def states(program, factors, value, rate, u, w, columns):
+    """States of the motions ``u`` (3, b, W) where the harmonics have the values and rates (b,), into the first columns.
+
+    Notes
+    -----
+    The mean's column holds mean displacements, and mean velocities of modes whose displacement the equations do not hold.
+    Source: [H71] eq. (A-3), for any set of harmonics.
+    """
+    width = columns.shape[1]
+    for s in range(program.states):
+        for l in range(width):
+            columns[s, l] = 0.0
+    sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
+    for b in range(factors.size):
+        by_phase, own = rate[b], value[b]
+        if factors[b] > 0.0:
+            for l in range(width):
+                velocity = by_phase * w[l]
+                columns[sway, l] += u[0, b, l] * velocity
+                columns[roll, l] += u[1, b, l] * velocity
+                columns[yaw, l] += u[2, b, l] * velocity
+        for k in range(3):
+            held = program.displacements[k]
+            if held < 0 and factors[b] == 0.0:
+                held = program.velocities[k]
+            if held >= 0:
+                for l in range(width):
+                    columns[held, l] += u[k, b, l] * own
+
+
+@abreast
+def at_sample(program, tables, n, u, lanes, columns):
+    """Everything ``columns`` need at sample ``n``: states, and the variables that known inputs enter."""
+    values, rates, factors, _, waves = tables
+    states(program, factors, values[:, n], rates[:, n], u, lanes.frequency, columns)
+    enter_inputs(program, lanes, waves[:, n], columns)
+
+
+@abreast
+def _inertia_and_waves(factors, lanes, u, residual):
+    """Start of the residual (3 b, W): acceleration less excitation."""
+    nb, width = factors.size, lanes.frequency.size
+    first = 1 if factors[0] == 0.0 else 0
+    for k in range(3):
+        for b in range(nb):
+            for l in range(width):
+                rate = factors[b] * lanes.frequency[l]
+                residual[k * nb + b, l] = -rate * rate * u[k, b, l]
+        for l in range(width):
+            residual[k * nb + first, l] -= lanes.cos[k, l]
+            residual[k * nb + first + 1, l] -= lanes.sin[k, l]
+        if first == 1:
+            for l in range(width):
+                residual[k * nb, l] -= lanes.mean[k, l]
+
+
+@abreast
+def balance_abreast(program, tables, lanes, u, residual, room):
     """Residuals (3 b, W) of the balance equations, as `balance.balance` has them for one condition.
 
     Notes
     -----
-    Source: [H71] eqs. (A-10), (A-11), [Krack19].
+    Row (k, c) is projection c of acceleration minus right-hand side.  Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
-    linear, coefficients, powers, modulus, mean, cos, sin, w = system
-    values, _, _, weights = tables
-    state, table, force, _, _ = room
+    values, _, factors, weights, waves = tables
+    columns, force, _, sums = room
     nb, samples = values.shape
-    _inertia_and_waves(tables, mean, cos, sin, w, u, residual)
+    width = lanes.frequency.size
+    _inertia_and_waves(factors, lanes, u, residual)
     for n in range(samples):
-        states(tables, n, u, w, state)
-        raise_powers(state, degrees, table)
-        forces(linear, coefficients, powers, modulus, state, table, force)
+        at_sample(program, tables, n, u, lanes, columns)
+        forces(program, lanes, waves[1, n], waves[2, n], columns, sums, force)
         for k in range(3):
             for c in range(nb):
                 project = weights[c] * values[c, n]
-                for l in range(WIDTH):
+                for l in range(width):
                     residual[k * nb + c, l] -= project * force[k, l]
 
 
 @abreast
-def _derivative(system, tables, degrees, u, matrix, room):
-    """Derivatives (3 b, 3 b, W) of the residuals by the unknowns."""
-    linear, coefficients, powers, modulus, _, _, _, w = system
-    values, rates, factors, weights = tables
-    state, table, _, jacobian, column = room
+def _derivative(program, tables, lanes, u, matrix, column, room):
+    """Derivatives (3 b, 3 b, W) of the residuals by the unknowns.
+
+    With drag from every second sample: there are many for the sake of |q| q alone, and the matrix only leads Newton's steps,
+    the residual decides.
+    """
+    values, rates, factors, weights, waves = tables
+    columns, _, jacobian, sums = room
     nb, samples = values.shape
+    width, w = lanes.frequency.size, lanes.frequency
     for row in range(3 * nb):
         for b in range(3 * nb):
-            for l in range(WIDTH):
+            for l in range(width):
                 matrix[row, b, l] = 0.0
         rate = factors[row % nb]
-        for l in range(WIDTH):
+        for l in range(width):
             matrix[row, row, l] = -(rate * w[l]) * (rate * w[l])
-    for n in range(samples):
-        states(tables, n, u, w, state)
-        raise_powers(state, degrees, table)
-        slopes(linear, coefficients, powers, modulus, state, table, jacobian)
+    sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
+    every = 2 if lanes.strips.shape[0] > 0 and samples % 2 == 0 else 1
+    for n in range(0, samples, every):
+        at_sample(program, tables, n, u, lanes, columns)
+        slopes(program, lanes, waves[1, n], waves[2, n], columns, sums, jacobian)
         for b in range(nb):
-            value, rate = values[b, n], rates[b, n]
-            turns = 1.0 if factors[b] > 0.0 else 0.0
+            value, rate = values[b, n], rates[b, n] if factors[b] > 0.0 else 0.0
             for k in range(3):
-                for l in range(WIDTH):
-                    velocity = rate * (turns * w[l] + (1.0 - turns))
-                    column[k, 0, b, l] = -jacobian[k, 0, l] * velocity
-                    column[k, 1, b, l] = -jacobian[k, 1, l] * value - jacobian[k, 2, l] * (velocity * turns)
-                    column[k, 2, b, l] = -jacobian[k, 3, l] * velocity
+                for l in range(width):
+                    velocity = rate * w[l]
+                    column[k, 0, b, l] = -jacobian[k, sway, l] * velocity
+                    column[k, 1, b, l] = -jacobian[k, roll, l] * velocity
+                    column[k, 2, b, l] = -jacobian[k, yaw, l] * velocity
+            for j in range(3):
+                held = program.displacements[j]
+                if held < 0 and factors[b] == 0.0:
+                    held = program.velocities[j]
+                if held >= 0:
+                    for k in range(3):
+                        for l in range(width):
+                            column[k, j, b, l] -= jacobian[k, held, l] * value
         for c in range(nb):
-            project = weights[c] * values[c, n]
+            project = every * weights[c] * values[c, n]
             for k in range(3):
                 for j in range(3):
                     for b in range(nb):
-                        for l in range(WIDTH):
+                        for l in range(width):
                             matrix[k * nb + c, j * nb + b, l] += project * column[k, j, b, l]
+
+
+@abreast
+def linear_response(linear, l, w, x, y, z, answer):
+    """Phasors of sway, roll, yaw under accelerations (x, y, z) at frequency ``w`` without the products; Cramer's rule.
+
+    Notes
+    -----
+    ``answer`` is what an autopilot does to (sway, roll, yaw) per unit of yaw, as `steering.feedback`.
+    Source: [H71] eq. (3), linear part.
+    """
+    e, s = 1j * w, -w * w
+    a, b, c = s - e * linear[0, 0, l], -linear[0, 1, l] - e * linear[0, 2, l], -e * linear[0, 3, l] - answer[0]
+    d, f, g = -e * linear[1, 0, l], s - linear[1, 1, l] - e * linear[1, 2, l], -e * linear[1, 3, l] - answer[1]
+    h, i, j = -e * linear[2, 0, l], -linear[2, 1, l] - e * linear[2, 2, l], s - e * linear[2, 3, l] - answer[2]
+    p, q, r = f * j - g * i, d * j - g * h, d * i - f * h
+    det = a * p - b * q + c * r
+    if det == 0.0:  # an undamped resonance; a complex division by zero would stop the whole batch
+        det = complex(np.nan, np.nan)
+    sway = (x * p - b * (y * j - g * z) + c * (y * i - f * z)) / det
+    roll = (a * (y * j - g * z) - x * q + c * (d * z - y * h)) / det
+    yaw = (a * (f * z - y * i) - b * (d * z - y * h) + x * r) / det
+    return sway, roll, yaw
+
+
+@abreast
+def steady_response(linear, l, x, y, z):
+    """Mean sway velocity, heel and yaw rate under steady accelerations (x, y, z), and the sign of their determinant.
+
+    Notes
+    -----
+    Source: [H71] eq. (3), linear part; Cramer's rule.
+    """
+    a, b, c = -linear[0, 0, l], -linear[0, 1, l], -linear[0, 3, l]
+    d, f, g = -linear[1, 0, l], -linear[1, 1, l], -linear[1, 3, l]
+    h, i, j = -linear[2, 0, l], -linear[2, 1, l], -linear[2, 3, l]
+    p, q, r = f * j - g * i, d * j - g * h, d * i - f * h
+    det = a * p - b * q + c * r
+    sway = (x * p - b * (y * j - g * z) + c * (y * i - f * z)) / det
+    heel = (a * (y * j - g * z) - x * q + c * (d * z - y * h)) / det
+    yaw = (a * (f * z - y * i) - b * (d * z - y * h) + x * r) / det
+    return sway, heel, yaw, 1.0 if det > 0.0 else -1.0
 
 
 @abreast
@@ -113,7 +204,7 @@ def _move(u, step, out, size):
     As `balance.relative_step`; not a number counts as endless.
     """
     nb = u.shape[1]
-    for l in range(WIDTH):
+    for l in range(size.size):
         floor, largest = 1e-300, 0.0
         for k in range(3):
             for b in range(nb):
@@ -133,19 +224,19 @@ def _move(u, step, out, size):
 def _copy(u, out):
     for k in range(3):
         for b in range(u.shape[1]):
-            for l in range(WIDTH):
+            for l in range(u.shape[2]):
                 out[k, b, l] = u[k, b, l]
 
 
 @abreast
-def _linear(system, factors, u, side):
+def _linear(lanes, factors, u, side):
     """Motion without the products; ``side`` (W,) is the sign of its equations' determinant.
 
     Each harmonic counts its determinant squared, so the mean's alone decides.
     """
-    linear, _, _, _, mean, cos, sin, w = system
+    linear, mean, cos, sin, w = lanes.linear, lanes.mean, lanes.cos, lanes.sin, lanes.frequency
     first = 1 if factors[0] == 0.0 else 0
-    for l in range(WIDTH):
+    for l in range(w.size):
         side[l] = 1.0
         for k in range(3):
             for b in range(u.shape[1]):
@@ -181,20 +272,20 @@ def _judge(l, sign, sizes, stage):
 
 
 @abreast
-def _newton(system, tables, degrees, u, stage, sign, work):
+def _newton(program, tables, lanes, u, stage, sign, work):
     """Newton's method on all conditions whose ``stage`` is 0, each matrix used for three steps."""
-    matrix, pivots, inverse, step, points, sizes, room = work
-    nb = u.shape[1]
+    matrix, pivots, inverse, step, points, sizes, column, room = work
+    nb, width = u.shape[1], u.shape[2]
     for _ in range(_ITERATIONS):
-        _derivative(system, tables, degrees, u, matrix, room)
+        _derivative(program, tables, lanes, u, matrix, column, room)
         factor_abreast(matrix, pivots, inverse, sign[1])
         _copy(u, points[0])
         for j in range(3):
-            balance_abreast(system, tables, degrees, points[j], step, room)
+            balance_abreast(program, tables, lanes, points[j], step, room)
             solve_abreast(matrix, pivots, inverse, step)
             _move(points[j], step, points[j + 1], sizes[j])
         working = False
-        for l in range(WIDTH):
+        for l in range(width):
             if stage[l] != 0:
                 continue
             taken = _judge(l, sign[1], sizes, stage)
@@ -218,45 +309,43 @@ def _turned(linear_motion, u, l):
 
 
 @kernel
-def in_step(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-            values, rates, factors, weights, given_start, from_rest, start, waiting, error):  # fmt: skip
+def in_step(first, last, program, parts, tables, given_start, from_rest, start, waiting, error):
     """Motions of conditions first..last that full Newton steps find; ``waiting`` of those becomes 0.
 
     Parameters
     ----------
-    linear .. frequency, values .. weights    of a `System` and of a `Basis`
-    given_start : bool                        begin at ``start``, not at the linear motion
-    from_rest : bool                          leave a condition whose motion is not clearly the one that grows from rest
-    start : (n, 3, b)                         in and, where found, out
-    waiting : (n,) int8                       1 where a motion is wanted
-    error : (n,)                              out: largest imbalance relative to the excitation
+    program, parts, tables    of a `System`, and of a `Basis` with the wave's harmonics
+    given_start : bool        begin at ``start``, not at the linear motion
+    from_rest : bool          leave a condition whose motion is not clearly the one that grows from rest
+    start : (n, 3, b)         in and, where found, out
+    waiting : (n,) int8       1 where a motion is wanted
+    error : (n,)              out: largest imbalance relative to the excitation
 
     Notes
     -----
     Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
-    nb = values.shape[0]
+    factors = tables[2]
+    nb = factors.size
     size = 3 * nb
-    own, room, degrees = rows_abreast(powers, nb)
-    source = (linear, coefficients, powers, modulus, mean, cos, sin, frequency)
-    system = (own[0], own[1], powers, modulus, own[2], own[3], own[4], own[5])
-    tables = (values, rates, factors, weights)
+    lanes = row_of_lanes(parts, WIDTH)
+    room = room_for(program, lanes)
     u, linear_motion = np.zeros((3, nb, WIDTH)), np.zeros((3, nb, WIDTH))
     stage, sign, side = np.zeros(WIDTH, np.int64), np.zeros((2, WIDTH)), np.zeros(WIDTH)
     step = np.zeros((size, WIDTH))
     work = (np.zeros((size, size, WIDTH)), np.zeros((size, WIDTH), np.int64), np.zeros((size, WIDTH)), step,
-            np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), room)  # fmt: skip
+            np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), np.zeros((3, 3, nb, WIDTH)), room)  # fmt: skip
     for begin in range(first, last, WIDTH):
-        gather(begin, last, source, system)
-        _linear(system, factors, linear_motion, side)
+        gather(begin, last, parts, lanes)
+        _linear(lanes, factors, linear_motion, side)
         for l in range(WIDTH):
             i = min(begin + l, last - 1)
             stage[l] = 0 if waiting[i] == 1 else _LEFT
             for k in range(3):
                 for b in range(nb):
                     u[k, b, l] = start[i, k, b] if given_start else linear_motion[k, b, l]
-        _newton(system, tables, degrees, u, stage, sign, work)
-        balance_abreast(system, tables, degrees, u, step, room)
+        _newton(program, tables, lanes, u, stage, sign, work)
+        balance_abreast(program, tables, lanes, u, step, room)
         for l in range(min(WIDTH, last - begin)):
             i = begin + l
             if stage[l] != _DONE:
@@ -266,7 +355,7 @@ def in_step(first, last, linear, coefficients, powers, modulus, mean, cos, sin, 
             waiting[i] = 0
             scale = 1e-300
             for k in range(3):
-                scale = max(scale, abs(cos[i, k]), abs(sin[i, k]), abs(mean[i, k]))
+                scale = max(scale, abs(parts.cos[i, k]), abs(parts.sin[i, k]), abs(parts.mean[i, k]))
                 for b in range(nb):
                     start[i, k, b] = u[k, b, l]
             error[i] = 0.0

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.conventions import InputError
+from quartering.conventions import GRAVITY, InputError
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.hydro.coefficient_table import Coefficients
@@ -15,10 +18,13 @@ from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
 from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
-from quartering.loads.waves import Wave, least_encounter_frequency
+from quartering.loads.waves import Wave, encounter_frequency, folded, heading_components, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
-from quartering.motion.terms import TermTable, term_table, with_spline
+from quartering.motion.terms import TermTable, term_table
+from quartering.motion.water import Strips
 from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
+
+Drag = Literal["cubic", "strips"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,22 +58,8 @@ class ShipSystem:
         System    m h conditions, the heights of one condition beside each other
         """
         count = amplitude.shape[1]
-        factor = amplitude.reshape(-1, 1)
-        s = self.system
-
-        def spread(array: Floats) -> Floats:
-            return np.repeat(array, count, axis=0) if count > 1 else array
-
-        return System(
-            linear=spread(s.linear),
-            coefficients=spread(s.coefficients),
-            powers=s.powers,
-            modulus=s.modulus,
-            mean=spread(s.mean),
-            cos=spread(s.cos) * factor,
-            sin=spread(s.sin) * factor,
-            frequency=spread(s.frequency),
-        )
+        spread = self.system.each(lambda array: np.repeat(array, count, axis=0)) if count > 1 else self.system
+        return spread.raised(amplitude.reshape(-1))
 
 
 def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
@@ -106,15 +98,11 @@ def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
 def _term_table(c: Coefficients) -> TermTable:
     """The nonlinear terms of all conditions: one table, or coefficients by condition where they vary with the speed."""
     if not c.varying:
-        return _with_curve(term_table(nonlinear_terms(c)), c)
+        return term_table(nonlinear_terms(c))
     _, first, back = np.unique(c.speed, return_index=True, return_inverse=True)
     tables = [term_table(nonlinear_terms(c, int(k))) for k in first]
     linear, coefficients = (np.stack([getattr(t, part) for t in tables])[back] for part in ("linear", "coefficients"))
-    return _with_curve(TermTable(linear, tables[0].powers, tables[0].modulus, coefficients), c)
-
-
-def _with_curve(table: TermTable, c: Coefficients) -> TermTable:
-    return table if c.righting is None else with_spline(table, c.righting)
+    return TermTable(linear, tables[0].powers, tables[0].modulus, coefficients)
 
 
 def excitation(
@@ -146,6 +134,44 @@ def excitation(
     return pressure + scattered, omega
 
 
+def drag_strips(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) -> Strips:
+    """Cross-flow drag of a ship at many conditions, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    ship, wavenumber, speed, heading    as in `ship_system`
+
+    Returns
+    -------
+    Strips    at the points the lines are integrated at; the drag acts, and the water's velocity is taken, at half the draught
+              of each section
+
+    Notes
+    -----
+    w = i sigma sin(delta) e^(-k T/2) e^(i k1 x) as in `water_velocity`, at the strip and not fitted.  Source: [Hoerner65] for
+    the drag; wave kinematics, closed form.
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> drag_strips(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0])).water.shape[0]
+    1
+    """
+    k, U, mu = (np.asarray(values, dtype=float)[:, None] for values in (wavenumber, speed, heading))
+    sections, loading = strips(ship.hull), ship.loading
+    x = sections.x - hydrostatics(ship).lcb
+    along, across = heading_components(mu)
+    sigma = np.sqrt(GRAVITY * k)
+    water = 1j * sigma * across * np.exp(-k * sections.draught / 2 + 1j * k * along * x)
+    omega = encounter_frequency(sigma, U, mu)[:, 0]
+    return Strips(
+        x=x,
+        lever=loading.kg - ship.hull.draught + sections.draught / 2,
+        c=0.5 * loading.density * ship.drag_coefficient * sections.draught * sections.weight,
+        water=folded(omega, water)[1],
+    )
+
+
 def ship_system(
     ship: Ship,
     wavenumber: Floats,
@@ -154,6 +180,7 @@ def ship_system(
     form: Form = "stf",
     *,
     known: tuple[NDArray[np.complex128], Floats] | None = None,
+    drag: Drag = "cubic",
 ) -> ShipSystem:
     """Equations of a ship at many conditions, per metre of wave amplitude.
 
@@ -165,6 +192,7 @@ def ship_system(
     heading : (m,) float       mu: 0 following, 180 head [deg]
     form : str                 of the diffraction force, see `wave_forces`
     known : optional           what `excitation` gives, when it has been found already
+    drag : str                 of the cross-flow: "cubic", the ten cubics on velocities over ground, or "strips": `drag_strips`
 
     Returns
     -------
@@ -190,13 +218,18 @@ def ship_system(
     c = coefficients(ship, omega, speed)
     if form != "paper":
         force = force + ship_lift_phasors(ship, c, wavenumber, speed, heading)
+    moving: dict[str, Any] = {}
+    if drag == "strips":
+        c = replace(c, cubic=np.zeros_like(c.cubic))
+        moving["strips"] = drag_strips(ship, wavenumber, speed, heading)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
     table = _term_table(c)
     linear += table.linear
     frequency = np.where(slow, np.nan, np.abs(omega))
-    steering = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
-    system = canonical(c.inertia, table, frequency, force.real, -force.imag, linear=linear, **steering)  # type: ignore[arg-type]
+    given: dict[str, Any] = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
+    given |= {"linear": linear, "restoring": c.righting, **moving}
+    system = canonical(c.inertia, table, frequency, force.real, -force.imag, **given)
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
 
 

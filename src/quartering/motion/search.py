@@ -119,8 +119,7 @@ def _from_branch(model: Model) -> list[Floats]:
     found = [direct[0]] if Status(status[0]).ok else []
 
     def raised(share: float) -> System:
-        s, factor = model.system, 2.0 * share
-        return replace(s, mean=factor * s.mean, cos=factor * s.cos, sin=factor * s.sin)
+        return model.system.raised(np.array([2.0 * share]))
 
     try:
         curve, start = start_of_branch(raised, 1)
@@ -182,7 +181,11 @@ def largest_roll(system: System) -> float:
     1.0
     """
     stiffness = np.abs(system.linear[0, 1, 1])
-    hard = np.abs(system.coefficients[0, 1, (system.powers == [0, 3, 0, 0]).all(axis=1)]).sum()
+    cubic = (system.powers[:, 1] == 3) & (system.powers.sum(axis=1) == 3) & (system.modulus == 0)
+    hard: float = np.abs(system.coefficients[0, 1, cubic]).sum()
+    if system.knots.shape[1]:
+        table = system.arm[0, 1] * system.cubics[0, :, 3]
+        hard += np.abs(np.diff(table, prepend=0.0)).sum()
     return float(min(2.0, 2.0 * np.sqrt(stiffness / hard))) if hard > 0 else 1.5
 
 

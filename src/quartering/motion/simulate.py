@@ -3,6 +3,7 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,8 +12,8 @@ from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
 from quartering.motion.equations import Floats, Model
-from quartering.motion.polynomial import accelerations
-from quartering.motion.steering import HEADING, RUDDER, steer
+from quartering.motion.rates import enter_inputs, fill, forces, room_for, row_of_lanes
+from quartering.motion.steering import HEADING, RUDDER
 from quartering.units import quantity
 
 if TYPE_CHECKING:
@@ -49,29 +50,34 @@ _DENSE = np.array(
 
 
 @inner
-def _derivative(system, time, y, scratch, out):
-    linear, coefficients, powers, modulus, mean, cos, sin, w = system
-    power_table, force, jacobian = scratch
-    accelerations(linear, coefficients, powers, modulus, 1.0, y, power_table, force, jacobian)
-    c, s = np.cos(w * time), np.sin(w * time)
-    out[0] = force[0] + mean[0] + cos[0] * c + sin[0] * s
-    out[1] = y[2]
-    out[2] = force[1] + mean[1] + cos[1] * c + sin[1] * s
-    out[3] = force[2] + mean[2] + cos[2] * c + sin[2] * s
-    if y.size > 4:
-        steer(linear, y, out)
+def _derivative(program, lanes, time, y, waves, room, out):
+    columns, force, _, sums = room
+    w = lanes.frequency[0]
+    for s in range(y.size):
+        columns[s, 0] = y[s]
+    waves[0] = 1.0
+    for h in range(1, waves.size // 2 + 1):
+        waves[2 * h - 1], waves[2 * h] = math.cos(h * w * time), math.sin(h * w * time)
+    enter_inputs(program, lanes, waves, columns)
+    forces(program, lanes, waves[1], waves[2], columns, sums, force)
+    for k in range(3):
+        force[k, 0] += lanes.mean[k, 0] + lanes.cos[k, 0] * waves[1] + lanes.sin[k, 0] * waves[2]
+    for s in range(y.size):
+        out[s] = y[program.follows[s]] if program.follows[s] >= 0 else force[program.rows[s], 0]
 
 
 @kernel
-def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):
+def _integrate(program, parts, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):
     """Dormand-Prince 5(4) with fourth-order dense output at ``times``; returns the number of samples written."""
-    scratch = (np.empty((4, 8)), np.empty(3), np.empty((0, 4)))
+    lanes = row_of_lanes(parts, 1)
+    fill(0, 1.0, parts, lanes)
+    room, waves = room_for(program, lanes), np.empty(parts.inputs.shape[2])
     states = start.size
     k = np.empty((7, states))
     y, stage, new = start.copy(), np.empty(states), np.empty(states)
     time, written = times[0], 0
-    h = 0.01 / system[7]
-    _derivative(system, time, y, scratch, k[0])
+    h = 0.01 / parts.frequency[0]
+    _derivative(program, lanes, time, y, waves, room, k[0])
     while written < times.size:
         if h < 1e-12 * (1.0 + abs(time)):
             return written
@@ -80,7 +86,7 @@ def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, err
                 stage[s] = y[s]
                 for i in range(j):
                     stage[s] += h * stages[j, i] * k[i, s]
-            _derivative(system, time + nodes[j] * h, stage, scratch, k[j])
+            _derivative(program, lanes, time + nodes[j] * h, stage, waves, room, k[j])
         size = 0.0
         for s in range(states):
             new[s] = stage[s]
@@ -107,7 +113,7 @@ def _integrate(system, times, start, tolerance, scale, limit, nodes, stages, err
         for s in range(states):
             y[s] = new[s]
             k[0, s] = k[6, s]
-        if abs(y[1]) > limit:
+        if abs(y[program.displacements[1]]) > limit:
             return written
         h *= min(5.0, max(0.2, 0.9 * (size + 1e-10) ** -0.2))
     return written
@@ -182,11 +188,10 @@ def simulate(
     start = np.append(start, np.zeros(states - start.size))
     times = np.arange(0.0, duration * (1 + 1e-12), interval)
     out = np.full((times.size, states), np.nan)
-    linear, coefficients, powers, modulus, mean, cos, sin, frequency = model.system.kernel_arrays()
-    arrays = (linear[0], coefficients[0], powers, modulus, mean[0], cos[0], sin[0], frequency[0])
     # Rates in the scale of one degree; sway velocity in that of a slow walk.
     scale = np.array([0.1, 0.01, 0.01, 0.01, 0.01, 0.01])[:states]
-    written = _integrate(arrays, times, start, tolerance, scale, CAPSIZE_ANGLE, _NODES, _STAGES, _ERROR, _DENSE, out)
+    given = (times, start, tolerance, scale, CAPSIZE_ANGLE, _NODES, _STAGES, _ERROR, _DENSE, out)
+    written = _integrate(model.system.program, model.system.parts, *given)
     columns = {
         "sway_velocity": (out[:, 0], "m/s", "sway velocity, positive to starboard", "v"),
         "roll": (np.degrees(out[:, 1]), "deg", "roll angle, positive starboard side down", "phi"),

@@ -178,23 +178,6 @@ def feedback(linear: Floats, frequency: Floats) -> NDArray[np.complex128]:
 
 
 @inner
-def steer(linear, y, out):
-    """Add what heading and rudder do to the rates ``out`` of the state ``y`` (5,) or (6,), and their own rates.
-
-    Notes
-    -----
-    Source: closed form (`steered`).
-    """
-    for k in range(3):
-        row = 0 if k == 0 else k + 1
-        for s in range(4, y.size):
-            out[row] += linear[k, s] * y[s]
-    out[4] = y[3]
-    if y.size > 5:
-        out[5] = linear[3, 3] * y[3] + linear[3, 4] * y[4] + linear[3, 5] * y[5]
-
-
-@inner
 def mean_is_heading(linear, factors):
     """Does the mean's column of yaw hold the mean heading, in place of a mean rate of turn?
 

@@ -7,32 +7,29 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import kernel
-from quartering.motion.abreast import WIDTH, gather, gather_motions, linear_response, rows_abreast
-from quartering.motion.basis import basis
-from quartering.motion.equations import Floats, System
+from quartering.motion.equations import FEWEST, Floats, System, kernel_arguments
 from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.lockstep import balance_abreast
+from quartering.motion.lockstep import balance_abreast, gather_motions, linear_response
+from quartering.motion.rates import WIDTH, gather, room_for, row_of_lanes
 from quartering.motion.steering import feedback, turning
 from quartering.threads import in_threads
 
 
 @kernel
-def _add_linear_harmonics(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-                          values, rates, factors, weights, fundamental, answer, u):  # fmt: skip
+def _add_linear_harmonics(first, last, program, parts, tables, fundamental, answer, u):
     """Fill the columns of ``u`` (n, 3, b) beyond those of ``fundamental`` with their linear response to its products.
 
     ``answer`` (n, 3, b) is the autopilot's to each harmonic of yaw.
     """
-    nb, known = values.shape[0], fundamental.shape[2]
-    own, room, degrees = rows_abreast(powers, nb)
-    source = (linear, coefficients, powers, modulus, mean, cos, sin, frequency)
-    system = (own[0], own[1], powers, modulus, own[2], own[3], own[4], own[5])
-    tables = (values, rates, factors, weights)
+    factors = tables[2]
+    nb, known = factors.size, fundamental.shape[2]
+    lanes = row_of_lanes(parts, WIDTH)
+    room = room_for(program, lanes)
     row, residual = np.zeros((3, nb, WIDTH)), np.zeros((3 * nb, WIDTH))
     for begin in range(first, last, WIDTH):
-        gather(begin, last, source, system)
+        gather(begin, last, parts, lanes)
         gather_motions(begin, last, fundamental, row[:, :known])
-        balance_abreast(system, tables, degrees, row, residual, room)
+        balance_abreast(program, tables, lanes, row, residual, room)
         for l in range(min(WIDTH, last - begin)):
             i = begin + l
             for b in range(known, nb, 2):
@@ -40,7 +37,7 @@ def _add_linear_harmonics(first, last, linear, coefficients, powers, modulus, me
                 y = 1j * residual[nb + b + 1, l] - residual[nb + b, l]
                 z = 1j * residual[2 * nb + b + 1, l] - residual[2 * nb + b, l]
                 steering = (answer[i, 0, b], answer[i, 1, b], answer[i, 2, b])
-                sway, roll, yaw = linear_response(own[0], l, factors[b] * own[5][l], x, y, z, steering)
+                sway, roll, yaw = linear_response(lanes.linear, l, factors[b] * lanes.frequency[l], x, y, z, steering)
                 u[i, 0, b], u[i, 0, b + 1] = sway.real, -sway.imag
                 u[i, 1, b], u[i, 1, b + 1] = roll.real, -roll.imag
                 u[i, 2, b], u[i, 2, b + 1] = yaw.real, -yaw.imag
@@ -80,11 +77,11 @@ def modified_struble(
     """
     low, orders = ((1,), (1, 3)) if system.symmetric else ((0, 1), (0, 1, 2, 3))
     fundamental, status, residual = harmonic_balance(system, low, start, from_rest=from_rest)
-    table = basis(orders, system.degree, system.has_modulus)
+    table = system.basis(orders, fewest=FEWEST)
     u = np.zeros((system.count, 3, table.factors.size))
     u[:, :, : fundamental.shape[2]] = fundamental
     # A rudder is linear: it takes no part in what the fundamental's products leave, only in the response to it.
     moving = np.ascontiguousarray(turning(system.linear, fundamental, low))
     answer = np.stack([feedback(system.linear, h * system.frequency) for h in table.factors], axis=2)
-    in_threads(_add_linear_harmonics, system.count, *system.kernel_arrays(), *table.arrays, moving, answer, u)
+    in_threads(_add_linear_harmonics, system.count, *kernel_arguments(system, table), moving, answer, u)
     return u, orders, status, residual

@@ -55,7 +55,7 @@ def slowed(system: System, periods: int) -> System:
     -----
     Source: none needed; see the module's first lines.
     """
-    return system if periods == 1 else replace(system, frequency=system.frequency / periods)
+    return system if periods == 1 else replace(system, frequency=system.frequency / periods, periods=periods)
 
 
 def columns(orders: tuple[int, ...]) -> dict[int, slice]:

@@ -13,13 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import STATE, InputError
-from quartering.hull.spline import OddSpline
 from quartering.names import ROWS, barred, term
-
-KNOT = 2.0**-50
-"""Unit of the knots of a righting spline [rad], below rounding."""
-KNOT_CODE = 4
-"""A product with a modulus above this is ((|phi| - knot)+)^3 sgn phi, its knot (modulus - KNOT_CODE) KNOT."""
 
 
 @dataclass(frozen=True)
@@ -90,7 +84,7 @@ class TermTable:
     ----------
     linear : (..., 3, 4) float    rows Y, K, N; columns v, phi, p, r; leading dimension: conditions, where they differ
     powers : (t, 4) int           powers of (v, phi, p, r) in each nonlinear product
-    modulus : (t,) int            1-4 for the variable between modulus bars, 0 for none; above, the knot of a spline
+    modulus : (t,) int            1-4 for the variable between modulus bars, 0 for none
     coefficients : (..., 3, t)    rows Y, K, N
     """
 
@@ -155,40 +149,4 @@ def term_table(terms: Mapping[str, float]) -> TermTable:
         np.array([f.powers for f in columns], dtype=np.int64).reshape(-1, 4),
         np.array([f.modulus for f in columns], dtype=np.int64),
         np.array(list(columns.values())).reshape(-1, 3).T,
-    )
-
-
-def with_spline(table: TermTable, spline: OddSpline) -> TermTable:
-    """The terms and a righting spline in the roll row.
-
-    Parameters
-    ----------
-    table : TermTable
-    spline : OddSpline    moment K over the roll angle, with its sign of the right-hand side [N m]
-
-    Returns
-    -------
-    TermTable    one more product for the cubic about 0 and one for each knot
-
-    Notes
-    -----
-    Knots are moved to the nearest multiple of `KNOT`, which is below rounding.  Source: truncated powers, closed form.
-
-    Examples
-    --------
-    >>> from quartering.hull.spline import odd_spline
-    >>> table = with_spline(term_table({}), odd_spline([10, 20, 30, 40], [-1.0, -1.8, -2.0, -1.5]))
-    >>> table.modulus.size, bool(table.linear[1, 1] < 0)
-    (3, True)
-    """
-    codes = np.round(spline.knots / KNOT).astype(np.int64)
-    linear = table.linear.copy()
-    linear[..., 1, 1] += spline.slope
-    columns = np.zeros((*table.coefficients.shape[:-1], codes.size + 1))
-    columns[..., 1, :] = np.append(spline.cubic, spline.jumps)
-    return TermTable(
-        linear,
-        np.concatenate([table.powers, np.tile(np.array([[0, 3, 0, 0]]), (codes.size + 1, 1))]),
-        np.concatenate([table.modulus, [0], codes + KNOT_CODE]),
-        np.concatenate([table.coefficients, columns], axis=-1),
     )

@@ -21,7 +21,7 @@ from quartering.loads import diffraction
 from quartering.motion import harmonic
 from quartering.motion.equations import Model
 from quartering.motion.harmonic import solve_with_care
-from quartering.stability import variation
+from quartering.stability import transition, variation
 from quartering.stability.assessment import assess
 from quartering.threads import workers
 
@@ -60,7 +60,7 @@ def compiled() -> bool:
     -----
     Source: none; bookkeeping.
     """
-    return all(_cached(module) for module in (diffraction, harmonic, variation))
+    return all(_cached(module) for module in (diffraction, harmonic, variation, transition))
 
 
 def _cached(module: ModuleType) -> bool:

@@ -7,14 +7,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.basis import harmonics_at
-from quartering.motion.change import change_of_states, products, states_along
+from quartering.motion.basis import harmonics_at, waves_at
+from quartering.motion.change import (
+    change_of_states,
+    change_of_variables,
+    of_states,
+    products,
+    states_along,
+    table_at,
+    variables_along,
+)
 from quartering.motion.equations import Floats, System
 from quartering.motion.steering import HEADING, holds_heading, state_matrix, turning
 from quartering.stability.first_order import roll_mode
 from quartering.stability.floquet import steps_for
-from quartering.stability.steered import steered_transitions
-from quartering.stability.variation import transition_matrices
+from quartering.stability.transition import transition_matrices
 
 Complex = NDArray[np.complex128]
 
@@ -76,7 +83,7 @@ def change_of_stability(
     u, du = turning(system.linear, u[None], orders)[0], turning(np.repeat(system.linear, len(du), axis=0), du, orders)
     symmetric = all(h % 2 == 1 for h in orders)
     span = 0.5 if symmetric else 1.0
-    per_harmonic = _PHASES_OF_KINKS // max(orders) if system.has_modulus else _PHASES
+    per_harmonic = _PHASES if system.smooth else _PHASES_OF_KINKS // max(orders)
     count = int(2 * span * per_harmonic * max(orders))
     phases = 2 * np.pi * span * np.arange(count) / count
     rows, moved = _rows(system, changes, u, du, orders, phases)
@@ -100,22 +107,86 @@ def _rows(
     w = float(system.frequency[0])
     states = states_along(u[None], system.frequency, orders, phases)[0]
     moved = change_of_states(u, du, w, changes.frequency, orders, phases)
-    product = products(states, _mean_sign(u, system, orders, phases), system.powers, system.modulus)
-    by_state = np.stack([product((s,)) for s in range(4)], axis=2)
-    rows = system.linear[0, :3, :4] + np.einsum("kt,nts->nks", system.coefficients[0], by_state)
-    changed = np.tensordot(changes.coefficients, by_state, axes=(2, 1)).transpose(0, 2, 1, 3)
-    changed += changes.linear[:, None, :3, :4]
-    for s in range(4):
-        bend = np.stack([product((s, q)) for q in range(4)], axis=2)
-        changed += moved[:, :, s, None, None] * np.einsum("kt,ntq->nkq", system.coefficients[0], bend)
+    half = 0.5 * (phases[1] - phases[0])
+    beside = [(states_along(u[None], system.frequency, orders, at)[0], at) for at in (phases - half, phases + half)]
+    rows = system.linear[0, :3, :4] + np.zeros((len(phases), 1, 1))
+    changed = changes.linear[:, None, :3, :4] + np.zeros((len(du), len(phases), 1, 1))
+    for part in (_by_products, _by_table, _by_strips):
+        own, change = part(system, changes, states, moved, phases, beside)
+        rows, changed = rows + own, changed + change
     return rows, changed
 
 
-def _mean_sign(u: Floats, system: System, orders: tuple[int, ...], phases: Floats) -> Floats:
-    """Sign of each state, averaged over the interval round its phase: a jump within it keeps its place to second order."""
-    half = 0.5 * (phases[1] - phases[0])
-    before, after = (states_along(u[None], system.frequency, orders, phases + side)[0] for side in (-half, half))
+Beside = list[tuple[Floats, Floats]]
+"""States and phases half an interval before and after each phase."""
+
+
+def _mean_sign(before: Floats, after: Floats) -> Floats:
+    """Sign averaged over the interval round a phase: a jump within it keeps its place to second order."""
     return np.asarray((before + after) / np.maximum(np.abs(before) + np.abs(after), _TINY))
+
+
+def _by_products(
+    system: System, changes: System, states: Floats, moved: Floats, phases: Floats, beside: Beside
+) -> tuple[Floats, Floats]:
+    """Part (s, 3, 4) of the products in the variational matrix, and its derivatives (m, s, 3, 4)."""
+    variables = variables_along(system, states, phases)
+    by_parameter = change_of_variables(system, changes, moved, phases)
+    sign = _mean_sign(*(variables_along(system, *one) for one in beside))
+    product, by_state = products(variables, sign, system.powers, system.modulus), of_states(system)
+    count = variables.shape[1]
+    slope = np.stack([product((v,)) for v in range(count)], axis=2) @ by_state
+    rows = np.einsum("kt,nts->nks", system.coefficients[0], slope)
+    changed = np.tensordot(changes.coefficients, slope, axes=(2, 1)).transpose(0, 2, 1, 3)
+    for q in range(count):
+        bend = np.stack([product((v, q)) for v in range(count)], axis=2) @ by_state
+        changed = changed + by_parameter[:, :, q, None, None] * np.einsum("kt,nts->nks", system.coefficients[0], bend)
+    return rows, changed
+
+
+def _by_table(
+    system: System, changes: System, states: Floats, moved: Floats, _phases: Floats, _beside: Beside
+) -> tuple[Floats, Floats]:
+    """Part of the table of the restoring moment, as `_by_products`."""
+    rows, changed = np.zeros((len(states), 3, 4)), np.zeros((*moved.shape[:2], 3, 4))
+    if system.knots.shape[1] == 0:
+        return rows, changed
+    knots, cubics, arm = system.knots[0], system.cubics[0], system.arm[0]
+    slope, bend, piece = table_at(knots, cubics, states[:, 1])
+    x, size = np.abs(states[:, 1]) - knots[piece], np.sign(states[:, 1])
+    table = changes.cubics[:, piece]  # (m, s, 4)
+    by_table = table[:, :, 1] + x * (2 * table[:, :, 2] + 3 * x * table[:, :, 3])
+    by_table -= bend * size * changes.knots[:, piece]
+    rows[:, :, 1] = slope[:, None] * arm
+    changed[..., 1] = (by_table + bend * moved[:, :, 1])[:, :, None] * arm + slope[:, None] * changes.arm[:, None, :]
+    return rows, changed
+
+
+def _by_strips(
+    system: System, changes: System, states: Floats, moved: Floats, phases: Floats, beside: Beside
+) -> tuple[Floats, Floats]:
+    """Part of the drag by strips, as `_by_products`: -2 |q| e e^T with the minus in ``push``."""
+    rows, changed = np.zeros((len(states), 3, 4)), np.zeros((*moved.shape[:2], 3, 4))
+    if not system.has_drag:
+        return rows, changed
+    form, water, push = system.strips[0, :, :3], system.strips[0, :, 3:], system.push[0]
+
+    def passing(at: Floats, turn: Floats) -> Floats:
+        return np.asarray(at[:, _VELOCITIES] @ form.T - waves_at(system.periods * turn, 3)[1:].T @ water.T)
+
+    q, sign = passing(states, phases), _mean_sign(*(passing(*one) for one in beside))
+    rows[:, :, _VELOCITIES] = push @ np.einsum("nz,za,zb->nab", 2 * np.abs(q), form, form)
+    turn = waves_at(system.periods * phases, 3)[1:].T
+    for i in range(len(moved)):
+        by_form, by_water = changes.strips[i, :, :3], changes.strips[i, :, 3:]
+        dq = moved[i][:, _VELOCITIES] @ form.T + states[:, _VELOCITIES] @ by_form.T - turn @ by_water.T
+        bent = np.einsum("nz,za,zb->nab", 2 * sign * dq, form, form)
+        if by_form.any():
+            once = np.einsum("nz,za,zb->nab", 2 * np.abs(q), by_form, form)
+            bent = bent + once + once.transpose(0, 2, 1)
+        plain = np.einsum("nz,za,zb->nab", 2 * np.abs(q), form, form)
+        changed[i][:, :, _VELOCITIES] = push @ bent + changes.push[i] @ plain
+    return rows, changed
 
 
 def _first_order(rows: Floats, moved: Floats, linear: Floats, changed: Floats) -> tuple[Floats, Floats]:
@@ -165,7 +236,7 @@ def _maps(system: System, u: Floats, orders: tuple[int, ...], span: float, count
     begun[:, :, first::2] = (a * cos + b * sin).transpose(2, 0, 1)
     begun[:, :, first + 1 :: 2] = (b * cos - a * sin).transpose(2, 0, 1)
     every = system.each(lambda array: np.repeat(array, count, axis=0))
+    every = every.begun_at(2 * np.pi * span * np.arange(count) / count)
     total = steps_for(system.frequency, span, np.array([rate]), max(orders), _ACCURACY)
     steps = np.full(count, -(-int(total[0]) // count))
-    march = steered_transitions if system.states > HEADING else transition_matrices
-    return march(every, begun, orders, span / count, steps)
+    return transition_matrices(every, begun, orders, span / count, steps)

@@ -6,13 +6,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from quartering.motion.equations import Model
+from quartering.motion.basis import waves_at
+from quartering.motion.change import variables_along
+from quartering.motion.equations import Model, System
+from quartering.motion.program import PLAIN
 from quartering.motion.steady import Motion
 from quartering.motion.steering import state_matrix
+from quartering.motion.subharmonic import slowed
 from quartering.motion.terms import parse
+from quartering.motion.water import SWAY, YAW
 from quartering.names import RUDDER_NAMES
 
 _ROWS_OF_STATE = (0, 2, 3)
+_SAMPLES = 128
 
 
 def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, float]:
@@ -45,14 +51,19 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
     ('K_p', -0.05)
     """
     inverse = np.linalg.inv(model.inertia)
-    times = 2 * np.pi / motion.frequency * np.arange(128) / 128
-    states = motion.state(times)
+    phases = 2 * np.pi * np.arange(_SAMPLES) / _SAMPLES
+    states = motion.state(phases / motion.frequency)
+    system = slowed(model.system, motion.periods)
+    passing = states.copy()  # velocities through the water
+    if model.water is not None:
+        passing[:, [SWAY, YAW]] = variables_along(system, states, phases)[:, PLAIN:]
     parts: dict[str, np.ndarray] = {}
     for name, value in model.terms.items():
         if name in RUDDER_NAMES:
             continue  # together with the gains, below
         row, factors = parse(name)
-        gradient = _mean_gradient(states, np.array(factors.powers), factors.modulus)
+        own = states if factors.degree == 1 or "phi" in name else passing
+        gradient = _mean_gradient(own, np.array(factors.powers), factors.modulus)
         matrix = np.zeros((4, 4))
         matrix[list(_ROWS_OF_STATE)] = value * np.outer(inverse[:, row], gradient)
         parts[name] = matrix
@@ -61,6 +72,8 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
         matrix = np.zeros((4, 4))
         matrix[list(_ROWS_OF_STATE)] = np.outer(inverse[:, 1], gradient)
         parts["K_phi spline"] = matrix
+    if model.strips is not None:
+        parts["cross-flow drag"] = _by_strips(system, states, phases)
     kinematic = state_matrix(np.zeros((1, 3, 4)), np.zeros_like(model.system.linear))[0]
     if model.autopilot is not None:
         parts = {name: np.pad(matrix, (0, len(kinematic) - 4)) for name, matrix in parts.items()}
@@ -75,6 +88,17 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
     )
     rates = {name: float((left[mode] @ matrix @ vectors[:, mode]).real) for name, matrix in parts.items()}
     return dict(sorted(rates.items(), key=lambda item: -item[1]))
+
+
+def _by_strips(system: System, states: np.ndarray, phases: np.ndarray) -> np.ndarray:
+    """What drag by strips adds to the mean matrix of the state (4, 4): push of the mean of 2 |q| e e^T."""
+    form, water = system.strips[0, :, :3], system.strips[0, :, 3:]
+    still = waves_at(system.periods * phases, 3)[1:].T @ water.T
+    size = np.abs(states[:, _ROWS_OF_STATE] @ form.T - still).mean(axis=0)
+    matrix = np.zeros((4, 4))
+    where = np.ix_(_ROWS_OF_STATE, _ROWS_OF_STATE)
+    matrix[where] = system.push[0] @ np.einsum("z,za,zb->ab", 2 * size, form, form)
+    return matrix
 
 
 def _by_autopilot(model: Model) -> np.ndarray:

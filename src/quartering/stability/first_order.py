@@ -11,7 +11,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering.motion.change import of_states
 from quartering.motion.equations import Floats, System
+from quartering.motion.program import PLAIN
 from quartering.motion.steering import HEADING, RUDDER, feedback, state_matrix
 from quartering.stability.course import combination_rate, course_matrix, course_rates
 from quartering.stability.eigenvalues import eigenvalues
@@ -96,7 +98,9 @@ def roll_cubic(system: System, factors: str) -> Floats:
     [0.3]
     """
     powers = [factors.count("v"), 0, factors.count("p"), factors.count("r")]
-    column = (system.powers == powers).all(axis=1) & (system.modulus == 0)
+    alone = system.powers[:, PLAIN:][:, system.extra < 0].any(axis=1)
+    own = system.powers @ of_states(system).astype(np.int64)  # v - w0 counts as v
+    column = (own == powers).all(axis=1) & ~alone & (system.modulus == 0)
     return np.asarray(system.coefficients[:, 1, column].sum(axis=1))
 
 

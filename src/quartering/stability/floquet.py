@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.batch import rows
 from quartering.motion.equations import Floats, System
-from quartering.motion.steering import HEADING, RUDDER, holds_heading, turning
+from quartering.motion.steering import HEADING, RUDDER, holds_heading
 from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
 from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
-from quartering.stability.steered import steered_transitions
-from quartering.stability.variation import transition_matrices
+from quartering.stability.transition import even_steps, transition_matrices
 
 Complex = NDArray[np.complex128]
 
@@ -208,6 +208,11 @@ def floquet(
     return Floquet(full, half, exponents, share, np.asarray(liouville))
 
 
+FINEST_WITH_DRAG: Final = 1e-6
+"""Smallest error of the multipliers for which the samples of a variation with kinks suffice."""
+_STEPS_WITH_DRAG = 8
+
+
 def _transitions(
     system: System,
     u: Floats,
@@ -219,22 +224,22 @@ def _transitions(
     variation: tuple[Complex, Floats] | None,
 ) -> Floats:
     """State transition matrices (n, s, s), each by the method that reaches the accuracy at the least cost."""
-    if system.states > HEADING:
-        if system.states > RUDDER:
-            rate = np.maximum(rate, -system.linear[:, 3, RUDDER])
-        steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
-        return steered_transitions(system, turning(system.linear, u, orders), orders, span, steps)
-    if variation is None or accuracy < FINEST or system.has_modulus:
-        steps = np.where(found, steps_for(system.frequency, span, rate, max(orders), accuracy), 1)
+    if system.states > RUDDER:
+        rate = np.maximum(rate, -system.linear[:, 3, RUDDER])
+    finest = FINEST_WITH_DRAG if system.has_drag else FINEST
+    if variation is None or accuracy < finest or system.has_modulus or not system.plain:
+        steps = np.where(found, even_steps(steps_for(system.frequency, span, rate, max(orders), accuracy)), 1)
         return transition_matrices(system, u, orders, span, steps)
     phasors, along = variation
     steps, scale = magnus_steps(system.frequency, phasors, rate, span, accuracy)
     cycle = 2 * np.pi * span / np.where(found, system.frequency, 1.0)
-    phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale)
+    if system.has_drag:
+        steps = np.where(steps > 0, np.maximum(steps, _STEPS_WITH_DRAG), 0)
+    phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale, kinks=system.has_drag)
     rest = np.flatnonzero(found & ~np.isfinite(phi).all(axis=(1, 2)))
     if rest.size:
         few = rows(system, rest)
-        many = steps_for(few.frequency, span, rate[rest], max(orders), accuracy)
+        many = even_steps(steps_for(few.frequency, span, rate[rest], max(orders), accuracy))
         phi[rest] = transition_matrices(few, u[rest], orders, span, many)
     return phi
 

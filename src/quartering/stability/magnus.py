@@ -26,6 +26,7 @@ _TIERS = (14, 18, 22, 24, 26, 28)
 take tens of megabytes."""
 _CONSTANT = 40.0
 _NODE = math.sqrt(15.0) / 10.0
+_POINTS = 40
 _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
 
 
@@ -114,20 +115,39 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
 
 
 @lru_cache(maxsize=16)
-def _tables(samples: int, kinds: int) -> tuple[Floats, NDArray[np.int64]]:
+def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64]]:
     """Weights (nodes, samples, filled up to a multiple of 4) of a periodic function's equally spaced values at the nodes of
     the first numbers of steps in turn, and where each begins: trigonometric interpolation, exact for the harmonics that
     the samples can hold.
+
+    With kinks the values at the nodes are those of the parabola that comes nearest to the interpolated function over the step
+    in the mean square: Gauss' rule then has its integral and first moments without error, wherever in the step the kink lies.
     """
-    nodes = np.concatenate(
-        [((np.arange(n)[:, None] + [0.5 - _NODE, 0.5, 0.5 + _NODE]) / n).ravel() for n in STEPS[:kinds]]
-    )
-    half = np.pi * (nodes[:, None] - np.arange(samples) / samples)
+    starts = (3 * np.concatenate([[0], np.cumsum(STEPS[:kinds])[:-1]])).astype(np.int64)
+    if kinks:
+        place, weight = np.polynomial.legendre.leggauss(_POINTS)
+        powers = np.arange(3)
+        parabola = np.polynomial.legendre.legvander(np.array([-2 * _NODE, 0.0, 2 * _NODE]), 2)
+        project = parabola @ (
+            (powers[:, None] + 0.5) * np.polynomial.legendre.legvander(place, 2).T * weight
+        )  # (3, points)
+        rows = [
+            np.einsum("ap,nps->nas", project, _cardinals((np.arange(n)[:, None] + 0.5 + 0.5 * place) / n, samples))
+            for n in STEPS[:kinds]
+        ]
+        weights = np.concatenate([row.reshape(-1, samples) for row in rows])
+    else:
+        nodes = [((np.arange(n)[:, None] + [0.5 - _NODE, 0.5, 0.5 + _NODE]) / n).ravel() for n in STEPS[:kinds]]
+        weights = _cardinals(np.concatenate(nodes), samples)
+    return np.pad(weights, ((0, 0), (0, -samples % 4))), starts  # four are taken at a time
+
+
+def _cardinals(nodes: Floats, samples: int) -> Floats:
+    """Trigonometric cardinal functions (..., samples) of equally spaced samples, at shares (...) of the period."""
+    half = np.pi * (nodes[..., None] - np.arange(samples) / samples)
     small = np.abs(np.sin(half)) < 1e-12
     below = np.where(small, 1.0, np.sin(half) if samples % 2 else np.tan(half))
-    weights = np.where(small, 1.0, np.sin(samples * half) / (samples * below))
-    weights = np.pad(weights, ((0, 0), (0, -samples % 4)))  # four are taken at a time
-    return weights, (3 * np.concatenate([[0], np.cumsum(STEPS[:kinds])[:-1]])).astype(np.int64)
+    return np.asarray(np.where(small, 1.0, np.sin(samples * half) / (samples * below)))
 
 
 def magnus_steps(
@@ -176,7 +196,9 @@ def magnus_steps(
     return np.array([*STEPS, 0], dtype=np.int64)[index], scale
 
 
-def magnus_transition(along: Floats, cycle: Floats, steps: NDArray[np.int64], scale: Floats) -> Floats:
+def magnus_transition(
+    along: Floats, cycle: Floats, steps: NDArray[np.int64], scale: Floats, *, kinks: bool = False
+) -> Floats:
     """State transition matrices of the variational equations over one period of their matrix.
 
     Parameters
@@ -184,6 +206,7 @@ def magnus_transition(along: Floats, cycle: Floats, steps: NDArray[np.int64], sc
     along : (n, s, 3, 4) float    the matrix at equal intervals over its period, from `variation_along`
     cycle : (n,) float            that period [s]
     steps, scale : (n,)           from `magnus_steps`
+    kinks : bool                  the matrix is continuous only, as with drag |q| q
 
     Returns
     -------
@@ -192,7 +215,8 @@ def magnus_transition(along: Floats, cycle: Floats, steps: NDArray[np.int64], sc
     Notes
     -----
     Sixth-order Magnus series on Gauss nodes: a constant matrix is integrated exactly, so only the modulation costs steps.
-    Source: [Blanes09].  Valid: equations that are smooth along the motion.
+    Source: [Blanes09].  Valid: equations that are smooth along the motion, or
+    continuous with many samples.
 
     Examples
     --------
@@ -205,7 +229,7 @@ def magnus_transition(along: Floats, cycle: Floats, steps: NDArray[np.int64], sc
     samples = along.shape[1]
     where = np.searchsorted(STEPS, np.maximum(steps, STEPS[0]))
     kinds = next(tier for tier in _TIERS if where.max(initial=0) < tier)
-    weights, starts = _tables(samples, kinds)
+    weights, starts = _tables(samples, kinds, kinks)
     transition = np.full((along.shape[0], 4, 4), np.nan)
     rows = _rows(steps)
     of_row = (starts[where[rows[:, 0]]], steps[rows[:, 0]])

@@ -1,16 +1,17 @@
-"""The equations of first variation about a periodic motion: their harmonics and their solution over a cycle."""
+"""The equations of first variation about a periodic motion: their matrix along the motion and its harmonics."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
+
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import kernel
-from quartering.motion.abreast import WIDTH, gather, gather_motions, raise_powers, rows_abreast, slopes, states
-from quartering.motion.basis import basis
-from quartering.motion.equations import Floats, System
-from quartering.motion.polynomial import accelerations
+from quartering.motion.equations import Floats, System, kernel_arguments
+from quartering.motion.lockstep import at_sample, gather_motions
+from quartering.motion.rates import WIDTH, gather, room_for, row_of_lanes, slopes
 from quartering.motion.steering import turning
 from quartering.threads import in_threads
 
@@ -18,25 +19,25 @@ EVEN_HARMONICS = (0, 2, 4, 6)
 """Harmonics of the variational matrix that first-order theory uses."""
 
 
+FEWEST_ALONG: Final = 96
+"""Samples of a cycle with drag |q| q, whose variation 2 |q| has kinks: 96 misjudge its mean by up to 2/96^2 of itself, 2e-4."""
+
+
 @kernel
-def _harmonics(first, last, linear, coefficients, powers, modulus, mean, cos, sin, frequency,
-               values, rates, factors, weights, u, project, out, along):  # fmt: skip
+def _harmonics(first, last, program, parts, tables, u, project, out, along):
     """d(acceleration)/d(state) along each motion (n, samples, 3, 4), and its projections (m, samples) in out (n, m, 3, 4)."""
-    nb, wanted = values.shape[0], project.shape[0]
-    own, room, degrees = rows_abreast(powers, nb)
-    source = (linear, coefficients, powers, modulus, mean, cos, sin, frequency)
-    system = (own[0], own[1], powers, modulus, own[2], own[3], own[4], own[5])
-    tables = (values, rates, factors, weights)
-    state, table, _, jacobian, _ = room
+    waves = tables[4]
+    nb, wanted = tables[0].shape[0], project.shape[0]
+    lanes = row_of_lanes(parts, WIDTH)
+    columns, _, jacobian, strips = room_for(program, lanes)
     motion, sums = np.empty((3, nb, WIDTH)), np.empty((wanted, 3, 4, WIDTH))
     for begin in range(first, last, WIDTH):
-        gather(begin, last, source, system)
+        gather(begin, last, parts, lanes)
         gather_motions(begin, last, u, motion)
         count = min(WIDTH, last - begin)
-        for n in range(values.shape[1]):
-            states(tables, n, motion, own[5], state)
-            raise_powers(state, degrees, table)
-            slopes(own[0], own[1], powers, modulus, state, table, jacobian)
+        for n in range(tables[0].shape[1]):
+            at_sample(program, tables, n, motion, lanes, columns)
+            slopes(program, lanes, waves[1, n], waves[2, n], columns, strips, jacobian)
             for k in range(3):
                 for s in range(4):
                     for l in range(count):
@@ -113,7 +114,7 @@ def variation_along(
     """
     u = turning(system.linear, u, orders)
     # The matrix has degree one less than the equations; a margin of harmonics keeps the last one free of aliases.
-    table = basis(orders, system.degree - 2, system.has_modulus, extra=2 * max(harmonics) + 2)
+    table = system.basis(orders, lower=2, extra=2 * max(harmonics) + 2, fewest=FEWEST_ALONG)
     samples = table.values.shape[1]
     half_cycle = all(h % 2 == 1 for h in orders)
     phases = (np.pi if half_cycle else 2 * np.pi) * np.arange(samples) / samples
@@ -125,8 +126,7 @@ def variation_along(
     in_threads(
         _harmonics,
         system.count,
-        *system.kernel_arrays(),
-        *table.arrays,
+        *kernel_arguments(system, table),
         np.require(u, requirements=("C", "W")),
         np.array(rows),
         out,
@@ -136,134 +136,3 @@ def variation_along(
     phasors[:, 0] = out[:, 0]
     phasors[:, 1:] = out[:, 1::2] - 1j * out[:, 2::2]
     return phasors, along
-
-
-@kernel
-def jacobian_at(system, orders, u, cos1, sin1, scratch, matrix):
-    """Rows v', p', r' of the variational matrix (3, 4) at the phase whose cosine and sine are given.
-
-    Notes
-    -----
-    Source: [H71] eq. (8).
-    """
-    linear, coefficients, powers, modulus, w = system
-    power_table, state, force = scratch
-    state[:] = 0.0
-    column, reached = 0, 0
-    c, s = 1.0, 0.0
-    for h in orders:
-        if h == 0:
-            state[0] += u[0, 0]
-            state[1] += u[1, 0]
-            state[3] += u[2, 0]
-            column = 1
-            continue
-        for _ in range(h - reached):
-            c, s = c * cos1 - s * sin1, s * cos1 + c * sin1
-        reached = h
-        rate = h * w
-        state[0] += rate * (c * u[0, column + 1] - s * u[0, column])
-        state[1] += c * u[1, column] + s * u[1, column + 1]
-        state[2] += rate * (c * u[1, column + 1] - s * u[1, column])
-        state[3] += rate * (c * u[2, column + 1] - s * u[2, column])
-        column += 2
-    accelerations(linear, coefficients, powers, modulus, 1.0, state, power_table, force, matrix)
-
-
-@kernel
-def _slope(matrix, phi, out):
-    """Derivative of the state transition matrix phi (4, 4), rows (v, phi, p, r)."""
-    for c in range(4):
-        out[1, c] = phi[2, c]
-        for k in range(3):
-            row = 0 if k == 0 else k + 1
-            out[row, c] = (
-                matrix[k, 0] * phi[0, c]
-                + matrix[k, 1] * phi[1, c]
-                + matrix[k, 2] * phi[2, c]
-                + matrix[k, 3] * phi[3, c]
-            )
-
-
-@kernel
-def _transition(first, last, linear, coefficients, powers, modulus, frequency,
-                orders, u, span, steps, transition):  # fmt: skip
-    """Fourth-order Runge-Kutta solution (n, 4, 4) of the variational equations over ``span`` cycles."""
-    scratch = (np.empty((4, 8)), np.empty(4), np.empty(3))
-    begin, middle, end = np.empty((3, 4)), np.empty((3, 4)), np.empty((3, 4))
-    phi, stage = np.empty((4, 4)), np.empty((4, 4))
-    k1, k2, k3, k4 = np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4)), np.empty((4, 4))
-    for i in range(first, last):
-        system = (linear[i], coefficients[i], powers, modulus, frequency[i])
-        h = 2.0 * np.pi * span / (frequency[i] * steps[i])
-        half_angle = np.pi * span / steps[i]
-        for a in range(4):
-            for b in range(4):
-                phi[a, b] = 1.0 if a == b else 0.0
-        jacobian_at(system, orders, u[i], 1.0, 0.0, scratch, end)
-        for n in range(steps[i]):
-            for a in range(3):
-                for b in range(4):
-                    begin[a, b] = end[a, b]
-            angle = (2 * n + 1) * half_angle
-            jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, middle)
-            angle = (2 * n + 2) * half_angle
-            jacobian_at(system, orders, u[i], np.cos(angle), np.sin(angle), scratch, end)
-            _slope(begin, phi, k1)
-            for a in range(4):
-                for b in range(4):
-                    stage[a, b] = phi[a, b] + 0.5 * h * k1[a, b]
-            _slope(middle, stage, k2)
-            for a in range(4):
-                for b in range(4):
-                    stage[a, b] = phi[a, b] + 0.5 * h * k2[a, b]
-            _slope(middle, stage, k3)
-            for a in range(4):
-                for b in range(4):
-                    stage[a, b] = phi[a, b] + h * k3[a, b]
-            _slope(end, stage, k4)
-            for a in range(4):
-                for b in range(4):
-                    phi[a, b] += h / 6.0 * (k1[a, b] + 2.0 * k2[a, b] + 2.0 * k3[a, b] + k4[a, b])
-        for a in range(4):
-            for b in range(4):
-                transition[i, a, b] = phi[a, b]
-
-
-def transition_matrices(system: System, u: Floats, orders: tuple[int, ...], span: float, steps: np.ndarray) -> Floats:
-    """State transition matrices of the variational equations, from phase zero over part of a cycle.
-
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    span : float              fraction of the wave's period: 1 for the monodromy matrix, 0.5 for its symmetric root
-    steps : (n,) int          Runge-Kutta steps over the span
-
-    Returns
-    -------
-    (n, 4, 4) float           state order (v, phi, p, r)
-
-    Notes
-    -----
-    Fourth-order Runge-Kutta; the error falls with the fourth power of the number of steps.
-    Source: [H71] eq. (8), as a first-order system.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations import Model
-    >>> from quartering.motion.steady import steady_motions
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
-    >>> u, orders, *_ = steady_motions(system)
-    >>> phi = transition_matrices(system, u, orders, 1.0, np.array([200]))[0]
-    >>> bool(np.isclose(phi[0, 0], np.exp(-2 * np.pi)))
-    True
-    """
-    transition = np.empty((system.count, 4, 4))
-    in_threads(
-        _transition, system.count, *system.kernel_arrays()[:4], system.frequency, np.array(orders, dtype=np.int64), u,
-        span, steps.astype(np.int64), transition,
-    )  # fmt: skip
-    return transition

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -191,7 +191,7 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
     def at_share(t: float) -> System:
         row = spline(t)
         parts = [row[begin:end].reshape(shape) for begin, end, shape in places]
-        return replace(systems, **dict(zip(PER_CONDITION, parts, strict=True)))
+        return replace(systems, **dict[str, Any](zip(PER_CONDITION, parts, strict=True)))
 
     return at_share
 
@@ -222,8 +222,7 @@ def _scaled(s: System, values: Mapping[str, Floats]) -> System:
     if "frequency" in values:
         s = replace(s, frequency=values["frequency"].copy())
     if "excitation" in values:
-        factor = values["excitation"][:, None]
-        s = replace(s, mean=factor * s.mean, cos=factor * s.cos, sin=factor * s.sin)
+        s = s.raised(values["excitation"])
     return s
 
 

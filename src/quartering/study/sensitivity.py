@@ -17,7 +17,7 @@ from quartering.loads.lift import ship_water_velocity
 from quartering.loads.waves import Wave
 from quartering.motion.batch import joined
 from quartering.motion.change import OFFSETS, change_of_motion, difference
-from quartering.motion.equations import Floats, Model, System
+from quartering.motion.equations import PER_CONDITION, Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
 from quartering.motion.of_ship import ShipSystem, equations, ship_system
 from quartering.names import unit
@@ -191,11 +191,18 @@ def coefficient_rows(model: Model, water: Mapping[str, complex] | None = None) -
             row, _, factor = name.partition("_")
             force = -value * (water or {}).get(factor, 0j) * np.eye(3)["YKN".index(row)]
             alone = Model(
-                model.inertia, {name: value}, model.frequency, force.real, -force.imag, autopilot=model.autopilot
+                model.inertia,
+                {name: value},
+                model.frequency,
+                force.real,
+                -force.imag,
+                autopilot=model.autopilot,
+                water=model.water,
             ).system
             linear = alone.linear.copy()
             linear[:, 3:] = 0.0  # the rudder's own equation is the autopilot's
-            rows.append(Row(name, unit(name), value, replace(alone, linear=linear, frequency=np.zeros(1)), _EXACT))
+            change = replace(alone, linear=linear, frequency=np.zeros(1), inputs=np.zeros_like(alone.inputs))
+            rows.append(Row(name, unit(name), value, change, _EXACT))
     return rows
 
 
@@ -222,7 +229,8 @@ def _design_rows(ship: Ship, wave: Wave, speed: float, heading: float, model: Mo
         four = np.ones(OFFSETS.size)
         change = _differenced([ship_system(ship, k * four, u * _FACTORS, mu * four)], wave.amplitude)
         rows.append(Row("speed", "m/s", float(speed), change, _DIFFERENCED))
-    change = replace(model.system.each(np.zeros_like), cos=model.system.cos, sin=model.system.sin)
+    twice, once = model.system.raised(np.array([2.0])), model.system.raised(np.array([1.0]))
+    change = replace(once, **{name: getattr(twice, name) - getattr(once, name) for name in PER_CONDITION})
     rows.append(Row("wave_height", "m", wave.height, change, _EXACT))
     return rows
 
