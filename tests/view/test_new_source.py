@@ -47,7 +47,7 @@ def test_a_new_source_is_felt_by_the_motion(heeled):
     """More damping, less roll: by the sign of the term alone."""
     with_it, without = (
         qt.steady_motion(qt.equations(one, WAVE, 7.0, 60.0)).amplitude[1]
-        for one in (heeled.with_(factors={"K_pphiphi": 20.0}), heeled.with_(coefficients={"K_pphiphi": 0.0}))
+        for one in (heeled.with_(factors={"K_pphiphi": 20.0}), heeled.with_(factors={"K_pphiphi": 0.0}))
     )
     assert with_it < without
 

@@ -164,7 +164,7 @@ def added_roll_damping(at: Conditions) -> Terms:
         has = at.measured.roll_damping
         more = found.equivalent < has
         terms = {name: np.where(more, value - has if name == LINEAR else value, 0.0) for name, value in terms.items()}
-        words = f"what is larger at 10 deg of {words}" if has.any() else words
+        words = f"{words}, as far as it is larger at 10 deg than measured" if has.any() else words
     return {name: Term(value, method.kind, words, method.references) for name, value in terms.items()}
 
 
