@@ -21,8 +21,8 @@ import quartering as qt
 from quartering.hull.offsets import scaled
 from quartering.hull.ship import Loading, Ship
 from quartering.hull.stations import hull_from_offsets
+from quartering.hydro.bem import bem_forces
 from quartering.hydro.sixmodes import hydrodynamics6
-from quartering.loads.bem import bem_forces
 from quartering.loads.comparison import compare_forces
 from quartering.view.plots.forces import LOOKS
 

@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from quartering.hull.righting import righting_arm
     from quartering.hull.section import Section
     from quartering.hull.ship import Loading, Ship, ship
+    from quartering.hydro.bem import bem_forces, bem_hydrodynamics
     from quartering.hydro.coefficients import coefficients
     from quartering.hydro.sections import section_coefficients
     from quartering.hydro.sixmodes import hydrodynamics6
     from quartering.hydro.strip import hydrodynamics
-    from quartering.loads.bem import bem_forces, bem_hydrodynamics
     from quartering.loads.comparison import compare_forces
     from quartering.loads.forces import wave_forces
     from quartering.loads.waves import Wave, encounter_frequency
@@ -64,8 +64,8 @@ _HOMES = {
     "hydrodynamics": "hydro.strip",
     "hydrodynamics6": "hydro.sixmodes",
     "wave_forces": "loads.forces",
-    "bem_forces": "loads.bem",
-    "bem_hydrodynamics": "loads.bem",
+    "bem_forces": "hydro.bem",
+    "bem_hydrodynamics": "hydro.bem",
     "compare_forces": "loads.comparison",
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",

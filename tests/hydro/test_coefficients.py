@@ -24,7 +24,7 @@ from quartering.hydro.manoeuvring import clarke_derivatives, hull_lift, to_si
 from quartering.hydro.moments import hull_moments, section_table
 from quartering.hydro.rolldamping import fraction_of_critical
 from quartering.hydro.strip import frequency_floor, hydrodynamics
-from quartering.names import KNOWN, RUDDER_NAMES, canonical, dimension, unit
+from quartering.names import KNOWN, RESTORING_NAMES, RUDDER_NAMES, canonical, dimension, unit
 
 SHIPS = sorted(entry.name.removesuffix(".yaml") for entry in (files("quartering.hull") / "library").iterdir())
 S60 = ship("series60-cb60")
@@ -134,7 +134,7 @@ def test_added_roll_damping_is_the_stated_fraction_at_the_natural_frequency():
 def test_natural_roll_frequency_is_that_of_the_undamped_coupled_system():
     c = coefficients(S60, 0.4, 0.0)
     at_n2 = coefficients(S60, c.roll_frequency, 0.0)
-    square = -np.linalg.inv(at_n2.inertia[0])[1, 1] * at_n2.restoring[1, 0]
+    square = -np.linalg.inv(at_n2.inertia[0])[1, 1] * at_n2.terms["K_phi"].value[0]
     assert c.roll_frequency == pytest.approx(np.sqrt(square), rel=1e-12)
 
 
@@ -153,7 +153,7 @@ def test_calm_water_exponents_satisfy_the_equations_of_motion():
     for k in range(2):
         for exponent in np.linalg.eigvals(state_matrix(c, k)):
             pencil = exponent * c.inertia[k] - c.linear[k] + 0j
-            pencil[1, 1] -= c.restoring[1, 0] / exponent
+            pencil[1, 1] -= c.terms["K_phi"].value[k] / exponent
             scale = np.sqrt(np.abs(np.diag(c.inertia[k])))
             values = np.linalg.svd(pencil / scale[:, None] / scale, compute_uv=False)
             assert values[-1] < 1e-10 * values[0]
@@ -211,7 +211,7 @@ def test_many_conditions_at_once_equal_one_at_a_time():
 @pytest.mark.parametrize("linear", ["default", "strip"])
 def test_zero_speed_and_zero_frequency_give_numbers(linear):
     c = coefficients(S60.with_(linear=linear), [0.0, 0.0, 0.5], [0.0, SPEED, 0.0])
-    for values in (c.inertia, c.linear, c.restoring, c.cubic):
+    for values in (c.inertia, c.linear, *(term.value for term in c.terms.values())):
         assert np.isfinite(values).all()
 
 
@@ -230,9 +230,9 @@ def test_bad_conditions_are_refused(frequency, speed):
 def test_restoring_is_the_righting_arm_of_the_lines():
     c, fit = coefficients(S60, 0.5, 0.0), righting_polynomial(S60)
     weight = hydrostatics(S60).mass * GRAVITY
-    assert c.restoring[1, 0] == pytest.approx(-weight * S60.loading.gm, rel=1e-12)
-    assert c.restoring[1, 1] == pytest.approx(-weight * fit.gz3, rel=1e-12)
-    assert not c.restoring[[0, 2]].any()
+    assert c.terms["K_phi"].value[0] == pytest.approx(-weight * S60.loading.gm, rel=1e-12)
+    assert c.terms["K_phiphiphi"].value[0] == pytest.approx(-weight * fit.gz3, rel=1e-12)
+    assert not any(c.terms[name].value.any() for row in (RESTORING_NAMES[0], RESTORING_NAMES[2]) for name in row)
 
 
 def test_a_given_coefficient_replaces_the_estimate_and_a_multiplier_scales_it():
@@ -260,8 +260,8 @@ def test_y_r_in_the_equations_contains_minus_m_u_once():
 def test_terms_beyond_the_cubics_are_passed_on():
     extra = {"K_p|p|": -3e6, "K_vvphi": 2e5, "K_phi5": 7e6}
     c = coefficients(with_coefficients(S60, **extra).with_(factors={"K_p|p|": 2.0}), 0.5, SPEED)
-    assert dict(c.extra) == {"K_p|p|": -6e6, "K_vvphi": 2e5}
-    assert c.restoring[1, 2] == 7e6
+    assert {name: c.terms[name].value[0] for name in ("K_p|p|", "K_vvphi")} == {"K_p|p|": -6e6, "K_vvphi": 2e5}
+    assert c.terms["K_phi5"].value[0] == 7e6
     assert [entry.name for entry in c.table()][-2:] == ["K_p|p|", "K_vvphi"]
 
 

@@ -1,21 +1,27 @@
 """Roll damping by components as a ship's choice: what reaches the equations is the components' own sum."""
 
+import re
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import quartering as qt
+from quartering.conventions import GRAVITY
 from quartering.hydro.dampingforms import LINEAR_OF_QUADRATIC
 from quartering.hydro.freeroll import free_roll
 from quartering.hydro.measured_ship import measured_parts
 from quartering.hydro.rolldamping import roll_damping
-from quartering.hydro.ship_damping import equivalent_fraction
+from quartering.hydro.ship_damping import METHODS, equivalent_fraction
+from quartering.hydro.terms import estimates
 from quartering.study.cure import cures
 from quartering.study.grid import grid
 from quartering.study.uncertainty import uncertain
 
 S60 = qt.ship("series60-cb60")
 KEELS = (30.0, 0.33)
-METHODS = {"ikeda": "ikeda", "ikeda-simplified": "simplified"}
+CALLED = {"ikeda": "ikeda", "ikeda-simplified": "simplified"}
 
 
 def by_components(method="ikeda", keels=KEELS, ship=S60):
@@ -26,7 +32,7 @@ def values(c, condition=0):
     return {entry.name: entry for entry in c.table(condition)}
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", CALLED)
 @pytest.mark.parametrize("amplitude", [5.0, 10.0, 15.0])
 def test_the_equations_lose_the_energy_of_the_components_at_rest(method, amplitude):
     """[Himeno81]: B_e = B1 + (8/(3 pi)) B2 p_a, waves of the strips at the natural frequency included."""
@@ -34,7 +40,7 @@ def test_the_equations_lose_the_energy_of_the_components_at_rest(method, amplitu
     n2 = free_roll(ship).frequency
     at = values(qt.coefficients(ship, n2, 0.0))
     equations = -at["K_p"].value - LINEAR_OF_QUADRATIC * n2 * np.radians(amplitude) * at["K_p|p|"].value
-    parts = roll_damping(ship, 0.0, n2, amplitude, method=METHODS[method])
+    parts = roll_damping(ship, 0.0, n2, amplitude, method=CALLED[method])
     # the regression has waves of its own, the equations have them as components in place of the strips' at n2
     assert equations == pytest.approx(parts.equivalent, rel=0.03)  # misfit of the form is 1.4 % (mean square)
 
@@ -163,3 +169,23 @@ def test_a_ship_file_names_the_method_and_its_bilge_keels(tmp_path):
 def test_a_wrong_word_or_size_is_refused_with_one_message(tmp_path, text, words):
     with pytest.raises(qt.InputError, match=words):
         qt.ship(written(tmp_path, text))
+
+
+def test_the_method_of_the_contributing_page_works_as_it_says(monkeypatch):
+    """Closed form: 2 % of critical and 10 % a Froude number in K_p, a third of it more at 10 deg."""
+    page = (Path(__file__).parents[2] / "CONTRIBUTING.md").read_text()
+    made: dict[str, object] = {}
+    exec(next(one for one in re.findall(r"```python\n(.*?)```", page, re.DOTALL) if "SPEED = " in one), made)
+    monkeypatch.setitem(METHODS, "by-speed", made["SPEED"])
+    ship = replace(S60.with_(roll_damping=0.0), roll_method="by-speed")
+    speeds = np.array([0.0, 7.5])
+    froude = speeds / np.sqrt(GRAVITY * ship.hull.length)
+    with_it, without = (qt.coefficients(one, 0.5, speeds) for one in (ship, S60.with_(roll_damping=0.0)))
+    added = with_it.linear[:, 1, 1] - without.linear[:, 1, 1]
+    critical = -2.0 * free_roll(ship).frequency * free_roll(ship).inertia
+    np.testing.assert_allclose(added, critical * (0.02 + 0.1 * froude), rtol=1e-12)
+    rate = free_roll(ship).frequency * np.radians(10.0)
+    at = values(with_it, 1)["K_p|p|"]
+    assert LINEAR_OF_QUADRATIC * rate * at.value == pytest.approx(added[1] / 3, rel=1e-12)
+    assert (at.kind, equivalent_fraction(ship, 7.5)) == ("estimated", pytest.approx(4 / 3 * (0.02 + 0.1 * froude[1])))
+    assert estimates(with_it.table())["damping by Froude number"] == ["K_p", "K_p|p|"]

@@ -235,7 +235,7 @@ def test_midship_and_density_of_the_file_count(folder, tmp_path):
 def test_a_ship_runs_from_panels(tmp_path):
     """Capytaine's own results at a frequency and heading of the file come out of the ship unchanged."""
     pytest.importorskip("capytaine", reason="the extra `bem` (Capytaine) is not installed")
-    from quartering.loads.bem import bem_forces
+    from quartering.hydro.bem import bem_forces
 
     wigley = qt.ship("wigley")
     lengths = wigley.hull.length * np.geomspace(0.8, 20.0, 10)[::-1]

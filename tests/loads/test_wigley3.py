@@ -15,8 +15,8 @@ import pytest
 import quartering as qt
 from quartering.hull.ship import Loading, Ship
 from quartering.hull.stations import hull_from_offsets
+from quartering.hydro.bem import bem_forces
 from quartering.hydro.sixmodes import hydrodynamics6
-from quartering.loads.bem import bem_forces
 
 LENGTH, BEAM, DRAUGHT = 3.0, 0.3, 0.1875
 LATERAL = ("sway", "roll", "yaw")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -79,6 +79,14 @@ def hydrostatics(ship: Ship | Hull) -> Hydrostatics:
 
 @lru_cache(maxsize=256)
 def _upright(hull: Hull, density: float, kg: float) -> Hydrostatics:
+    """The hull's particulars in a water of a density [kg/m3], with G at a height [m]."""
+    floating = _floating(hull)
+    return replace(floating, mass=density * floating.volume, gm=floating.km - kg, kg=kg)
+
+
+@lru_cache(maxsize=64)
+def _floating(hull: Hull) -> Hydrostatics:
+    """What follows from the hull alone, found once for it: neither mass nor G is known yet."""
     s = strips(hull)
     volume = float(s.weight @ s.area)
     moment = float(s.weight @ (-2 * (s.y * s.z * s.dz).sum(axis=1)))
@@ -87,16 +95,17 @@ def _upright(hull: Hull, density: float, kg: float) -> Hydrostatics:
     bm = float(s.weight @ (2 / 3 * s.half_breadth**3)) / volume
     cb = volume / (hull.length * hull.beam * hull.draught)
     cm = float(np.interp(0.0, s.x, s.area)) / (hull.beam * hull.draught)
+    unknown = float("nan")
     return Hydrostatics(
         volume=volume,
-        mass=density * volume,
+        mass=unknown,
         lcb=float(s.weight @ (s.x * s.area)) / volume,
         lcf=float(s.weight @ (2 * s.x * s.half_breadth)) / waterplane,
         kb=kb,
         bm=bm,
         km=kb + bm,
-        gm=kb + bm - kg,
-        kg=kg,
+        gm=unknown,
+        kg=unknown,
         cb=cb,
         cm=cm,
         cp=cb / cm,

@@ -236,6 +236,26 @@ def warn_of_polynomial(ship: Ship, largest_roll: float) -> None:
         )
 
 
+def fitted_to(ship: Ship) -> float:
+    """Heel up to which the righting moment of a ship's equations follows its lines.
+
+    Parameters
+    ----------
+    ship : Ship
+
+    Returns
+    -------
+    float    end of the polynomial's range [deg]; infinite with a spline, which says its own end
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> fitted_to(ship("box")), fitted_to(ship("box").with_(righting="spline"))
+    (40.0, inf)
+    """
+    return float("inf") if ship.righting == "spline" else righting_polynomial(ship).max_angle
+
+
 _ALL_ANGLES = np.arange(2.5, 90.0, 2.5)
 
 

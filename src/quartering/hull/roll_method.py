@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Literal, cast
+from quartering.options import OPTIONS, Refused
 
-from quartering.options import Refused
-
-RollMethod = Literal["fraction", "ikeda", "ikeda-simplified"]
-"""Where added roll damping comes from: the loading's fraction of critical, Ikeda's components, or the regression on them."""
+RollMethod = str
+"""Where added roll damping comes from: "fraction" (of critical), or a word of the option `roll_damping`."""
 
 BilgeKeels = tuple[float, float]
-_WORDS = {
-    "ikeda": "component method of Ikeda on the lines",
-    "ikeda-simplified": "regression of Kawahara, Maekawa and Ikeda",
-}
+_WORDS = OPTIONS["roll_damping"].words or {}
 _WIDEST = 0.25
 
 
@@ -34,9 +29,7 @@ def roll_method(roll_damping: float | str) -> RollMethod:
     ('ikeda', 'fraction')
     """
     word = roll_damping.strip() if isinstance(roll_damping, str) else ""
-    if word in _WORDS:
-        return cast(RollMethod, word)
-    return "fraction"
+    return word if word in _WORDS else "fraction"
 
 
 def roll_damping_note(method: RollMethod, keels: BilgeKeels | None) -> str:

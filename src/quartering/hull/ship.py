@@ -154,12 +154,6 @@ class Ship:
         return None if one.default is None else checked(one, one.default, self.name, self.sizes)
 
     @property
-    def radiation_words(self) -> str:
-        """Where added mass, wave damping and wave forces come from, in words."""
-        strips = "the strips" if self.hull.ends == "strips" else "the strips with three-dimensional ends"
-        return strips if self.database is None else self.database.name
-
-    @property
     def roll_damping_words(self) -> str:
         """The added roll damping in words."""
         if self.roll_method == "fraction":

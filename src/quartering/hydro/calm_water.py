@@ -35,7 +35,7 @@ def state_matrix(c: Coefficients, condition: int = 0) -> Floats:
     >>> state_matrix(coefficients(ship("wigley"), 0.5, 0.0))[1].tolist()
     [0.0, 0.0, 1.0, 0.0]
     """
-    restoring = c.restoring[:, 0] + [c.varying[name][condition] if name in c.varying else 0.0 for name in _BY_ANGLE]
+    restoring = [c.terms[name].value[condition] for name in _BY_ANGLE]
     right = np.column_stack([c.linear[condition, :, 0], restoring, c.linear[condition, :, 1:]])
     accelerations = np.linalg.solve(c.inertia[condition], right)
     return np.vstack([accelerations[0], [0.0, 0.0, 1.0, 0.0], accelerations[1:]])

@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from quartering.hull.section import Floats
 from quartering.hull.spline import OddSpline
-from quartering.hydro.coefficient_sources import Kind
+from quartering.hydro.terms import ESTIMATES, Kind, Term
 from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES, unit
 
 BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
 """Rigid-body entries of the table."""
+
+
+STANDARD: tuple[str, ...] = (
+    *BODY_NAMES,
+    *(name for names in (INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, CUBIC_NAMES) for row in names for name in row),
+)
+"""The coefficients every ship has, in the order of the table."""
+_BY_FREQUENCY = {*BODY_NAMES, *(name for names in (INERTIA_NAMES, LINEAR_NAMES) for row in names for name in row)}
 
 
 class Entry(NamedTuple):
@@ -25,6 +34,11 @@ class Entry(NamedTuple):
     unit: str
     source: str
     kind: Kind
+
+    @property
+    def estimated(self) -> bool:
+        """Is the kind of source an estimate?"""
+        return self.kind in ESTIMATES
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,18 +52,11 @@ class Coefficients:
     ship : str                       name of the ship
     frequency : (n,) float           encounter frequency, folded to >= 0 [rad/s]
     speed : (n,) float               U [m/s]
-    inertia : (n, 3, 3) float        rigid body and added mass
-    linear : (n, 3, 3) float         rows Y, K, N, columns v, p, r; Y_r contains -m U
-    restoring : (3, 4) float         columns phi, phi^3, phi^5, phi^7
-    cubic : (3, 10) float            columns in the order of CUBIC_MONOMIALS
-    extra : mapping of str to float  further terms by name (modulus terms, products with phi), alike at every condition
-    body : mapping of str to float   "m" [kg], "I_x", "I_z", "I_xz" [kg m2]
+    terms : mapping of str to Term   every coefficient by name: "m" .. "I_xz"; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r
+                                     without its -m U); restoring; cubic; further terms; rudder, beside an autopilot
     roll_frequency : float           n2 of small free roll as loaded, before overrides and multipliers [rad/s]
-    sources : mapping                name -> (kind, source)
     references : tuple of str        keys of the papers behind the numbers
-    varying : mapping of str to (n,) measured terms that vary with the speed; they add to restoring, cubic and extra
     righting : OddSpline or None     moment K over phi beyond K_phi phi of a ship whose righting curve is a spline [N m]
-    rudder : (n, 3) float            Y_delta, K_delta, N_delta of a ship with an autopilot; None without one
     relative : (n, 3, 3) float       of `linear`, what acts on moving water beside the diffraction: lift. Columns v, r count
     relative_mass : (n, 3, 3) float  the same of the added mass: measured or given less that of the potential flow
     relative_heel : (n, 3) float     of Y_phi, K_phi, N_phi, what a measured set or a value has beyond hydrostatics
@@ -58,21 +65,41 @@ class Coefficients:
     ship: str
     frequency: Floats
     speed: Floats
-    inertia: Floats
-    linear: Floats
-    restoring: Floats
-    cubic: Floats
-    extra: Mapping[str, float]
-    body: Mapping[str, float]
+    terms: Mapping[str, Term]
     roll_frequency: float
-    sources: Mapping[str, tuple[Kind, str]]
     references: tuple[str, ...]
-    varying: Mapping[str, Floats] = field(default_factory=dict)
-    rudder: Floats | None = None
-    righting: OddSpline | None = None
-    relative: Floats = field(kw_only=True)
-    relative_mass: Floats = field(kw_only=True)
-    relative_heel: Floats = field(kw_only=True)
+    righting: OddSpline | None
+    relative: Floats
+    relative_mass: Floats
+    relative_heel: Floats
+
+    @property
+    def body(self) -> dict[str, float]:
+        """Rigid-body values "m" [kg], "I_x", "I_z", "I_xz" [kg m2]."""
+        return {name: float(self.terms[name].value[0]) for name in BODY_NAMES}
+
+    @cached_property
+    def inertia(self) -> Floats:
+        """Rigid body and added mass (n, 3, 3)."""
+        return rigid_inertia(self.body) - matrix(self.terms, INERTIA_NAMES)
+
+    @cached_property
+    def linear(self) -> Floats:
+        """Velocity derivatives (n, 3, 3): rows Y, K, N, columns v, p, r; Y_r contains -m U."""
+        linear = matrix(self.terms, LINEAR_NAMES)
+        linear[:, 0, 2] -= self.body["m"] * self.speed
+        return linear
+
+    @property
+    def rudder(self) -> Floats | None:
+        """Y_delta, K_delta, N_delta (n, 3) of a ship with an autopilot; None without one."""
+        return matrix(self.terms, (RUDDER_NAMES,))[:, 0] if RUDDER_NAMES[0] in self.terms else None
+
+    @cached_property
+    def nonlinear(self) -> dict[str, Floats]:
+        """Terms on the right beside inertia and `linear`, (n,) each: restoring, cubic and further ones that are not zero."""
+        others = (name for name in self.terms if name not in _BY_FREQUENCY and name not in RUDDER_NAMES)
+        return {name: self.terms[name].value for name in others if self.terms[name].value.any()}
 
     def table(self, condition: int = 0) -> tuple[Entry, ...]:
         """Every coefficient of one condition with unit, source and kind, in a fixed order.
@@ -90,24 +117,21 @@ class Coefficients:
         -----
         Source: [H71] equation (2) for the terms; each entry names its own.
         """
-        added, linear = rigid_inertia(self.body) - self.inertia[condition], self.linear[condition].copy()
-        linear[0, 2] += self.body["m"] * self.speed[condition]
-        values = dict(self.body)
-        for names, matrix in (
-            (INERTIA_NAMES, added),
-            (LINEAR_NAMES, linear),
-            (RESTORING_NAMES, self.restoring),
-            (CUBIC_NAMES, self.cubic),
-        ):
-            values |= {name: float(matrix[i, j]) for i, row in enumerate(names) for j, name in enumerate(row)}
-        values |= self.extra
-        values |= {name: values.get(name, 0.0) + float(value[condition]) for name, value in self.varying.items()}
-        if self.rudder is not None:
-            values |= dict(zip(RUDDER_NAMES, self.rudder[condition].tolist(), strict=True))
         return tuple(
-            Entry(name, value, unit(name), self.sources[name][1], self.sources[name][0])
-            for name, value in values.items()
+            Entry(name, float(term.value[condition]), unit(name), term.source, term.kind)
+            for name, term in self.terms.items()
         )
+
+
+def matrix(terms: Mapping[str, Term], names: Sequence[Sequence[str]]) -> Floats:
+    """Values (n, rows, columns) by the names of rows and columns."""
+    return np.stack([np.stack([terms[name].value for name in row], axis=-1) for row in names], axis=-2)
+
+
+def in_order(terms: Mapping[str, Term]) -> dict[str, Term]:
+    """Terms in the order of the table: the standard ones, further ones, the rudder's."""
+    further = [name for name in terms if name not in STANDARD and name not in RUDDER_NAMES]
+    return {name: terms[name] for name in (*STANDARD, *further, *RUDDER_NAMES) if name in terms}
 
 
 def rigid_inertia(body: Mapping[str, float]) -> Floats:

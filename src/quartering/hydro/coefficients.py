@@ -5,32 +5,48 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quartering.conventions import GRAVITY, InputError
-from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
-from quartering.hull.righting import righting_polynomial, righting_spline
+from quartering.conventions import InputError
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline
 from quartering.hull.told import numbers
-from quartering.hydro.coefficient_sources import Kind, coefficient_sources
-from quartering.hydro.coefficient_table import BODY_NAMES, Coefficients, rigid_inertia
-from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
+from quartering.hydro.coefficient_table import Coefficients, in_order, matrix
+from quartering.hydro.contributions import (
+    Conditions,
+    Source,
+    added_roll_damping,
+    cross_flow,
+    measured_set_terms,
+    potential_flow,
+    regression_lift,
+    restoring,
+    righting_moment,
+    rigid_body,
+    rudder,
+)
 from quartering.hydro.freeroll import free_roll
-from quartering.hydro.given import Given
-from quartering.hydro.hull_table import section_references
-from quartering.hydro.integrals import moment_matrix
-from quartering.hydro.manoeuvring import hull_lift
-from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift, measured_parts, measured_sources
-from quartering.hydro.own_moments import check_frequencies, ship_moments
-from quartering.hydro.rudder import rudder_derivatives
-from quartering.hydro.ship_damping import MODULUS, AddedDamping, added_damping, damping_references
-from quartering.hydro.strip import derivatives_from_moments, frequency_floor
-from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
+from quartering.hydro.given import given_names, with_given, with_given_alone
+from quartering.hydro.measured_ship import measured_parts
+from quartering.hydro.ship_source import source_of
+from quartering.hydro.terms import Term, added
+from quartering.names import INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES
+
+SOURCES: Final[tuple[Source, ...]] = (
+    rigid_body,
+    regression_lift,
+    measured_set_terms,
+    added_roll_damping,
+    potential_flow,
+    restoring,
+    cross_flow,
+    rudder,
+)
+"""Sources of coefficients, added up by name."""
 
 
 def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coefficients:
@@ -80,70 +96,33 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     if not (np.isfinite(omega).all() and np.isfinite(u).all() and (u >= 0).all()):
         raise InputError("frequency and speed must be finite, and speed >= 0 m/s; heading tells the direction")
     omega = np.abs(omega)
-    measured = None if ship.measured is None else measured_parts(ship, u)
-    lift = measured if ship.linear == "default" else None
-    sources = coefficient_sources(ship)
-    if measured is not None:
-        sources |= {name: ("measured", said) for name, said in measured_sources(ship, measured, sources).items()}
-    rudder = _rudder(ship, u, sources)
-    given = Given(ship, sources)
-    roll = free_roll(ship)
-    check_frequencies(ship, np.append(omega, roll.frequency))
-    body = {name: float(given.applied(name, np.array(value))) for name, value in _body(ship).items()}
-    linear, added, potential = _velocity_and_added_mass(ship, omega, u, lift)
-    viscous = _beyond_measured(added_damping(ship, u, roll), lift)
-    linear[:, 1, 1] += viscous.linear
-    linear = given.matrix(LINEAR_NAMES, linear)
-    added = given.matrix(INERTIA_NAMES, added)
-    relative, relative_mass = linear - potential[0], potential[1] - added
-    linear[:, 0, 2] -= body["m"] * u
-    restoring = given.matrix(RESTORING_NAMES, _restoring(ship))
-    varying = given.varying(_varying(ship, viscous, measured))
-    known = set(BODY_NAMES).union(*LINEAR_NAMES, *INERTIA_NAMES, *RESTORING_NAMES, *CUBIC_NAMES, RUDDER_NAMES)
+    source, roll = source_of(ship), free_roll(ship)
+    source.check(np.append(omega, roll.frequency))
+    at = Conditions(ship, omega, u, source, roll, None if ship.measured is None else measured_parts(ship, u))
+    parts = [one(at) for one in SOURCES]
+    terms = in_order(with_given(ship, added(parts), omega.size))
+    linear, mass = at.potential
+    papers = (key for part in parts for term in part.values() for key in term.references)
     return Coefficients(
         ship=ship.name,
         frequency=omega,
         speed=u,
-        inertia=rigid_inertia(body) - added,
-        linear=linear,
-        restoring=restoring,
-        cubic=given.matrix(CUBIC_NAMES, _cross_flow(ship, measured)),
-        extra=MappingProxyType(given.further(known)),
-        body=MappingProxyType(body),
+        terms=MappingProxyType(terms),
         roll_frequency=roll.frequency,
-        sources=MappingProxyType(sources),
-        references=_references(ship, measured) + (("Yasukawa15",) if ship.autopilot else ()),
-        varying=MappingProxyType(varying),
-        righting=_righting(ship, given),
-        rudder=None if rudder is None else given.matrix((RUDDER_NAMES,), rudder[:, None])[:, 0],
-        relative=relative,
-        relative_mass=relative_mass,
-        relative_heel=_relative_heel(restoring, varying, omega.size),
+        references=tuple(dict.fromkeys(("H71", *papers))),
+        righting=_righting(ship),
+        relative=matrix(terms, LINEAR_NAMES) - linear,
+        relative_mass=mass - matrix(terms, INERTIA_NAMES),
+        relative_heel=_relative_heel(at, terms),
     )
 
 
-def _beyond_measured(viscous: AddedDamping, lift: MeasuredParts | None) -> AddedDamping:
-    """The added roll damping less what a measured set has of it: at 10 deg the larger of the two counts."""
-    if lift is None:
-        return viscous
-    more = viscous.equivalent < lift.roll_damping
-    linear = np.where(more, viscous.linear - lift.roll_damping, 0.0)
-    return AddedDamping(linear, np.where(more, viscous.quadratic, 0.0), viscous.equivalent)
-
-
-def _varying(ship: Ship, viscous: AddedDamping, measured: MeasuredParts | None) -> dict[str, Floats]:
-    """Terms that vary with the speed: those of a measured set, and the roll damping of a component method."""
-    terms = dict(measured.further) if measured else {}
-    if ship.roll_method != "fraction":
-        terms[MODULUS] = terms.get(MODULUS, 0.0) + viscous.quadratic
-    return terms
-
-
-def _relative_heel(restoring: Floats, varying: Mapping[str, Floats], count: int) -> Floats:
-    """Y_phi, K_phi, N_phi (n, 3) without hydrostatics, which has only K_phi."""
-    sway, yaw = restoring[0, 0], restoring[2, 0]
-    given = [sway, 0.0, yaw]
-    rows = [own + varying.get(names[0], np.zeros(count)) for names, own in zip(RESTORING_NAMES, given, strict=True)]
+def _relative_heel(at: Conditions, terms: Mapping[str, Term]) -> Floats:
+    """Y_phi, K_phi, N_phi (n, 3) without hydrostatics, which has only K_phi; a given K_phi is hydrostatics too."""
+    rows = []
+    for name, *_ in RESTORING_NAMES:
+        hydrostatic = with_given_alone(at.ship, name, restoring(at)[name].value) if name == "K_phi" else 0.0
+        rows.append(terms[name].value - hydrostatic)
     return np.stack(rows, axis=-1)
 
 
@@ -151,86 +130,15 @@ def _number(values: ArrayLike) -> Floats:
     return np.asarray(values, dtype=float)
 
 
-def _body(ship: Ship) -> dict[str, float]:
-    """Rigid-body values of the loading."""
-    mass, loading = hydrostatics(ship).mass, ship.loading
-    return {"m": mass, "I_x": mass * loading.gyradius_roll**2, "I_z": mass * loading.gyradius_yaw**2, "I_xz": 0.0}
-
-
-def _references(ship: Ship, measured: MeasuredParts | None) -> tuple[str, ...]:
-    """Keys of the papers the coefficients rest on."""
-    lift = ("Clarke83",) if ship.linear == "default" else ()
-    drag = ("Hoerner65",) if measured is None or not measured.drag else ()
-    own = (measured.reference,) if measured else lift
-    ends = () if ship.hull.ends == "strips" else ("Morino74",)
-    water = ("STF70", *section_references(ship.hull), *ends) if ship.database is None else (ship.database.reference,)
-    return ("H71", *water, *drag, *own, *damping_references(ship))
-
-
-def _velocity_and_added_mass(
-    ship: Ship, omega: Floats, speed: Floats, measured: MeasuredParts | None
-) -> tuple[Floats, Floats, tuple[Floats, Floats]]:
-    """Velocity and acceleration derivatives of the hull before overrides, (n, 3, 3) each; then those of the potential flow.
-
-    The last two are the derivatives whose action on moving water the diffraction force holds: lift, and added mass that
-    was measured, are what the first two have beyond them.
-    """
-    z0 = ship.loading.kg - ship.hull.draught
-    at = ship_moments(ship).at(omega).about(hydrostatics(ship).lcb, z0)
-    if ship.linear == "strip":
-        floor = frequency_floor(ship.hull.beam)
-        linear, added = derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
-        return linear.copy(), added, (linear, added)
-    waves, mass = -moment_matrix(at.b), -moment_matrix(at.a)
-    if measured is None:
-        lift = hull_lift(ship, speed)
-        if ship.roll_method != "fraction":
-            lift[:, 1, 1] = 0.0  # the component method has the lift of a rolling hull
-        return lift + waves, mass, (waves, mass)
-    slow = ship_moments(ship).at(0.0).about(hydrostatics(ship).lcb, z0)
-    return measured.linear + waves, added_mass_shift(measured, -moment_matrix(slow.a)) + mass, (waves, mass)
-
-
-def _restoring(ship: Ship) -> Floats:
-    """K_phi, K_phiphiphi, K_phi5, K_phi7 in the roll row."""
-    weight = hydrostatics(ship).mass * GRAVITY
-    rows = np.zeros((3, 4))
-    if ship.righting == "spline":
-        rows[1, 0] = -weight * righting_spline(ship).slope
-        return rows
-    fit = righting_polynomial(ship)
-    rows[1] = [-weight * arm for arm in (ship.loading.gm, fit.gz3, fit.gz5, fit.gz7)]
-    return rows + 0.0
-
-
-def _righting(ship: Ship, given: Given) -> OddSpline | None:
+def _righting(ship: Ship) -> OddSpline | None:
     """The righting spline [N m] without its slope, which is K_phi; None for a ship with a polynomial."""
-    if ship.righting != "spline":
+    spline = righting_moment(ship)
+    if spline is None:
         return None
-    touched = [name for name in RESTORING_NAMES[1][1:] if name in given.values or name in given.factors]
+    touched = [name for name in RESTORING_NAMES[1][1:] if name in given_names(ship)]
     if touched:
         raise InputError(
             f"{ship.name}: {touched[0]} is given beside a righting spline, which holds all beyond K_phi; change K_phi, or take "
             'righting="polynomial"'
         )
-    return replace(righting_spline(ship).times(-hydrostatics(ship).mass * GRAVITY), slope=0.0)
-
-
-def _rudder(ship: Ship, speed: Floats, sources: dict[str, tuple[Kind, str]]) -> Floats | None:
-    """Rudder derivatives (n, 3) before overrides, their source noted; None without an autopilot to move the rudder."""
-    if ship.autopilot is None:
-        return None
-    derivatives, kind, source = rudder_derivatives(ship, speed)
-    sources |= dict.fromkeys(RUDDER_NAMES, (kind, source))
-    return derivatives
-
-
-def _cross_flow(ship: Ship, measured: MeasuredParts | None) -> Floats:
-    """The ten cubics from cross-flow drag acting at half the draught of each section; none beside measured ones."""
-    if measured is not None and measured.drag:
-        return np.zeros((3, 10))
-    immersed, hull, loading = strips(ship.hull), ship.hull, ship.loading
-    lever = loading.kg - hull.draught + immersed.draught / 2
-    scale = ship.velocity_scale if ship.velocity_scale is not None else reference_velocity(hull.length)
-    x = immersed.x - hydrostatics(ship).lcb
-    return cross_flow_cubics(x, immersed.weight, immersed.draught, lever, ship.drag_coefficient, scale, loading.density)
+    return replace(spline, slope=0.0)

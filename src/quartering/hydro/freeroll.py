@@ -14,8 +14,7 @@ from quartering.conventions import GRAVITY, InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.integrals import moment_matrix
-from quartering.hydro.own_moments import ship_moments
+from quartering.hydro.ship_source import source_of
 from quartering.options import Refused
 
 
@@ -98,16 +97,16 @@ def free_roll(ship: Ship) -> FreeRoll:
     True
     """
     loading, floating = ship.loading, hydrostatics(ship)
-    moments, z0 = ship_moments(ship), loading.kg - ship.hull.draught
+    source = source_of(ship)
     rigid = floating.mass * np.diag([1.0, loading.gyradius_roll**2, loading.gyradius_yaw**2])
 
     def total(frequency: float) -> Floats:
-        return np.asarray(rigid + moment_matrix(moments.at(frequency).about(floating.lcb, z0).a))
+        return np.asarray(rigid + source.matrices(np.asarray(frequency))[0])
 
     def felt_in_roll(frequency: float) -> float:
         return float(1 / np.linalg.inv(total(frequency))[1, 1])
 
-    n2 = natural_roll_frequency(floating.mass * GRAVITY * loading.gm, felt_in_roll, 2 * moments.highest)
+    n2 = natural_roll_frequency(floating.mass * GRAVITY * loading.gm, felt_in_roll, 2 * source.moments.highest)
     return FreeRoll(n2, float(total(n2)[1, 1]))
 
 
@@ -144,16 +143,16 @@ def gyradius_of_period(ship: Ship, period: float, where: str | None = None) -> f
     True
     """
     loading, floating = ship.loading, hydrostatics(ship)
-    moments, frequency = ship_moments(ship), 2.0 * math.pi / period
+    source, frequency = source_of(ship), 2.0 * math.pi / period
     name = ship.name if where is None else where
-    if not frequency < 2 * moments.highest:
-        shortest = math.pi / moments.highest
+    if not frequency < 2 * source.moments.highest:
+        shortest = math.pi / source.moments.highest
         raise Refused(
             "roll_period",
             f"roll_period = {period:g}; it is above {shortest:.3g} s for this hull; is the unit right?",
             name,
         )
-    added = moment_matrix(moments.at(frequency).about(floating.lcb, loading.kg - ship.hull.draught).a)
+    added = source.matrices(np.asarray(frequency))[0]
     total = np.asarray(floating.mass * np.diag([1.0, 0.0, loading.gyradius_yaw**2]) + added)
     across, along, others = total[1, [0, 2]], total[[0, 2], 1], total[np.ix_([0, 2], [0, 2])]
     felt = floating.mass * GRAVITY * loading.gm / frequency**2

@@ -10,51 +10,67 @@ import numpy as np
 from quartering.conventions import InputError
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.coefficient_sources import Kind
+from quartering.hydro.terms import Term
 from quartering.names import canonical
 
 
-class Given:
-    """The ship's overrides and multipliers by canonical name, applied one coefficient at a time and recorded."""
+def with_given(ship: Ship, terms: Mapping[str, Term], count: int) -> dict[str, Term]:
+    """Coefficients after the ship's own values and factors.
 
-    def __init__(self, ship: Ship, sources: dict[str, tuple[Kind, str]]) -> None:
-        self.sources = sources
-        self.values = {canonical(name): value for name, value in ship.overrides.items()}
-        self.factors: dict[str, float] = {}
-        for name, factor in ship.multipliers.items():
-            self.factors[canonical(name)] = factor * self.factors.get(canonical(name), 1.0)
-        self.provenance = {canonical(name): ship.provenance.get(name, "given") for name in ship.overrides}
-        for name in self.values:
-            measured = self.provenance[name].startswith(("measured", "published"))
-            sources[name] = ("measured" if measured else "given", self.provenance[name])
-        missing = [name for name in self.factors if name not in sources]
-        if missing:
-            near = get_close_matches(missing[0], list(sources), n=1, cutoff=0.0)
+    Parameters
+    ----------
+    ship : Ship
+    terms : mapping of str to Term    of all sources together
+    count : int                       number of conditions
+
+    Returns
+    -------
+    dict of str to Term               a given value stands in place of every source of it; a factor multiplies what is there
+
+    Raises
+    ------
+    InputError                        a factor on what has no value; the message has the nearest name that has one
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> from quartering.hull.ship import ship
+    >>> own = replace(ship("wigley"), overrides={"K_p|p|": -2.0}, multipliers={"K_p|p|": 0.5})
+    >>> with_given(own, {}, 1)["K_p|p|"][:3]
+    (array([-1.]), 'given', 'given; times 0.5')
+    """
+    made = dict(terms)
+    for name, value in ship.overrides.items():
+        source = ship.provenance.get(name, "given")
+        kind = "measured" if source.startswith(("measured", "published")) else "given"
+        made[canonical(name)] = Term(np.full(count, float(value)), kind, source)  # type: ignore[arg-type]
+    for name, factor in _factors(ship).items():
+        if name not in made:
+            near = get_close_matches(name, list(made), n=1, cutoff=0.0)
             raise InputError(
-                f'{ship.name}: a multiplier is given for "{missing[0]}", which this ship has no value of; '
+                f'{ship.name}: a multiplier is given for "{name}", which this ship has no value of; '
                 f'give its value first, or multiply "{near[0]}"'
             )
-        for name, factor in self.factors.items():
-            kind, source = sources[name]
-            sources[name] = (kind, f"{source}; times {factor:g}")
+        was = made[name]
+        made[name] = was._replace(value=was.value * factor, source=f"{was.source}; times {factor:g}")
+    return made
 
-    def applied(self, name: str, value: Floats) -> Floats:
-        """Value of one coefficient after override and multiplier."""
-        start = np.full_like(value, self.values[name]) if name in self.values else value
-        return start * self.factors.get(name, 1.0)
 
-    def matrix(self, names: tuple[tuple[str, ...], ...], matrix: Floats) -> Floats:
-        """Matrix (..., rows, columns) of coefficients after overrides and multipliers."""
-        rows = [
-            np.stack([self.applied(name, matrix[..., i, j]) for j, name in enumerate(row)], axis=-1)
-            for i, row in enumerate(names)
-        ]
-        return np.stack(rows, axis=-2)
+def with_given_alone(ship: Ship, name: str, value: Floats) -> Floats:
+    """One coefficient (n,) by canonical name after the ship's own value of it, or factor on it."""
+    own = {canonical(key): one for key, one in ship.overrides.items()}
+    start = np.full_like(value, own[name]) if name in own else value
+    return np.asarray(start * _factors(ship).get(name, 1.0))
 
-    def varying(self, terms: Mapping[str, Floats]) -> dict[str, Floats]:
-        """Terms that vary with the speed after multipliers; one that is overridden is dropped."""
-        return {n: value * self.factors.get(n, 1.0) for n, value in terms.items() if n not in self.values}
 
-    def further(self, known: set[str]) -> dict[str, float]:
-        """Overrides that name no coefficient of the standard set."""
-        return {name: value * self.factors.get(name, 1.0) for name, value in self.values.items() if name not in known}
+def given_names(ship: Ship) -> set[str]:
+    """Canonical names of the coefficients a ship gives a value of or a factor on."""
+    return {canonical(name) for name in (*ship.overrides, *ship.multipliers)}
+
+
+def _factors(ship: Ship) -> dict[str, float]:
+    """Multipliers by canonical name; two spellings of one name multiply."""
+    factors: dict[str, float] = {}
+    for name, factor in ship.multipliers.items():
+        factors[canonical(name)] = factor * factors.get(canonical(name), 1.0)
+    return factors

@@ -2,15 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.hull.immersed import strips
 from quartering.hull.offsets import Hull
-from quartering.hydro.ends import end_effect, with_ends
+from quartering.hull.section import Floats
+from quartering.hydro.ends import ENDS_WORDS, end_effect, with_ends
 from quartering.hydro.table import SectionTable, radiation_table
+
+
+class EndMethod(NamedTuple):
+    """How the ends of a hull are allowed for.
+
+    Parameters
+    ----------
+    solve : callable             hull, frequencies [rad/s], density [kg/m3] -> SectionTable
+    words : str                  what follows the words for strips; empty for strips alone
+    references : tuple of str    keys of the papers behind it
+    """
+
+    solve: Callable[[Hull, Floats, float], SectionTable]
+    words: str
+    references: tuple[str, ...]
 
 
 def hull_table(hull: Hull, frequency: ArrayLike, density: float) -> SectionTable:
@@ -45,14 +63,25 @@ def hull_table(hull: Hull, frequency: ArrayLike, density: float) -> SectionTable
     >>> round(float(added[1] / added[0]), 2)
     0.91
     """
+    return end_method(hull).solve(hull, np.atleast_1d(np.asarray(frequency, dtype=float)), density)
+
+
+def end_method(hull: Hull) -> EndMethod:
+    """How a hull's ends are allowed for; nothing else asks `hull.ends`."""
+    return _ENDS[hull.ends]
+
+
+def _strips_alone(hull: Hull, frequency: Floats, density: float) -> SectionTable:
+    return radiation_table(strips(hull), frequency, density, method=hull.section_method)
+
+
+def _three_dimensional(hull: Hull, frequency: Floats, density: float) -> SectionTable:
+    """The ends' effect is found at w = 0, which is solved beside what is asked for."""
     immersed = strips(hull)
-    if hull.ends == "strips":
-        return radiation_table(immersed, frequency, density, method=hull.section_method)
-    wanted = np.atleast_1d(np.asarray(frequency, dtype=float))
-    with_still = wanted if wanted.size and wanted[0] == 0.0 else np.append(0.0, wanted)
+    with_still = frequency if frequency.size and frequency[0] == 0.0 else np.append(0.0, frequency)
     table = radiation_table(immersed, with_still, density, method=hull.section_method)
     table = with_ends(table, immersed, end_effect(hull), hull.draught)
-    kept = slice(with_still.size - wanted.size, None)
+    kept = slice(with_still.size - frequency.size, None)
     return replace(table, frequency=table.frequency[kept], a=table.a[kept], b=table.b[kept], psi=table.psi[kept])
 
 
@@ -64,3 +93,9 @@ def section_words(hull: Hull) -> str:
 def section_references(hull: Hull) -> tuple[str, ...]:
     """Sources of the solution of a hull's sections."""
     return ("Ursell49", "Tasai61", "Lewis29") if hull.section_method == "lewis" else ("Frank67", "Kress90")
+
+
+_ENDS: Final[dict[str, EndMethod]] = {
+    "strips": EndMethod(_strips_alone, "", ()),
+    "three-dimensional": EndMethod(_three_dimensional, ENDS_WORDS, ("Morino74",)),
+}

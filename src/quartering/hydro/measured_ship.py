@@ -13,7 +13,7 @@ from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.measured import LEAST_FROUDE_NUMBER, MeasuredSet, measured_set, scaled_terms
 from quartering.hydro.transfer import transfer
-from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, term
+from quartering.names import INERTIA_NAMES, LINEAR_NAMES, term
 
 _IN_PLANE = ("Y_vdot", "Y_rdot", "N_vdot", "N_rdot")
 
@@ -41,6 +41,11 @@ class MeasuredParts(NamedTuple):
     drag: bool
     source: str
     reference: str
+
+    def by(self, name: str) -> str:
+        """Where a coefficient of the set comes from, in words."""
+        in_roll = "" if np.isnan(self.lever) else ", at half the draught (assumed)"
+        return self.source + (in_roll if name.startswith("K") or "p" in name.replace("phi", "") else "")
 
 
 def measured_parts(ship: Ship, speed: Floats) -> MeasuredParts:
@@ -155,53 +160,3 @@ def _velocities(name: str) -> int:
     """Number of velocities in a term; one that holds an angle is no drag."""
     factors = term(name).factors
     return 0 if "phi" in factors else sum(factor in ("v", "p", "r") for factor in factors)
-
-
-def measured_sources(ship: Ship, parts: MeasuredParts, others: Mapping[str, tuple[str, str]]) -> dict[str, str]:
-    """Where each coefficient comes from that a measured set gives or takes part in.
-
-    Parameters
-    ----------
-    ship : Ship
-    parts : MeasuredParts    of the ship
-    others : mapping         name -> (kind, source) of what is there without the set
-
-    Returns
-    -------
-    dict of str to str    name -> source
-
-    Notes
-    -----
-    Source: the paper of the set.
-
-    Examples
-    --------
-    >>> from dataclasses import replace
-    >>> from quartering.hull.ship import ship
-    >>> container = replace(ship("s175"), measured="son-nomoto-1982")
-    >>> measured_sources(container, measured_parts(container, np.array([10.0])), {})["Y_v"][:7]
-    '[Son82]'
-    """
-    said: dict[str, str] = {}
-    in_roll = "" if np.isnan(parts.lever) else ", at half the draught (assumed)"
-
-    def by(name: str) -> str:
-        return parts.source + (in_roll if name.startswith("K") or "p" in name.replace("phi", "") else "")
-
-    if ship.linear == "default":
-        said |= {
-            n: f"{by(n)}; and wave damping of {ship.radiation_words} at omega" for row in LINEAR_NAMES for n in row
-        }
-        viscous = ship.provenance.get("roll_damping", "given")
-        if ship.roll_method == "fraction":
-            viscous = f"{ship.loading.roll_damping:g} of critical ({viscous})"
-        said["K_p"] += ("; the larger of it and " if parts.roll_damping.any() else "; and ") + viscous
-        given = ~np.isnan(parts.added)
-        slow = f"at omega -> 0, its change with frequency from {ship.radiation_words}"
-        said |= {n: f"{by(n)} {slow}" for i, row in enumerate(INERTIA_NAMES) for j, n in enumerate(row) if given[i, j]}
-    if parts.drag:
-        said |= {n: f"{parts.source}; no such term in the set" for row in CUBIC_NAMES for n in row}
-    for name in parts.further:
-        before = f"{others[name][1]}; and " if name in others and name not in said else ""
-        said[name] = f"{before}{by(name)}, at this speed"
-    return said

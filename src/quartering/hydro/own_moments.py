@@ -1,17 +1,14 @@
-"""Coefficients from a ship's own database, in the form strip theory has them: integrals over the length, by frequency."""
+"""A ship's own database as a source of hydrodynamics: read once, its integrals over frequency, its forces over headings."""
 
 from __future__ import annotations
 
 import warnings
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
-
-from quartering.conventions import GRAVITY, InputError, RangeWarning
+from quartering.conventions import InputError, RangeWarning
+from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull
 from quartering.hull.own_database import Database, content_digest
 from quartering.hull.section import Floats
@@ -19,13 +16,13 @@ from quartering.hull.ship import Ship
 from quartering.hydro.capytaine_file import read_capytaine_file
 from quartering.hydro.database_check import likeness, soundness
 from quartering.hydro.integrals import moment_matrix
-from quartering.hydro.moments import HullMoments, hull_moments
+from quartering.hydro.moments import HullMoments, Moments, hull_moments
 from quartering.hydro.placed import Placed, placed
 from quartering.hydro.raw_database import RawDatabase
+from quartering.hydro.source import AtRest, Held, Hydrodynamics
+from quartering.hydro.tabled import FEWEST_HEADINGS, Surfaces, force_surfaces, tabled_moments
 from quartering.hydro.wamit_file import read_wamit_files
 
-LOWEST = 0.3
-"""Lowest w sqrt(B/2g) a database without the limit at zero frequency must reach: there added mass is near that limit [1]."""
 FEWEST = 4
 
 
@@ -90,24 +87,24 @@ def _raw(database: Database, density: float) -> RawDatabase:
     return read_wamit_files(Path(database.source).with_suffix(""), length=database.length, density=density)
 
 
-def ship_moments(ship: Ship) -> HullMoments:
-    """Integrals of added mass and damping of a ship: those of its sections, or of its own database.
+def database_source(ship: Ship) -> Hydrodynamics:
+    """Hydrodynamics of a ship from its own database.
 
     Parameters
     ----------
-    ship : Ship
+    ship : Ship       with a database
 
     Returns
     -------
-    HullMoments    about the waterline amidships
+    Hydrodynamics     at zero speed, between the frequencies and headings of the file; forces in sway, roll, yaw
 
     Raises
     ------
-    InputError     what `own_database` refuses
+    InputError        no database, or what `own_database` refuses
 
     Warns
     -----
-    RangeWarning   once for a database and hull: what `soundness` and `likeness` find
+    RangeWarning      once for a database and hull, when its added mass is first used: what `soundness` and `likeness` find
 
     Notes
     -----
@@ -115,15 +112,44 @@ def ship_moments(ship: Ship) -> HullMoments:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
-    >>> ship_moments(ship("wigley")).transom
-    False
+    See `quartering.hydro.ship_source.source_of`.
     """
-    density = ship.loading.density
-    if ship.database is None:
-        return hull_moments(ship.hull, density)
-    _warn_of_findings(ship.hull, ship.database, density)
-    return _database_moments(ship.database, density)
+    database, density = ship.database, ship.loading.density
+    if database is None:
+        raise InputError(f"{ship.name} has no database of its own; give one (database=), or take 'strips'")
+    own = own_database(database, density)
+    heading = own.at.heading
+    centre = hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught
+
+    def radiation() -> HullMoments:
+        _warn_of_findings(ship.hull, database, density)
+        return _database_moments(database, density)
+
+    def solved(frequency: Floats) -> Moments:
+        return radiation().at(frequency).about(*centre)
+
+    return Hydrodynamics(
+        ship=ship,
+        kind="database",
+        words=database.name,
+        method=f"{database.name}, zero speed; speed terms of strip theory without those of the aft end",
+        references=(database.reference,),
+        force_words=f"{database.name}, zero speed, with speed terms of strip theory",
+        force_references=("STF70", database.reference),
+        centre=centre,
+        radiation=radiation,
+        solved=solved,
+        held=Held(
+            (float(own.frequency[0]), float(own.frequency[-1])),
+            "zero" in own.at.limits,
+            (float(heading[0]), float(heading[-1])) if heading.size else None,
+        ),
+        at_rest=partial(_at_rest, database, density),
+    )
+
+
+def _at_rest(database: Database, density: float, frequency: Floats, heading: Floats) -> AtRest:
+    return {one.name: one.at(frequency, heading) for one in _surfaces(database, density)}
 
 
 @lru_cache(maxsize=8)
@@ -140,101 +166,23 @@ def _warn_of_findings(hull: Hull, database: Database, density: float) -> None:
 
 @lru_cache(maxsize=8)
 def _database_moments(database: Database, density: float) -> HullMoments:
-    """Spline from zero frequency, where the damping vanishes; the added mass there is the file's limit, else held."""
+    """The added mass at zero frequency is the file's limit, else held."""
     own = own_database(database, density)
-    slow = own.at.limits.get("zero", own.at.added_mass[0])
-    a = _integrals(np.concatenate([slow[None], own.at.added_mass]))
-    b = _integrals(np.concatenate([np.zeros((1, 3, 3)), own.at.damping]))
-    frequency = np.concatenate([[0.0], own.frequency])
-    none = np.zeros_like(a)
-    spline = CubicSpline(frequency, np.stack([a, b, none, none], axis=1))
-    return HullMoments(spline, float(frequency[-1]), transom=False)
+    return tabled_moments(own.frequency, own.at.added_mass, own.at.damping, own.at.limits.get("zero"))
 
 
-def _integrals(matrix: Floats) -> Floats:
-    """Integrals (n, 3, 3), power of x then [22, 24, 44], that have these sway-roll-yaw matrices; what none holds is 0."""
-    m = (matrix + matrix.swapaxes(-1, -2)) / 2
-    out = np.zeros_like(m)
-    out[:, 0] = np.stack([m[:, 0, 0], m[:, 0, 1], m[:, 1, 1]], axis=-1)
-    out[:, 1, :2] = np.stack([m[:, 0, 2], m[:, 1, 2]], axis=-1)
-    out[:, 2, 0] = m[:, 2, 2]
-    return out
-
-
-def check_frequencies(ship: Ship, frequency: Floats) -> None:
-    """Refuse frequencies a ship's own database does not hold.
-
-    Parameters
-    ----------
-    ship : Ship
-    frequency : (n,) float    of oscillation, >= 0 [rad/s]
-
-    Raises
-    ------
-    InputError    above the highest; below the lowest when that is not low and the file has no limit at zero frequency
-
-    Notes
-    -----
-    Source: none; a check.
-
-    Examples
-    --------
-    >>> from quartering.hull.ship import ship
-    >>> check_frequencies(ship("wigley"), np.array([0.0, 99.0]))  # strips hold every frequency
-    """
-    if ship.database is None or frequency.size == 0:
-        return
-    if frequencies_held(ship, frequency).all():
-        return
-    own = own_database(ship.database, ship.loading.density)
-    low, high = own.frequency[0], own.frequency[-1]
-    wanted = float(frequency.max())
-    holds = f"{ship.name}: {ship.database.name} holds {low:.4g} to {high:.4g} rad/s"
-    if wanted > high:
+@lru_cache(maxsize=8)
+def _surfaces(database: Database, density: float) -> tuple[Surfaces, ...]:
+    """Splines of every force of a database."""
+    own = own_database(database, density)
+    if not own.at.forces:
         raise InputError(
-            f"{holds}, and {wanted:.4g} rad/s is asked for (encounter frequency, or that of roll); compute up to there, or ask "
-            "for longer waves, less speed or other headings"
+            f"{database.source} holds no wave forces; add the forces of every heading wanted (Capytaine: Froude-Krylov and "
+            "diffraction; WAMIT: the .3 file)"
         )
-    raise InputError(
-        f"{holds}, and {float(frequency.min()):.4g} rad/s is asked for; low frequencies are needed for calm water and "
-        f"quartering seas: compute from {_low_enough(ship):.2g} rad/s, or add the limit at zero frequency (WAMIT: period -1)"
-    )
-
-
-def frequencies_held(ship: Ship, frequency: Floats) -> NDArray[np.bool_]:
-    """Which frequencies of oscillation a ship's own database holds; strips hold every one.
-
-    Parameters
-    ----------
-    ship : Ship
-    frequency : (n,) float    of oscillation, >= 0 [rad/s]
-
-    Returns
-    -------
-    (n,) bool                 up to the highest; down to zero where the lowest is low or the file has the limit at zero
-
-    Raises
-    ------
-    InputError                what `own_database` refuses
-
-    Notes
-    -----
-    Source: none; a check.
-
-    Examples
-    --------
-    >>> from quartering.hull.ship import ship
-    >>> frequencies_held(ship("wigley"), np.array([0.0, 99.0])).tolist()
-    [True, True]
-    """
-    if ship.database is None:
-        return np.ones(frequency.shape, dtype=bool)
-    own = own_database(ship.database, ship.loading.density)
-    low, high = own.frequency[0], own.frequency[-1]
-    to_zero = low <= _low_enough(ship) or "zero" in own.at.limits
-    return np.asarray((frequency <= high * (1 + 1e-9)) & (to_zero | (frequency >= low)))
-
-
-def _low_enough(ship: Ship) -> float:
-    """Frequency below which added mass is near its limit at zero [rad/s]."""
-    return float(LOWEST * np.sqrt(2 * GRAVITY / ship.hull.beam))
+    if own.at.heading.size < FEWEST_HEADINGS:
+        raise InputError(
+            f"{database.source}: {own.at.heading.size} headings are too few to interpolate between; give at least "
+            f"{FEWEST_HEADINGS}, closer than 15 deg for good forces"
+        )
+    return force_surfaces(own.frequency, own.at.heading, own.at.forces)

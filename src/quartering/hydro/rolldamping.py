@@ -17,8 +17,8 @@ from quartering.hydro.freeroll import free_roll
 from quartering.hydro.ikeda import Particulars, Rolling, eddy_speed_factor, friction, lift, wave_speed_factor
 from quartering.hydro.ikeda_bilge_keel import BilgeKeel, bilge_keels, checked_keel
 from quartering.hydro.ikeda_eddy import eddy_damping
-from quartering.hydro.own_moments import ship_moments
 from quartering.hydro.rollcomponents import REFERENCES, Method, RollDamping
+from quartering.hydro.ship_source import source_of
 from quartering.hydro.simplified_ikeda import simplified_ikeda
 
 AMPLITUDES = np.linspace(0.25, 1.5, 11)
@@ -188,9 +188,7 @@ def particulars(ship: Ship) -> Particulars:
 
 def _potential_wave(ship: Ship, frequency: float) -> float:
     """Wave damping of the strips at rest about G, sway held [N m s]."""
-    moments = ship_moments(ship).at([frequency])
-    about = moments.about(hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught)
-    return float(about.b[0, 0, 2])
+    return float(source_of(ship).at(np.array([frequency])).b[0, 0, 2])
 
 
 def _warn_sharp_bilge(hull: Particulars) -> None:

@@ -1,43 +1,44 @@
-"""The added roll damping of a ship at its speeds, as the equations take it: K_p and, by a component method, K_p|p|."""
+"""The added roll damping of a ship: its methods by name, and the one place that chooses between them."""
 
 from __future__ import annotations
 
-from functools import lru_cache
-from typing import NamedTuple
+from typing import Final
 
 import numpy as np
 
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.dampingforms import LINEAR_OF_QUADRATIC
+from quartering.hydro.damping_method import LINEAR, AddedDamping, DampingMethod
 from quartering.hydro.freeroll import FreeRoll, free_roll
-from quartering.hydro.rollcomponents import REFERENCES, Method
-from quartering.hydro.rolldamping import fraction_of_critical, roll_damping
-
-AMPLITUDE = 10.0
-"""Roll amplitude about which the components are fitted, from a quarter of it to one and a half [deg]."""
-
-MODULUS = "K_p|p|"
-_METHODS: dict[str, Method] = {"ikeda": "ikeda", "ikeda-simplified": "simplified"}
+from quartering.hydro.ikeda_damping import IKEDA, IKEDA_SIMPLIFIED
+from quartering.hydro.rolldamping import fraction_of_critical
 
 
-class AddedDamping(NamedTuple):
-    """Roll damping to be added to the wave damping of the strips at rest.
+def _fraction(ship: Ship, speed: Floats, roll: FreeRoll) -> AddedDamping:
+    """A fraction of critical is linear and alike at all speeds."""
+    value = np.full(speed.shape, fraction_of_critical(ship.loading.roll_damping, roll.frequency, roll.inertia))
+    return AddedDamping({LINEAR: value}, value)
 
-    Parameters
-    ----------
-    linear : (n,) float           part of K_p, mostly <= 0 [kg m2/s]
-    quadratic : (n,) float        K_p|p|, mostly <= 0; 0 for a fraction of critical [kg m2]
-    equivalent : (n,) float       linear damping of equal dissipation at 10 deg, n2 [kg m2/s]
-    """
 
-    linear: Floats
-    quadratic: Floats
-    equivalent: Floats
+def _fraction_words(ship: Ship) -> str:
+    return f"{ship.loading.roll_damping:g} of critical ({ship.provenance.get('roll_damping', 'given')})"
+
+
+METHODS: Final[dict[str, DampingMethod]] = {
+    "fraction": DampingMethod(_fraction, "derived", _fraction_words, (), lift=False),
+    "ikeda": IKEDA,
+    "ikeda-simplified": IKEDA_SIMPLIFIED,
+}
+"""Word of `roll_damping` in a ship file -> method; "fraction" for a number."""
+
+
+def damping_method(ship: Ship) -> DampingMethod:
+    """The method of a ship's added roll damping; nothing else in the equations asks `ship.roll_method`."""
+    return METHODS[ship.roll_method]
 
 
 def added_damping(ship: Ship, speed: Floats, roll: FreeRoll) -> AddedDamping:
-    """Added roll damping of a ship at given speeds.
+    """Added roll damping of a ship at given speeds, by its method.
 
     Parameters
     ----------
@@ -55,8 +56,6 @@ def added_damping(ship: Ship, speed: Floats, roll: FreeRoll) -> AddedDamping:
 
     Notes
     -----
-    A fraction of critical is linear and alike at all speeds. The components are taken at the natural roll frequency and
-    fitted by B1 p + B2 |p| p over 2.5 to 15 deg; less the wave damping of the strips at rest, which K_p has already.
     Source: [Himeno81], [ITTC11], [Kawahara09].  Valid: as `roll_damping`; near the natural frequency.
 
     Examples
@@ -67,13 +66,7 @@ def added_damping(ship: Ship, speed: Floats, roll: FreeRoll) -> AddedDamping:
     >>> bool((np.diff(damping.equivalent) < 0).all())  # more damping with speed
     True
     """
-    if ship.roll_method == "fraction":
-        value = np.full(speed.shape, fraction_of_critical(ship.loading.roll_damping, roll.frequency, roll.inertia))
-        return AddedDamping(value, np.zeros(speed.shape), value)
-    each, back = np.unique(speed, return_inverse=True)
-    forms = np.array([_form(ship, float(u)) for u in each])[back]
-    rate = roll.frequency * np.radians(AMPLITUDE)
-    return AddedDamping(forms[:, 0], forms[:, 1], forms[:, 0] + LINEAR_OF_QUADRATIC * rate * forms[:, 1])
+    return damping_method(ship).added(ship, speed, roll)
 
 
 def equivalent_fraction(ship: Ship, speed: float) -> float:
@@ -106,29 +99,3 @@ def equivalent_fraction(ship: Ship, speed: float) -> float:
     roll = free_roll(ship)
     equivalent = float(added_damping(ship, np.array([speed]), roll).equivalent[0])
     return equivalent / fraction_of_critical(1.0, roll.frequency, roll.inertia)
-
-
-def damping_references(ship: Ship) -> tuple[str, ...]:
-    """Keys of the papers behind a ship's added roll damping.
-
-    Parameters
-    ----------
-    ship : Ship
-
-    Returns
-    -------
-    tuple of str    empty for a fraction of critical
-
-    Notes
-    -----
-    Source: [Himeno81] and the papers it gathers.
-    """
-    return () if ship.roll_method == "fraction" else REFERENCES[_METHODS[ship.roll_method]]
-
-
-@lru_cache(maxsize=4096)
-def _form(ship: Ship, speed: float) -> tuple[float, float]:
-    """K_p and K_p|p| to add at one speed."""
-    frequency = free_roll(ship).frequency
-    damping = roll_damping(ship, speed, frequency, AMPLITUDE, method=_METHODS[ship.roll_method])
-    return damping.potential_wave - damping.quadratic.linear, -damping.quadratic.nonlinear

@@ -15,9 +15,8 @@ from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
 from quartering.hull.told import number
-from quartering.hydro.ends import ENDS_WORDS
 from quartering.hydro.heave import heave_sections
-from quartering.hydro.hull_table import hull_table, section_references, section_words
+from quartering.hydro.hull_table import end_method, hull_table, section_references, section_words
 from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip import frequency_floor
 from quartering.hydro.surge import spheroid_surge
@@ -104,12 +103,13 @@ def hydrodynamics6(
     dataset = _dataset(omega, added, damping, _without_limit(ends, grows))
     if axes == "seakeeping":
         dataset = dataset.drop_vars(["added_mass_zero", "damping_zero"])
-    said_ends = "" if hull.ends == "strips" else f"; sway, roll, yaw {ENDS_WORDS}"
+    by_ends = end_method(hull)
+    said_ends = f"; sway, roll, yaw {by_ends.words}" if by_ends.words else ""
     return dataset.assign_attrs(
         ship=ship.name, speed=float(speed), reference_point=said, surge=surge, density=density,
         axes=f"{axes} axes: x to the bow, y to starboard, z down; pitch positive bow up",
         method=f"strip theory, {section_words(hull)}{said_ends}; low frequencies: {low_frequency}",
-        references=", ".join(["STF70", *section_references(hull), "Lamb32", *(["Morino74"] if said_ends else [])]),
+        references=", ".join(["STF70", *section_references(hull), "Lamb32", *by_ends.references]),
     )  # fmt: skip
 
 

@@ -20,17 +20,13 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import GRAVITY, MODES, REFERENCE_POINT, InputError
-from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
 from quartering.hull.told import number
-from quartering.hydro.ends import ENDS_WORDS
-from quartering.hydro.hull_table import hull_table, section_references, section_words
 from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments
 from quartering.hydro.manoeuvring import hull_lift
-from quartering.hydro.own_moments import check_frequencies, ship_moments
+from quartering.hydro.ship_source import source_of
 
 __all__ = [
     "LowFrequency",
@@ -246,52 +242,26 @@ def hydrodynamics(
 
 def _ship_derivatives(ship: Ship, omega: Floats, speed: float, low_frequency: LowFrequency) -> tuple[Floats, Floats]:
     """Derivatives about G at the given frequencies, as the low-frequency option wants them."""
-    if ship.database is not None:
-        return _database_derivatives(ship, omega, speed, low_frequency)
-    hull, loading = ship.hull, ship.loading
-    immersed, manoeuvring = strips(hull), low_frequency == "manoeuvring"
-    ascending, back = np.unique(np.zeros(1) if manoeuvring else omega, return_inverse=True)
-    table = hull_table(hull, ascending, loading.density)
-    x_g, z0 = hydrostatics(ship).lcb, loading.kg - hull.draught
-    a, b = (about_gravity_centre(c[back], z0) for c in (table.a, table.b))
-    floor = frequency_floor(hull.beam) if low_frequency == "cap" else np.inf
-    aft = (hull.x_aft - x_g, a[:, 0], b[:, 0]) if has_transom(immersed) else None
-    x = immersed.x - x_g
-    if not manoeuvring:
-        return strip_derivatives(x, immersed.weight, a, b, speed, omega, aft, floor=floor)
-    _, inertia = strip_derivatives(x, immersed.weight, a, b, 0.0, np.zeros(1))
-    return np.repeat(hull_lift(ship, [speed]), omega.size, axis=0), np.repeat(inertia, omega.size, axis=0)
-
-
-def _database_derivatives(
-    ship: Ship, omega: Floats, speed: float, low_frequency: LowFrequency
-) -> tuple[Floats, Floats]:
-    """The same from the ship's own database, at zero speed, with the speed terms that need no sections."""
-    slow = low_frequency == "manoeuvring"
-    wanted = np.zeros_like(omega) if slow else omega
-    check_frequencies(ship, wanted)
-    at = ship_moments(ship).at(wanted).about(hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught)
-    if slow:
+    source, manoeuvring = source_of(ship), low_frequency == "manoeuvring"
+    wanted = np.zeros_like(omega) if manoeuvring else omega
+    source.check(wanted)
+    at = source.solved(wanted)
+    if manoeuvring:
         return np.repeat(hull_lift(ship, [speed]), omega.size, axis=0), -moment_matrix(at.a)
     floor = frequency_floor(ship.hull.beam) if low_frequency == "cap" else np.inf
-    return derivatives_from_moments(at.a, at.b, speed, omega, floor=floor)
+    return derivatives_from_moments(at.a, at.b, speed, omega, aft=at.aft, floor=floor)
 
 
 def _attributes(ship: Ship, speed: float, low_frequency: LowFrequency) -> dict[str, str | float]:
     """What a dataset of hydrodynamic coefficients says of itself."""
-    method = f"strip theory, {section_words(ship.hull)}"
-    references = ", ".join(["STF70", *section_references(ship.hull)])
-    if ship.hull.ends == "three-dimensional":
-        method, references = f"{method}, {ENDS_WORDS}", f"{references}, Morino74"
-    if ship.database is not None:
-        method = f"{ship.database.name}, zero speed; speed terms of strip theory without those of the aft end"
-        references = f"STF70, {ship.database.reference}"
+    source = source_of(ship)
+    references = ("STF70", *source.references, *(("Clarke83",) if low_frequency == "manoeuvring" else ()))
     return {
         "ship": ship.name,
         "speed": speed,
         "axes": "body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         "reference_point": REFERENCE_POINT,
         "density": ship.loading.density,
-        "method": f"{method}; low frequencies: {low_frequency}",
-        "references": references + (", Clarke83" if low_frequency == "manoeuvring" else ""),
+        "method": f"{source.method}; low frequencies: {low_frequency}",
+        "references": ", ".join(dict.fromkeys(references)),
     }

@@ -9,13 +9,10 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, SYMBOLS, InputError
-from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hull.told import number, numbers
-from quartering.hydro.moments import section_table
-from quartering.loads.database_forces import database_force_phasors
-from quartering.loads.forces import FORMS, Form, keeps_speed_terms, relative_phasors, wave_force_phasors
-from quartering.loads.stations import stations
+from quartering.loads.forces import FORMS, Form, keeps_speed_terms, relative_phasors
+from quartering.loads.source import WaveForces, wave_source
 from quartering.loads.validity import conditions_held, warn_of_conditions, warn_outside_database
 from quartering.loads.waves import Floats, Phasors
 
@@ -93,8 +90,9 @@ def compare_forces(
         )
     warn_of_conditions(ship, speed, length)
     force, omega = _strip_forces(ship, length, mu, speed)
-    if ship.database is not None:
-        force[OWN] = _own_forces(ship, length, mu, speed)
+    own = wave_source(ship)
+    if own.source is not None:
+        force[OWN] = _own_forces(ship, own, length, mu, speed)
     if bem is not None:
         force[PANELS] = _panel_forces(bem, length, mu, speed)
     _add_lift(force, ship, length, mu, speed)
@@ -104,14 +102,12 @@ def compare_forces(
 
 def _strip_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> tuple[dict[str, Phasors], Floats]:
     """Phasors (n, h, 3) of every form of strip theory, and the encounter frequencies (n, h)."""
-    density, shape = ship.loading.density, (length.size, mu.size)
+    shape, speed_terms = (length.size, mu.size), keeps_speed_terms(ship)
     k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
-    hull = strips(ship.hull), stations(ship), section_table(ship.hull, density)
+    u = np.full(k.size, float(speed))
     force: dict[str, Phasors] = {}
     for form in get_args(Form):
-        pressure, scattered, omega = wave_force_phasors(
-            *hull, k, speed, heading, form=form, density=density, speed_terms=keeps_speed_terms(ship)
-        )
+        pressure, scattered, omega = wave_source(ship, form, "strips").phasors(k, u, heading, speed_terms)
         force.setdefault(PRESSURE_ALONE, pressure.reshape(*shape, 3))
         force[form] = (pressure + scattered).reshape(*shape, 3)
     return force, omega.reshape(shape)
@@ -129,15 +125,14 @@ def _add_lift(force: dict[str, Phasors], ship: Ship, length: Floats, mu: Floats,
         force[form] = force[form] + lift.reshape(length.size, mu.size, 3)
 
 
-def _own_forces(ship: Ship, length: Floats, mu: Floats, speed: float) -> Phasors:
+def _own_forces(ship: Ship, own: WaveForces, length: Floats, mu: Floats, speed: float) -> Phasors:
     """Phasors (n, h, 3) of the ship's own database, NaN where it does not hold them."""
     k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
     u = np.full(k.size, float(speed))
     held = conditions_held(ship, k, u, heading)
     force = np.full((k.size, 3), np.nan + 0j)
     if held.any():
-        terms = keeps_speed_terms(ship)
-        force[held] = sum(database_force_phasors(ship, k[held], u[held], heading[held], speed_terms=terms)[:2])
+        force[held] = sum(own.phasors(k[held], u[held], heading[held], keeps_speed_terms(ship))[:2])
     warn_outside_database(ship, int((~held).sum()), held.size)
     return force.reshape(length.size, mu.size, 3)
 
@@ -189,10 +184,8 @@ def _dataset(
         "ratio": ("wave_length", length / ship.hull.length, {"units": "1", "long_name": "wave length over ship length"}),
         "meaning": ("form", [MEANINGS[name] for name in names]),
     }  # fmt: skip
-    references = ["H71", "STF70"]
-    references += [] if ship.hull.ends == "strips" else ["Morino74"]
-    references += ["Ancellin19"] if PANELS in force else []
-    references += [] if ship.database is None else [ship.database.reference]
+    references = [*wave_source(ship, MEASURE, "strips").references, *(["Ancellin19"] if PANELS in force else [])]
+    references += wave_source(ship).references if OWN in force else ()
     return xr.Dataset(fields, coords=coords).assign_attrs(
         axes="body axes: x to the bow, y to starboard, z down; modes sway, roll, yaw",
         ship=ship.name, speed=float(speed), reference_point=REFERENCE_POINT, heading_convention=HEADING_CONVENTION,

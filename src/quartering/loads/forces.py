@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final, Literal, get_args
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 import xarray as xr
@@ -14,106 +14,34 @@ from quartering.conventions import (
     MODES,
     REFERENCE_POINT,
     SYMBOLS,
-    WATER_DENSITY,
     InputError,
 )
-from quartering.hull.immersed import strips
-from quartering.hull.strips import Strips
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.ends import ENDS_WORDS
-from quartering.hydro.moments import section_table
-from quartering.hydro.table import SectionTable
-from quartering.loads.database_forces import database_force_phasors
-from quartering.loads.diffraction import contour_diffraction
-from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.lift import ship_lift_phasors
-from quartering.loads.relative_motion import relative_motion_diffraction
-from quartering.loads.stations import Stations, stations
+from quartering.loads.source import wave_source
+from quartering.loads.strip_forces import FORMS, Form, wave_force_phasors
 from quartering.loads.validity import warn_of_conditions
-from quartering.loads.waves import Floats, Phasors, Wave, encounter_frequency, folded
+from quartering.loads.waves import Floats, Phasors, Wave, encounter_frequency
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
 from quartering.hull.told import numbers
 
-Form = Literal["paper", "paper-corrected", "relative-motion", "stf"]
-
-FORMS: Final[dict[str, str]] = {
-    "paper": "strip correction with the printed sign of the wave slope, from section coefficients",
-    "paper-corrected": "strip correction with the sign of the wave slope corrected, from section coefficients",
-    "relative-motion": "consistent relative motion with forward speed, from section coefficients",
-    "stf": "Salvesen, Tuck and Faltinsen: with forward speed, from the potentials on the section contours",
-}
-"""Diffraction form -> what it is."""
+__all__ = [
+    "FORMS",
+    "Form",
+    "form_words",
+    "keeps_speed_terms",
+    "relative_phasors",
+    "ship_force_phasors",
+    "wave_force_phasors",
+    "wave_forces",
+]
 
 LIFT_WORDS: Final = "given lift and added mass act on the velocity relative to the water"
 LIFT_FOR_SPEED_TERMS: Final = (
     "lift, and measured or given added mass, on the velocity relative to the water, in place of the speed terms"
 )
-
-
-def wave_force_phasors(
-    hull: Strips,
-    place: Stations,
-    table: SectionTable,
-    wavenumber: ArrayLike,
-    speed: ArrayLike,
-    heading: ArrayLike,
-    *,
-    form: Form = "stf",
-    density: float = WATER_DENSITY,
-    speed_terms: bool = True,
-) -> tuple[Phasors, Phasors, Floats]:
-    """Froude-Krylov and diffraction force of many conditions, per metre of wave amplitude.
-
-    Parameters
-    ----------
-    hull : Strips              section contours of the immersed hull
-    place : Stations           the same sections seen from G
-    table : SectionTable       section coefficients and potentials over frequency
-    wavenumber : (n,) float    k > 0 [1/m]
-    speed : (n,) float         U >= 0 [m/s]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
-    form : str                 diffraction: "stf", "relative-motion", "paper-corrected" or "paper"
-    density : float            of the water [kg/m3]
-    speed_terms : bool         keep the diffraction's terms with U, see `contour_diffraction`
-
-    Returns
-    -------
-    froude_krylov : (n, 3) complex    sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
-    diffraction : (n, 3) complex      the same
-    encounter_frequency : (n,)        omega, negative where the ship overtakes the wave [rad/s]; the force is
-                                      Re{phasor e^{i |omega| t}}
-
-    Raises
-    ------
-    InputError                 unknown form, or a condition that is not finite
-
-    Notes
-    -----
-    Source: [H71] eqs. (B-3)-(B-11); [STF70] exciting force.  Valid: deep water, linear wave, mean position.
-
-    Examples
-    --------
-    >>> from quartering.hull.ship import ship
-    >>> box = ship("box")
-    >>> hull, place, table = strips(box.hull), stations(box), section_table(box.hull, 1025.0)
-    >>> _, diffraction, omega = wave_force_phasors(hull, place, table, [0.1, 0.1], [0.0, 20.0], [90.0, 0.0])
-    >>> omega.round(3).tolist(), bool((diffraction[1] == 0).all())    # the second overtakes a following sea
-    ([0.99, -1.01], True)
-    """
-    if form not in get_args(Form):
-        raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
-    k, U, mu = (v.copy() for v in np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading))))
-    if not (np.isfinite(k) & (k > 0)).all():
-        raise InputError("a wave number that is not a positive number was given; k = 2 pi / length [1/m]")
-    omega = encounter_frequency(np.sqrt(GRAVITY * k), U, mu)
-    pressure = froude_krylov(hull, place, k, mu, density=density)
-    if form == "stf":
-        scattered = contour_diffraction(place, table, k, U, mu, density=density, speed_terms=speed_terms)
-    else:
-        scattered = relative_motion_diffraction(hull, place, table, k, U, mu, form=form, speed_terms=speed_terms)
-    return folded(omega, pressure)[1], folded(omega, scattered)[1], omega
 
 
 def form_words(ship: Ship, form: Form) -> str:
@@ -138,10 +66,7 @@ def form_words(ship: Ship, form: Form) -> str:
     >>> form_words(ship("box"), "stf") == FORMS["stf"]
     True
     """
-    if ship.database is None or form != "stf":
-        words = FORMS[form] if ship.hull.ends == "strips" else f"{FORMS[form]}; {ENDS_WORDS}"
-    else:
-        words = f"{ship.database.name}, zero speed, with speed terms of strip theory"
+    words = wave_source(ship, form).words
     if form == "paper" or ship.velocities == "absolute":
         return words
     return f"{words}; {LIFT_WORDS if keeps_speed_terms(ship) else LIFT_FOR_SPEED_TERMS}"
@@ -178,12 +103,11 @@ def ship_force_phasors(
 
     Returns
     -------
-    tuple    as `wave_force_phasors`; form "stf" of a ship with its own database comes from there. `ship_lift_phasors` is
-             the third part of the force
+    tuple    as `wave_force_phasors`, from where `wave_source` has them. `ship_lift_phasors` is the third part of the force
 
     Raises
     ------
-    InputError    what `wave_force_phasors` and `database_force_phasors` refuse
+    InputError    what `wave_force_phasors` and `wave_source` refuse
 
     Notes
     -----
@@ -195,15 +119,8 @@ def ship_force_phasors(
     >>> ship_force_phasors(ship("box"), [0.1], [0.0], [90.0])[0].shape
     (1, 3)
     """
-    speed_terms = keeps_speed_terms(ship)
-    if ship.database is not None and form == "stf":
-        k, U, mu = (v.copy() for v in np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading))))
-        return database_force_phasors(ship, k, U, mu, speed_terms=speed_terms)
-    density = ship.loading.density
-    return wave_force_phasors(
-        strips(ship.hull), stations(ship), section_table(ship.hull, density), wavenumber, speed, heading,
-        form=form, density=density, speed_terms=speed_terms,
-    )  # fmt: skip
+    k, U, mu = (v.copy() for v in np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading))))
+    return wave_source(ship, form).phasors(k, U, mu, keeps_speed_terms(ship))
 
 
 def relative_phasors(
@@ -322,8 +239,6 @@ def _real_parts(name: str, phasors: Phasors, dims: tuple[str, ...]) -> xr.DataAr
 def _provenance(ship: Ship, wave: Wave, form: Form, omega: Floats) -> dict[str, str | float]:
     """Attributes that say what the forces are and what they rest on."""
     frequency: dict[str, str | float] = {"frequency": float(abs(omega[0]))} if omega.size == 1 else {}
-    own = ship.database if form == "stf" else None
-    ends = "" if ship.hull.ends == "strips" else ", Morino74"
     return frequency | {
         "ship": ship.name,
         "form": form,
@@ -336,7 +251,7 @@ def _provenance(ship: Ship, wave: Wave, form: Form, omega: Floats) -> dict[str, 
         "wave_length": float(wave.length),
         "wave_height": float(wave.height),
         "water_density": float(ship.loading.density),
-        "references": f"H71, STF70{ends}" if own is None else f"STF70, {own.reference}",
+        "references": ", ".join(wave_source(ship, form).references),
     }
 
 

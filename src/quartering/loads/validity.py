@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, RangeWarning
-from quartering.hydro.own_moments import frequencies_held, own_database
+from quartering.hydro.ship_source import source_of
 from quartering.hydro.table import FREQUENCY_RANGE
-from quartering.loads.database_forces import waves_held
+from quartering.loads.source import wave_source
 from quartering.loads.waves import Floats, encounter_frequency
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
-    from quartering.loads.forces import Form
+    from quartering.loads.strip_forces import Form
 
 FASTEST: Final = 0.5
 """Froude number above which a hull no longer floats as at rest: it trims, and lift carries part of it [1]."""
@@ -88,13 +88,13 @@ def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
     >>> from quartering.hull.ship import ship
     >>> warn_outside_database(ship("wigley"), 0, 10)
     """
-    if outside and ship.database is not None:
-        own = own_database(ship.database, ship.loading.density)
-        frequency, heading = own.frequency, own.at.heading
-        headings = f" and headings {heading[0]:g} to {heading[-1]:g} deg" if heading.size else ""
+    if outside:
+        source = source_of(ship)
+        (low, high), heading = source.held.frequency, source.held.heading
+        headings = "" if heading is None else f" and headings {heading[0]:g} to {heading[1]:g} deg"
         warnings.warn(
-            f"{ship.name}: {outside:,} of {total:,} conditions have no answer, outside {ship.database.name}, which holds "
-            f"{frequency[0]:.4g} to {frequency[-1]:.4g} rad/s{headings}; compute it further, or ask for longer waves, less "
+            f"{ship.name}: {outside:,} of {total:,} conditions have no answer, outside {source.words}, which holds "
+            f"{low:.4g} to {high:.4g} rad/s{headings}; compute it further, or ask for longer waves, less "
             "speed or other headings",
             RangeWarning,
             stacklevel=3,
@@ -131,5 +131,4 @@ def conditions_held(
     [True]
     """
     omega = encounter_frequency(np.sqrt(GRAVITY * wavenumber), speed, heading)
-    held = frequencies_held(ship, np.abs(omega))
-    return held & waves_held(ship, wavenumber, heading) if form == "stf" else held
+    return source_of(ship).holds(np.abs(omega)) & wave_source(ship, form).hold(wavenumber, heading)

@@ -22,7 +22,7 @@ from quartering.loads.waves import Wave, encounter_frequency, folded, heading_co
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table
 from quartering.motion.water import Strips
-from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
+from quartering.names import LINEAR_NAMES, RUDDER_NAMES
 
 Drag = Literal["cubic", "strips"]
 
@@ -68,11 +68,11 @@ def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
     Parameters
     ----------
     c : Coefficients
-    condition : int    which of its conditions; only measured terms differ between them
+    condition : int    which of its conditions; some terms differ between speeds
 
     Returns
     -------
-    dict of str to float    name -> coefficient [SI]; zeros left out
+    dict of str to float    name -> coefficient [SI]; what is zero at every condition left out
 
     Notes
     -----
@@ -84,20 +84,12 @@ def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
     >>> nonlinear_terms(coefficients(ship("wigley"), 0.5, 5.0))["K_phi"] < 0
     True
     """
-    named = {
-        name: float(matrix[i, j])
-        for names, matrix in ((RESTORING_NAMES, c.restoring), (CUBIC_NAMES, c.cubic))
-        for i, row in enumerate(names)
-        for j, name in enumerate(row)
-    }
-    named |= c.extra
-    named |= {name: named.get(name, 0.0) + float(value[condition]) for name, value in c.varying.items()}
-    return {name: value for name, value in named.items() if value != 0.0 or name in c.varying}
+    return {name: float(value[condition]) for name, value in c.nonlinear.items()}
 
 
 def _term_table(c: Coefficients) -> TermTable:
     """The nonlinear terms of all conditions: one table, or coefficients by condition where they vary with the speed."""
-    if not c.varying:
+    if all(np.ptp(value) == 0 for value in c.nonlinear.values()):
         return term_table(nonlinear_terms(c))
     _, first, back = np.unique(c.speed, return_index=True, return_inverse=True)
     tables = [term_table(nonlinear_terms(c, int(k))) for k in first]

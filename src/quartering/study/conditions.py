@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import righting_polynomial, vanishing_angle, warn_of_polynomial
+from quartering.hull.righting import fitted_to, vanishing_angle, warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.validity import warn_of_conditions, warn_outside_database
@@ -108,9 +108,7 @@ def evaluate(
     peaks = np.nan_to_num(results["roll_peak"].astype(float))
     warn_of_polynomial(ship, float(peaks.max(initial=0.0)))
     warn_outside_database(ship, int((results["status"] == Status.OUTSIDE_DATABASE).sum()), m * heights)
-    if ship.righting == "spline":
-        return results
-    fitted = righting_polynomial(ship).max_angle
+    fitted = fitted_to(ship)
     warn_outside_range(ship.name, int((peaks > fitted).sum()), fitted)
     return results
 
@@ -150,7 +148,7 @@ def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
     rows, beyond = max(1, BLOCK // height.shape[1]), 0
     for i, equations in enumerate(systems(ships, 2 * np.pi / length, u, mu, grid.form)):
         limit = vanishing_angle(ships[i])
-        fitted = np.inf if ships[i].righting == "spline" else righting_polynomial(ships[i]).max_angle
+        fitted = fitted_to(ships[i])
         for start in range(0, u.size, rows):
             part = slice(start, min(start + rows, u.size))
             for name, values in judged(part_of(equations, part), height[part], grid.harmonics, limit).items():

@@ -15,6 +15,7 @@ from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, SYMBOLS
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.terms import estimates
 from quartering.loads.forces import Form, form_words
 from quartering.motion.status import Status
 from quartering.names import unit
@@ -180,7 +181,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
 @lru_cache(maxsize=16)  # the blocks of one map say the same
 def _heading(ship: Ship, form: Form, harmonics: int) -> Mapping[str, object]:
     c = coefficients(ship, 0.5, 0.0)
-    estimated = [entry.name for entry in c.table() if entry.kind in ("regression", "cross-flow", "estimated")]
+    entries = c.table()
     hull, loading = ship.hull, ship.loading
     return {
         "title": f"Roll response and stability of {ship.name} in regular oblique waves",
@@ -194,8 +195,9 @@ def _heading(ship: Ship, form: Form, harmonics: int) -> Mapping[str, object]:
         "righting_curve": ship.righting,
         "natural_roll_frequency": c.roll_frequency,
         "provenance": "; ".join(f"{key}: {text}" for key, text in ship.provenance.items()),
-        "coefficient_sources": "; ".join(f"{e.name}: {e.source}" for e in c.table()),
-        "estimated_coefficients": ", ".join(estimated),
+        "coefficient_sources": "; ".join(f"{e.name}: {e.source}" for e in entries),
+        "estimated_coefficients": ", ".join(e.name for e in entries if e.estimated),
+        "estimated_by": "; ".join(f"{method}: {', '.join(names)}" for method, names in estimates(entries).items()),
         "calm_water_exponents_at_zero_speed": [float(z.real) for z in calm_water_exponents(ship, 0.0)],
         "axes": "body axes: x to the bow, y to starboard, z down, origin at G",
         "heading_convention": HEADING_CONVENTION,

@@ -13,7 +13,7 @@ from quartering.conventions import InputError
 from quartering.hull.changes import changed
 from quartering.hull.ship import Ship
 from quartering.hydro.freeroll import free_roll
-from quartering.hydro.own_moments import check_frequencies
+from quartering.hydro.ship_source import source_of
 from quartering.options import OPTIONS, checked, choice_axes, loading_axes
 
 KEEL_AXES = ("bilge_keel_length", "bilge_keel_breadth")
@@ -102,8 +102,9 @@ def coded(name: str, value: Any) -> Any:
 
 def _known_roll(ship: Ship) -> Ship:
     """The ship, refused where its own database does not reach the frequency it now rolls at."""
-    if ship.database is not None:
-        check_frequencies(ship, np.array([free_roll(ship).frequency]))
+    source = source_of(ship)
+    if np.isfinite(source.held.frequency[1]):  # strips hold every frequency
+        source.check(np.array([free_roll(ship).frequency]))
     return ship
 
 

@@ -11,7 +11,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.hull.option_types import StudyAxes
-from quartering.hull.righting import righting_polynomial
+from quartering.hull.righting import fitted_to
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.validity import warn_of_conditions, warn_outside_database
@@ -255,4 +255,4 @@ def conditions_of(counts: Counter[str]) -> int:
 def _warn(wanted: Grid, counts: Counter[str]) -> None:
     warn_of_conditions(wanted.ship, wanted.axes["speed"], wanted.axes["wave_length"])
     warn_outside_database(wanted.ship, counts[f"status {int(Status.OUTSIDE_DATABASE)}"], wanted.count)
-    warn_outside_range(wanted.ship.name, counts["beyond"], righting_polynomial(wanted.ship).max_angle)
+    warn_outside_range(wanted.ship.name, counts["beyond"], fitted_to(wanted.ship))

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from quartering.conventions import CUBIC_MONOMIALS, in_unit, written
+from quartering.conventions import in_unit, written
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.ends import ENDS_WORDS
+from quartering.hydro.terms import estimates
 from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
 from quartering.references import REFERENCES
@@ -24,8 +25,8 @@ if TYPE_CHECKING:
 
 MOST_ROWS = 16
 """Values of a tornado that are shown, those with the largest effect; its dataset has all."""
-ESTIMATES = ("regression", "cross-flow", "estimated")
-"""Kinds of coefficient that are estimates."""
+_ESTIMATED = {"regression": "velocity derivatives ", "cross-flow drag": "cubic damping "}
+"""Method of estimate -> what it estimates; another method's coefficients are named alone."""
 
 _LOADING = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
 
@@ -93,12 +94,12 @@ def exponents_words(exponents: Iterable[complex], digits: int = 3) -> str:
     return ", ".join(words) or "none"
 
 
-def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> str:
+def estimated_words(estimated: Mapping[str, Sequence[str]], provenance: Mapping[str, str]) -> str:
     """What in a result is estimated or assumed, in one line.
 
     Parameters
     ----------
-    estimated : iterable of str       names of estimated coefficients
+    estimated : mapping of str to names   method of estimate -> coefficients, of `estimates`
     provenance : mapping of str to str    where the ship's values come from: "assumed: .."
 
     Returns
@@ -107,23 +108,12 @@ def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> 
 
     Examples
     --------
-    >>> estimated_words(["Y_v", "N_r", "K_ppp"], {"gm": "assumed: 0.05 B"})
+    >>> estimated_words({"regression": ["Y_v", "N_r"], "cross-flow drag": ["K_ppp"]}, {"gm": "assumed: 0.05 B"})
     'Estimated: velocity derivatives Y_v, N_r (regression); cubic damping K_ppp (cross-flow drag). Assumed: GM.'
+    >>> estimated_words({"eddies of a heeled hull": ["K_pphiphi"]}, {})
+    'Estimated: K_pphiphi (eddies of a heeled hull).'
     """
-    components = provenance.get("roll_damping", "").startswith("estimated")
-    names = [name for name in estimated if not (components and name in ("K_p", "K_p|p|"))]
-    cubic = [name for name in names if name.split("_")[-1] in CUBIC_MONOMIALS]
-    linear = [name for name in names if name not in cubic]
-    parts = [
-        f"{what} {_names(group)} ({method})"
-        for what, method, group in (
-            ("velocity derivatives", "regression", linear),
-            ("cubic damping", "cross-flow drag", cubic),
-        )
-        if group
-    ]
-    if components:
-        parts.append("roll damping K_p, K_p|p| (component method)")
+    parts = [f"{_ESTIMATED.get(method, '')}{_names(group)} ({method})" for method, group in estimated.items()]
     assumed = [written(key) for key in _LOADING if provenance.get(key, "").startswith("assumed")]
     lines = [
         f"Estimated: {'; '.join(parts)}." if parts else "No coefficient rests on regression or on cross-flow drag."
@@ -133,7 +123,7 @@ def estimated_words(estimated: Iterable[str], provenance: Mapping[str, str]) -> 
     return " ".join(lines)
 
 
-def _names(names: list[str]) -> str:
+def _names(names: Sequence[str]) -> str:
     return ", ".join(names) if len(names) <= 4 else f"{names[0]} .. {names[-1]} ({len(names)})"
 
 
@@ -158,9 +148,24 @@ def estimated_names(ds: xr.Dataset) -> list[str]:
     return [name for name in str(ds.attrs["estimated_coefficients"]).split(", ") if name]
 
 
+def estimates_of(attributes: Mapping[str, object]) -> dict[str, list[str]]:
+    """Estimated coefficients by method, out of the attributes of a dataset.
+
+    Examples
+    --------
+    >>> estimates_of({"estimated_by": "regression: Y_v, N_r; cross-flow drag: K_ppp"})
+    {'regression': ['Y_v', 'N_r'], 'cross-flow drag': ['K_ppp']}
+    """
+    if "estimated_by" not in attributes:  # a file of an earlier version names them alone
+        names = [name for name in str(attributes["estimated_coefficients"]).split(", ") if name]
+        return {"estimates": names} if names else {}
+    groups = (part.split(": ") for part in str(attributes["estimated_by"]).split("; ") if part)
+    return {method: names.split(", ") for method, names in groups}
+
+
 def notes(ds: xr.Dataset) -> list[str]:
     """Small print of a map: what is estimated, and how it was computed."""
-    words = estimated_words(estimated_names(ds), provenance_of(str(ds.attrs["provenance"])))
+    words = estimated_words(estimates_of(ds.attrs), provenance_of(str(ds.attrs["provenance"])))
     ground = OVER_GROUND if ds.attrs.get("velocities") == "absolute" else ""
     return [f"{words}{ground} Steady motion: {ds.attrs['steady_motion']}; {ds.attrs['source']}."]
 
@@ -174,7 +179,7 @@ def ship_notes(one: Ship) -> str:
     >>> ship_notes(ship("wigley")).startswith("Estimated: velocity derivatives")
     True
     """
-    estimated = [entry.name for entry in coefficients(one, 0.5, 0.0).table() if entry.kind in ESTIMATES]
+    estimated = estimates(coefficients(one, 0.5, 0.0).table())
     ground = OVER_GROUND if one.velocities == "absolute" else ""
     return f"{estimated_words(estimated, one.provenance)}{ground} quartering {version('quartering')}."
 

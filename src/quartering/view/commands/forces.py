@@ -11,6 +11,7 @@ from rich.table import Table
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.comparison import MEANINGS, MEASURE, OWN, PANELS, compare_forces
+from quartering.loads.source import wave_source
 from quartering.options import OPTIONS
 from quartering.view.commands.conditions import sizes, typed_ship, typed_value
 from quartering.view.options import values
@@ -71,15 +72,16 @@ def _chosen(forms: Sequence[str], one: Ship) -> list[str]:
     unknown = [form for form in forms if form not in MEANINGS]
     if unknown:
         raise InputError(f"form {unknown[0]!r} given; allowed: {', '.join(MEANINGS)}; try '{MEASURE}'")
-    if OWN in forms and one.database is None:
+    without_own = wave_source(one).source is None
+    if OWN in forms and without_own:
         raise InputError(f"--form {OWN}: {one.name} has no database of its own; give one in the ship file (database:)")
-    without = {PANELS} if one.database is not None else {PANELS, OWN}
+    without = {PANELS, OWN} if without_own else {PANELS}
     return [form for form in MEANINGS if (form in (*forms, MEASURE) if forms else form not in without)]
 
 
 def _panels(one: Ship, lengths: Sequence[float]) -> xr.Dataset:
     """Forces by panels, wave by wave."""
-    from quartering.loads.bem import bem_forces
+    from quartering.hydro.bem import bem_forces
 
     parts: list[xr.Dataset] = []
     with bar("wave lengths by panels", len(lengths)) as report:

@@ -15,6 +15,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficient_table import Entry
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.terms import estimates
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.equations import Model
@@ -78,7 +79,7 @@ def judge(
     if found.motion.status.ok:
         show(_motion_table(one, wave, found.model, found.motion))
         show(_stability_table(found.verdict, calm_water_exponents(one, speed)))
-    show(estimated_words(estimates(found), one.provenance))
+    show(estimated_words(estimated(found), one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     again = option_words(changes)
     show(
@@ -89,9 +90,9 @@ def judge(
     )
 
 
-def estimates(found: Examined) -> list[str]:
-    """Names of the coefficients that are estimated."""
-    return [e.name for e in _entries(found) if e.kind in ("regression", "cross-flow")]
+def estimated(found: Examined) -> dict[str, list[str]]:
+    """Names of the coefficients that are estimated, by method."""
+    return estimates(_entries(found))
 
 
 def _entries(found: Examined) -> list[Entry]:
@@ -175,5 +176,6 @@ def facts(found: Examined, healing: list[Cure]) -> dict[str, object]:
         "natural_roll_frequency": coefficients(one, 0.0, 0.0).roll_frequency,
         "cures": [{"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in healing],
         "calm_water_at_own_frequencies": calm_water_exponents(one, found.speed),
-        "estimated": estimates(found), "sources": {e.name: e.source for e in _entries(found)},
+        "estimated": [e.name for e in _entries(found) if e.estimated],
+        "sources": {e.name: e.source for e in _entries(found)},
     }  # fmt: skip

@@ -14,7 +14,7 @@ from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.stability.verdict import Verdict
-from quartering.view.commands.verdict import Examined, estimates
+from quartering.view.commands.verdict import Examined, estimated
 from quartering.view.explorer import charts
 from quartering.view.explorer.answers import History, Scene, causes, curve, history
 from quartering.view.explorer.state import State
@@ -190,7 +190,7 @@ def _hull(of: Scene, found: Examined) -> list[Part]:
     one, floats = of.ship, hydrostatics(of.ship)
     hull = one.hull
     lines = html.escape(one.provenance.get("lines", hull.source))
-    guessed = html.escape(estimated_words(estimates(found), one.provenance))
+    guessed = html.escape(estimated_words(estimated(found), one.provenance))
     words = (
         f"<p>L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m; displaced {floats.volume:,.0f} m³,"
         f" CB {floats.cb:.3f}; KM {floats.km:.3f} m, KG {floats.kg:.3f} m, GM {floats.gm:.3f} m.</p>"

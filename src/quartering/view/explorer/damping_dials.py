@@ -8,7 +8,8 @@ from typing import Any
 from nicegui import ui
 
 from quartering.hull.ship import Ship
-from quartering.hydro.ship_damping import AMPLITUDE, equivalent_fraction
+from quartering.hydro.damping_method import AMPLITUDE
+from quartering.hydro.ship_damping import equivalent_fraction
 from quartering.options import OPTIONS
 from quartering.study.loadings import KEEL_AXES, own_value
 from quartering.view.explorer.answers import Scene
@@ -24,6 +25,7 @@ _HINTS = {
     "ikeda-simplified": "regression on Ikeda's components, a pair of keels at round bilges: {percent:.3g} % of critical at"
     " {amplitude:g}° of roll and this speed, within 30 %",
 }
+_AMOUNT = "{percent:.3g} % of critical at {amplitude:g}° of roll and this speed"
 
 
 class DampingDials:
@@ -80,7 +82,7 @@ class DampingDials:
 
 def damping_hint(of: Scene) -> str:
     """What the numbers of the roll damping mean, and what the components amount to."""
-    words = _HINTS[of.ship.roll_method]
+    words = _HINTS.get(of.ship.roll_method, _AMOUNT)
     if of.ship.roll_method == "fraction":
         return words
     said = words.format(percent=100 * equivalent_fraction(of.ship, of.speed), amplitude=AMPLITUDE)

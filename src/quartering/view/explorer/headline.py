@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import math
 
-from quartering.hull.righting import righting_polynomial
+from quartering.hull.righting import fitted_to
 from quartering.view.commands.verdict import Examined
 
 NO_MOTION = "<h1><b class='unstable'>No periodic motion here</b></h1>"
@@ -13,9 +13,7 @@ NO_MOTION = "<h1><b class='unstable'>No periodic motion here</b></h1>"
 
 def beyond(found: Examined) -> list[str]:
     """A note where the motion leaves the range of the righting arm's polynomial."""
-    if found.ship.righting == "spline":
-        return []
-    fitted = righting_polynomial(found.ship).max_angle
+    fitted = fitted_to(found.ship)
     peak = math.degrees(found.motion.peak[1]) if found.motion.status.ok else 0.0
     if peak <= fitted:
         return []

@@ -11,7 +11,7 @@ from nicegui import ui
 from nicegui.element import Element
 from nicegui.events import GenericEventArguments
 
-from quartering.hull.righting import righting_polynomial
+from quartering.hull.righting import fitted_to
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.stability.kind import Kind
 from quartering.view.explorer.answers import HEADINGS, RATIOS, Scene
@@ -79,7 +79,7 @@ class MapPanel:
         """Draw where the ship meets the waves at its roll frequency, at twice that, and not at all."""
         found = resonances(of.ship.hull.length, of.speed, roll_frequency)
         self._map.props["lines"] = [{"points": found[name], "dash": dash} for name, dash in _DASHES if found[name]]
-        self._fitted = np.inf if of.ship.righting == "spline" else righting_polynomial(of.ship).max_angle
+        self._fitted = fitted_to(of.ship)
         self._lines = [name for name, _ in _DASHES if found[name]]
 
     def show(self, part: xr.Dataset, *, fresh: bool) -> None:

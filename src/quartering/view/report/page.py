@@ -13,7 +13,7 @@ import numpy as np
 from jinja2 import DictLoader, Environment, StrictUndefined
 
 from quartering.conventions import InputError
-from quartering.hull.righting import righting_polynomial
+from quartering.hull.righting import fitted_to
 from quartering.motion.status import Status
 from quartering.references import cite
 from quartering.stability.kind import Kind
@@ -22,7 +22,7 @@ from quartering.view.report.guidance import guidance
 from quartering.view.report.pictures import hull_svg, map_svgs
 from quartering.view.report.source import Source, axes_of
 from quartering.view.report.tables import coefficients_table, hydrostatics_table, loading_table, provenance_table
-from quartering.view.wording import estimated_words, speed_words
+from quartering.view.wording import estimated_words, estimates_of, speed_words
 
 
 def report_page(source: Source) -> str:
@@ -117,11 +117,10 @@ def _render(template: str, source: Source, **content: Any) -> str:
         lstrip_blocks=True,
     )
     attributes = source.result.attrs
-    estimated = [name for name in str(attributes["estimated_coefficients"]).split(", ") if name]
     return environment.get_template(template).render(
         ship=source.ship,
         attributes=attributes,
-        estimated=estimated_words(estimated, source.ship.provenance),
+        estimated=estimated_words(estimates_of(attributes), source.ship.provenance),
         warnings=_warnings(source),
         origin=source.origin,
         digest=source.digest,
@@ -143,9 +142,9 @@ def _counts(source: Source) -> list[tuple[str, int, str]]:
 def _warnings(source: Source) -> list[str]:
     """What is outside the range of the method, and what has no answer."""
     result, made = source.result, []
-    fitted = righting_polynomial(source.ship).max_angle
+    fitted = fitted_to(source.ship)
     beyond = int((np.nan_to_num(result["roll_peak"].values) > fitted).sum())
-    if beyond and source.ship.righting == "polynomial":
+    if beyond:
         made.append(
             f"{beyond} of {result['verdict'].size} conditions roll beyond {fitted:g} deg, where the fit of the righting arm"
             " ends: their size and verdict are extrapolated."

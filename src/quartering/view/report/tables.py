@@ -11,7 +11,6 @@ from quartering.hull.righting import righting_polynomial, vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import coefficients
 from quartering.view.commands.hull import HYDROSTATICS, LOADING, loading_rows, particular_rows
-from quartering.view.wording import ESTIMATES
 
 
 class Row(NamedTuple):
@@ -72,7 +71,7 @@ def coefficients_table(ship: Ship, speed: float) -> tuple[Table, float]:
     """Every coefficient that is not zero, at the frequency of roll [rad/s], which is returned too."""
     frequency = coefficients(ship, 0.0, speed).roll_frequency
     rows = [
-        Row((e.name, f"{e.value:.4g}", e.unit, e.kind, e.source), e.kind in ESTIMATES)
+        Row((e.name, f"{e.value:.4g}", e.unit, e.kind, e.source), e.estimated)
         for e in coefficients(ship, frequency, speed).table()
         if e.value != 0.0
     ]

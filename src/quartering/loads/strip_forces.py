@@ -1,0 +1,97 @@
+"""Wave forces by strip theory: Froude-Krylov and diffraction of many conditions from the sections of a hull."""
+
+from __future__ import annotations
+
+from typing import Final, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
+from quartering.hull.strips import Strips
+from quartering.hydro.table import SectionTable
+from quartering.loads.diffraction import contour_diffraction
+from quartering.loads.froude_krylov import froude_krylov
+from quartering.loads.relative_motion import relative_motion_diffraction
+from quartering.loads.stations import Stations
+from quartering.loads.waves import Floats, Phasors, encounter_frequency, folded
+
+Form = Literal["paper", "paper-corrected", "relative-motion", "stf"]
+
+FORMS: Final[dict[str, str]] = {
+    "paper": "strip correction with the printed sign of the wave slope, from section coefficients",
+    "paper-corrected": "strip correction with the sign of the wave slope corrected, from section coefficients",
+    "relative-motion": "consistent relative motion with forward speed, from section coefficients",
+    "stf": "Salvesen, Tuck and Faltinsen: with forward speed, from the potentials on the section contours",
+}
+"""Diffraction form -> what it is."""
+
+
+def wave_force_phasors(
+    hull: Strips,
+    place: Stations,
+    table: SectionTable,
+    wavenumber: ArrayLike,
+    speed: ArrayLike,
+    heading: ArrayLike,
+    *,
+    form: Form = "stf",
+    density: float = WATER_DENSITY,
+    speed_terms: bool = True,
+) -> tuple[Phasors, Phasors, Floats]:
+    """Froude-Krylov and diffraction force of many conditions, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    hull : Strips              section contours of the immersed hull
+    place : Stations           the same sections seen from G
+    table : SectionTable       section coefficients and potentials over frequency
+    wavenumber : (n,) float    k > 0 [1/m]
+    speed : (n,) float         U >= 0 [m/s]
+    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
+    form : str                 diffraction: "stf", "relative-motion", "paper-corrected" or "paper"
+    density : float            of the water [kg/m3]
+    speed_terms : bool         keep the diffraction's terms with U, see `contour_diffraction`
+
+    Returns
+    -------
+    froude_krylov : (n, 3) complex    sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
+    diffraction : (n, 3) complex      the same
+    encounter_frequency : (n,)        omega, negative where the ship overtakes the wave [rad/s]; the force is
+                                      Re{phasor e^{i |omega| t}}
+
+    Raises
+    ------
+    InputError                 unknown form, or a condition that is not finite
+
+    Notes
+    -----
+    Source: [H71] eqs. (B-3)-(B-11); [STF70] exciting force.  Valid: deep water, linear wave, mean position.
+
+    Examples
+    --------
+    >>> from quartering.hull.immersed import strips
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.hydro.moments import section_table
+    >>> from quartering.loads.stations import stations
+    >>> box = ship("box")
+    >>> hull, place, table = strips(box.hull), stations(box), section_table(box.hull, 1025.0)
+    >>> _, diffraction, omega = wave_force_phasors(hull, place, table, [0.1, 0.1], [0.0, 20.0], [90.0, 0.0])
+    >>> omega.round(3).tolist(), bool((diffraction[1] == 0).all())    # the second overtakes a following sea
+    ([0.99, -1.01], True)
+    """
+    if form not in get_args(Form):
+        raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
+    k, U, mu = (
+        v.copy()
+        for v in np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, dtype=float)) for v in (wavenumber, speed, heading)))
+    )
+    if not (np.isfinite(k) & (k > 0)).all():
+        raise InputError("a wave number that is not a positive number was given; k = 2 pi / length [1/m]")
+    omega = encounter_frequency(np.sqrt(GRAVITY * k), U, mu)
+    pressure = froude_krylov(hull, place, k, mu, density=density)
+    if form == "stf":
+        scattered = contour_diffraction(place, table, k, U, mu, density=density, speed_terms=speed_terms)
+    else:
+        scattered = relative_motion_diffraction(hull, place, table, k, U, mu, form=form, speed_terms=speed_terms)
+    return folded(omega, pressure)[1], folded(omega, scattered)[1], omega
