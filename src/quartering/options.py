@@ -379,6 +379,8 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
     Option("ends", "word", "water round stem and stern", default="three-dimensional", home="hull.ends", words=_ENDS),
     Option("drag_coefficient", "ratio", "cross-flow drag of the sections; gives the cubic coefficients", low=0, high=10,
            usual=0.8, default=0.8, home="drag_coefficient"),
+    Option("drag", "word", "form of the cross-flow drag", default="cubic", home="drag", axis=True, dial=(),
+           words={"cubic": "ten cubic coefficients, one reference velocity", "strips": "|q| q strip by strip"}),
     Option("velocity_scale", "speed", "velocity at which the cross-flow drag is made cubic", low=0, above=True, high=100,
            usual="0.03 Fn", home="velocity_scale", example="0.03 Fn"),
     Option("measured", "file", "measured manoeuvring set that replaces regression and cross-flow, or none", home="measured",

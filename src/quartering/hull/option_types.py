@@ -18,6 +18,7 @@ Velocities = Literal["relative", "absolute"]
 Righting = Literal["polynomial", "spline"]
 Sections = Literal["auto", "lewis", "close-fit"]
 Ends = Literal["strips", "three-dimensional"]
+Drag = Literal["cubic", "strips"]
 
 
 class ShipOptions(TypedDict, total=False):
@@ -69,6 +70,8 @@ class ShipOptions(TypedDict, total=False):
     """Water round stem and stern: strips (none), three-dimensional (the water finds its way round them)."""
     drag_coefficient: float | str | None
     """Cross-flow drag of the sections; gives the cubic coefficients [1, %]."""
+    drag: Drag | None
+    """Form of the cross-flow drag: cubic (ten cubic coefficients, one reference velocity), strips (|q| q strip by str ..."""
     velocity_scale: float | str | None
     """Velocity at which the cross-flow drag is made cubic [m/s, kn, km/h, Fn]."""
     measured: str | Path | None
@@ -140,6 +143,8 @@ class StudyAxes(TypedDict, total=False):
     """Of the water; fresh water 1000 [kg/m3, t/m3]."""
     velocities: ArrayLike | str | Sequence[float | str]
     """Velocity that lift acts on: relative (to the water, which the wave moves), absolute (over ground, as in the pap ..."""
+    drag: ArrayLike | str | Sequence[float | str]
+    """Form of the cross-flow drag: cubic (ten cubic coefficients, one reference velocity), strips (|q| q strip by str ..."""
     bilge_keel_length: ArrayLike | str | Sequence[float | str]
     """Length of one bilge keel of the pair [m, L, B, T]."""
     bilge_keel_breadth: ArrayLike | str | Sequence[float | str]

@@ -12,7 +12,7 @@ from quartering.hull.autopilot import Autopilot, Rudder
 from quartering.hull.changes import changed
 from quartering.hull.loading import Loading
 from quartering.hull.offsets import Hull
-from quartering.hull.option_types import Linear, Righting, ShipOptions, Velocities
+from quartering.hull.option_types import Drag, Linear, Righting, ShipOptions, Velocities
 from quartering.hull.own_database import Database
 from quartering.hull.own_measured import MeasuredFile
 from quartering.hull.roll_method import BilgeKeels, RollMethod, roll_damping_note
@@ -52,6 +52,7 @@ class Ship:
     roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
     bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
     database : Database or None              own coefficients and wave forces in place of strip theory
+    drag : str                               of the cross-flow: "cubic" coefficients, or "strips"
     velocities : str                         lift acts on the velocity "relative" to the water, or "absolute", as in the paper
     particulars : mapping of str to value    what else is known of it, by option: depth, openings, windage, ..
     """
@@ -73,6 +74,7 @@ class Ship:
     bilge_keels: BilgeKeels | None = None
     database: Database | None = None
     velocities: Velocities = "relative"
+    drag: Drag = "cubic"
     particulars: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -195,8 +195,8 @@ def _spline(ship: Ship) -> OddSpline | None:
 
 
 def cross_flow(at: Conditions) -> Terms:
-    """The ten cubics of cross-flow drag at half the draught of each section; none beside measured ones."""
-    if at.measured is not None and at.measured.drag:
+    """The ten cubics of cross-flow drag at half the draught of each section; none beside measured ones, or drag by strips."""
+    if (at.measured is not None and at.measured.drag) or at.ship.drag == "strips":
         return {}
     ship, immersed = at.ship, strips(at.ship.hull)
     hull, loading = ship.hull, ship.loading

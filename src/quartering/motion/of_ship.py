@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from typing import Any, Literal
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,15 +16,13 @@ from quartering.hull.told import condition
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
-from quartering.loads.lift import ship_lift_phasors
+from quartering.loads.lift import ship_lift_phasors, ship_water_velocity
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, encounter_frequency, folded, heading_components, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table
 from quartering.motion.water import Strips
 from quartering.names import LINEAR_NAMES, RUDDER_NAMES
-
-Drag = Literal["cubic", "strips"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -164,6 +162,16 @@ def drag_strips(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) 
     )
 
 
+def _moving(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) -> dict[str, Any]:
+    """What of the equations feels the water move, per metre of wave amplitude: cubics, and drag by strips."""
+    still = ship.velocities == "absolute"
+    moving: dict[str, Any] = {} if still else {"water": ship_water_velocity(ship, wavenumber, speed, heading)}
+    if ship.drag == "strips":
+        found = drag_strips(ship, wavenumber, speed, heading)
+        moving["strips"] = Strips(found.x, found.lever, found.c, 0.0 * found.water) if still else found
+    return moving
+
+
 def ship_system(
     ship: Ship,
     wavenumber: Floats,
@@ -172,7 +180,6 @@ def ship_system(
     form: Form = "stf",
     *,
     known: tuple[NDArray[np.complex128], Floats] | None = None,
-    drag: Drag = "cubic",
 ) -> ShipSystem:
     """Equations of a ship at many conditions, per metre of wave amplitude.
 
@@ -184,7 +191,6 @@ def ship_system(
     heading : (m,) float       mu: 0 following, 180 head [deg]
     form : str                 of the diffraction force, see `wave_forces`
     known : optional           what `excitation` gives, when it has been found already
-    drag : str                 of the cross-flow: "cubic", the ten cubics on velocities over ground, or "strips": `drag_strips`
 
     Returns
     -------
@@ -210,10 +216,7 @@ def ship_system(
     c = coefficients(ship, omega, speed)
     if form != "paper":
         force = force + ship_lift_phasors(ship, c, wavenumber, speed, heading)
-    moving: dict[str, Any] = {}
-    if drag == "strips":
-        c = replace(c, cubic=np.zeros_like(c.cubic))
-        moving["strips"] = drag_strips(ship, wavenumber, speed, heading)
+    moving = {} if form == "paper" else _moving(ship, wavenumber, speed, heading)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
     table = _term_table(c)
@@ -287,4 +290,17 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
         references=tuple(dict.fromkeys(("H71", "STF70", *c.references))),
         autopilot=ship.autopilot,
         restoring=c.righting,
+        **_at_height(_moving(ship, *one) if form != "paper" else {}, wave.amplitude),
     )
+
+
+def _at_height(moving: dict[str, Any], amplitude: float) -> dict[str, Any]:
+    """The moving water of one condition, at the height of its wave."""
+    made: dict[str, Any] = {}
+    if "water" in moving:
+        w0, w1 = moving["water"]
+        made["water"] = (amplitude * complex(w0[0]), amplitude * complex(w1[0]))
+    if "strips" in moving:
+        at = moving["strips"]
+        made["strips"] = Strips(at.x, at.lever, at.c, amplitude * at.water)
+    return made
