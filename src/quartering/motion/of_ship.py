@@ -15,6 +15,7 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.terms import Term
 from quartering.loads.forces import Form, ship_force_phasors
 from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
@@ -22,7 +23,7 @@ from quartering.loads.waves import Wave, encounter_frequency, folded, heading_co
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.terms import TermTable, term_table
 from quartering.motion.water import Strips
-from quartering.names import LINEAR_NAMES, RUDDER_NAMES
+from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RUDDER_NAMES
 
 Drag = Literal["cubic", "strips"]
 
@@ -212,7 +213,7 @@ def ship_system(
         force = force + ship_lift_phasors(ship, c, wavenumber, speed, heading)
     moving: dict[str, Any] = {}
     if drag == "strips":
-        c = replace(c, cubic=np.zeros_like(c.cubic))
+        c = replace(c, terms=_without_drag(c))
         moving["strips"] = drag_strips(ship, wavenumber, speed, heading)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
@@ -223,6 +224,13 @@ def ship_system(
     given |= {"linear": linear, "restoring": c.righting, **moving}
     system = canonical(c.inertia, table, frequency, force.real, -force.imag, **given)
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
+
+
+def _without_drag(c: Coefficients) -> dict[str, Term]:
+    """The terms with the ten cubics of cross-flow drag put to zero; those of a measured set stay."""
+    cubic = ((name, c.terms[name]) for row in CUBIC_NAMES for name in row)
+    zero = {name: term._replace(value=0 * c.frequency) for name, term in cubic if term.kind != "measured"}
+    return {**c.terms, **zero}
 
 
 def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, form: Form = "stf") -> Model:
