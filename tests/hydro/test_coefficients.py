@@ -27,7 +27,7 @@ from quartering.hydro.strip import frequency_floor, hydrodynamics
 from quartering.names import KNOWN, RESTORING_NAMES, RUDDER_NAMES, canonical, dimension, unit
 
 SHIPS = sorted(entry.name.removesuffix(".yaml") for entry in (files("quartering.hull") / "library").iterdir())
-S60 = ship("series60-cb60")
+S60 = ship("series60-cb60").with_(ends="strips")
 SPEED = 0.25 * np.sqrt(GRAVITY * S60.hull.length)
 OMEGA = np.concatenate([[0.0], np.geomspace(0.005, 12.0, 200)])
 
@@ -65,7 +65,7 @@ def test_wave_damping_takes_energy_from_every_motion(name):
 def test_sway_force_of_roll_equals_roll_moment_of_sway(name, method, tolerance):
     # Reciprocity, from the two potentials on the contours, summed over the ship. Lewis sections are solved by series, to
     # rounding; close-fit potentials stand on 25 panels and kinks of the offsets are good to half a percent.
-    s = ship(name).with_(sections=method)
+    s = ship(name).with_(sections=method, ends="strips")
     table, weight = section_table(s.hull, 1025.0), strips(s.hull).weight
     n4 = table.y * table.nz - table.z * table.ny
     force_of_roll = np.einsum("s,fsn,sn->f", weight, table.psi[..., 1], table.ny)
@@ -74,7 +74,7 @@ def test_sway_force_of_roll_equals_roll_moment_of_sway(name, method, tolerance):
 
 
 def test_box_is_its_section_times_the_closed_form_lengthwise_integrals():
-    box = ship("box")
+    box = ship("box").with_(ends="strips")
     length, z0, omega = box.hull.length, box.loading.kg - box.hull.draught, 0.7
     sections = hydrodynamics(box, [omega]).added_mass.values[0] / length  # sections about G
     got = by_name(coefficients(box, omega, 0.0))
@@ -96,7 +96,11 @@ def test_box_is_its_section_times_the_closed_form_lengthwise_integrals():
 
 @pytest.mark.parametrize("name", ["series60-cb60", "box"])
 def test_interpolated_strip_coefficients_agree_with_the_direct_solution(name):
-    s, omega, speed = ship(name).with_(linear="strip", roll_damping=0.0), np.array([0.31, 0.55, 0.83, 1.27]), 6.0
+    s, omega, speed = (
+        ship(name).with_(ends="strips", linear="strip", roll_damping=0.0),
+        np.array([0.31, 0.55, 0.83, 1.27]),
+        6.0,
+    )
     c, direct = coefficients(s, omega, speed), hydrodynamics(s, omega, speed)
     mass = c.body["m"]
     linear = c.linear + mass * speed * np.array([[0, 0, 1], [0, 0, 0], [0, 0, 0]])
@@ -296,7 +300,7 @@ def test_a_measured_coefficient_is_called_measured():
 def test_strip_terms_of_the_aft_end_are_kept_for_a_transom_only():
     # box: Y_v = -(int b22 + U a22 at the transom); Series 60 has a pointed stern: no speed term in Y_v
     for name, transom in (("box", True), ("series60-cb60", False)):
-        s = ship(name).with_(linear="strip")
+        s = ship(name).with_(ends="strips", linear="strip")
         at_speed, at_rest = (coefficients(s, 0.6, u).linear[0, 0, 0] for u in (5.0, 0.0))
         end = hull_moments(s.hull, 1025.0).at([0.6]).about(0.0, 0.0)
         assert (end.aft is not None) == transom

@@ -30,7 +30,7 @@ def circle():
 
 def dataset(omega, a, b, limit=None):
     """A database of two uncoupled modes."""
-    ds = hydrodynamics(ship("wigley"), omega).isel(mode=[0, 1], mode_of_motion=[0, 1])
+    ds = hydrodynamics(ship("wigley").with_(ends="strips"), omega).isel(mode=[0, 1], mode_of_motion=[0, 1])
     full = [np.stack([np.diag(row) for row in values]) for values in (a, b)]
     ds = ds.assign(added_mass=(ds.added_mass.dims, full[0]), damping=(ds.damping.dims, full[1]))
     return ds if limit is None else ds.assign(added_mass_infinite=(("mode", "mode_of_motion"), np.diag(limit)))
@@ -64,7 +64,7 @@ def test_published_half_circle_belongs_together():
 @pytest.mark.parametrize("name", ["wigley", "series60-cb60", "box", "s175"])
 def test_sections_and_whole_ships_of_the_library_belong_together(name):
     """Property: the added mass comes from pressures, the damping from radiated waves; causality ties them."""
-    vessel = ship(name)
+    vessel = ship(name).with_(ends="strips")
     sections = kramers_kronig(section_table(vessel.hull, 1025.0))
     assert sections.consistent, sections.sentence
     whole = kramers_kronig(hydrodynamics6(vessel, OMEGA))
@@ -73,7 +73,7 @@ def test_sections_and_whole_ships_of_the_library_belong_together(name):
 
 
 def spoiled(how):
-    ds = hydrodynamics6(ship("series60-cb60"), OMEGA)
+    ds = hydrodynamics6(ship("series60-cb60").with_(ends="strips"), OMEGA)
     a, b = ds.added_mass.to_numpy().copy(), ds.damping.to_numpy().copy()
     if how == "irregular frequency":
         a[30:32, 1, 1] *= np.array([1.35, 0.7])
@@ -83,7 +83,7 @@ def spoiled(how):
         b[:, 1, 3] *= -1.0
         b[:, 3, 1] *= -1.0
     elif how == "another reference point":
-        b[:] = hydrodynamics6(ship("series60-cb60"), OMEGA, reference=(0.0, -6.0)).damping
+        b[:] = hydrodynamics6(ship("series60-cb60").with_(ends="strips"), OMEGA, reference=(0.0, -6.0)).damping
     return ds.assign(added_mass=(ds.added_mass.dims, a), damping=(ds.damping.dims, b))
 
 
@@ -109,7 +109,7 @@ def test_a_spoiled_database_is_found_out(how, entry):
 
 def test_retardation_gives_the_added_mass_back():
     """a(w) - a(inf) = -(1/w) int K sin(w t) dt (Cummins 1962), against the transform of the damping itself."""
-    ds = hydrodynamics6(ship("box"), OMEGA)
+    ds = hydrodynamics6(ship("box").with_(ends="strips"), OMEGA)
     time = np.linspace(0.0, 60.0, 3001)
     memory = retardation(OMEGA, ds.damping.to_numpy()[:, 1, 1], time)
     infinite = ds.added_mass_infinite.to_numpy()[1, 1]
@@ -132,4 +132,4 @@ def test_retardation_gives_the_added_mass_back():
 )
 def test_bad_input_is_answered_with_what_is_needed(change, said):
     with pytest.raises(InputError, match=said):
-        kramers_kronig(change(hydrodynamics(ship("wigley"), OMEGA)))
+        kramers_kronig(change(hydrodynamics(ship("wigley").with_(ends="strips"), OMEGA)))

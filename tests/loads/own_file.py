@@ -6,7 +6,7 @@ import quartering as qt
 from quartering.conventions import GRAVITY
 from quartering.loads.forces import ship_force_phasors
 
-S60 = qt.ship("series60-cb60")
+S60 = qt.ship("series60-cb60").with_(ends="strips")
 OMEGA = np.linspace(0.1, 2.2, 43)
 HEADINGS = np.arange(0.0, 181.0, 5.0)
 
