@@ -26,7 +26,9 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Loading, Ship, ship
     from quartering.hydro.bem import bem_forces, bem_hydrodynamics
     from quartering.hydro.coefficients import coefficients
+    from quartering.hydro.decayrecord import decay_record, read_decay
     from quartering.hydro.sections import section_coefficients
+    from quartering.hydro.shipdecay import roll_decay
     from quartering.hydro.sixmodes import hydrodynamics6
     from quartering.hydro.strip import hydrodynamics
     from quartering.loads.comparison import compare_forces
@@ -60,6 +62,9 @@ _HOMES = {
     "Ship": "hull.ship",
     "ship": "hull.ship",
     "coefficients": "hydro.coefficients",
+    "decay_record": "hydro.decayrecord",
+    "read_decay": "hydro.decayrecord",
+    "roll_decay": "hydro.shipdecay",
     "section_coefficients": "hydro.sections",
     "hydrodynamics": "hydro.strip",
     "hydrodynamics6": "hydro.sixmodes",
@@ -106,6 +111,7 @@ __all__ = [
     "coefficients",
     "compare_forces",
     "cures",
+    "decay_record",
     "edge",
     "encounter_frequency",
     "equations",
@@ -114,7 +120,9 @@ __all__ = [
     "hydrostatics",
     "irregular",
     "polar",
+    "read_decay",
     "righting_arm",
+    "roll_decay",
     "section_coefficients",
     "sensitivity",
     "ship",

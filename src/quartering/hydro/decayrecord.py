@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, Literal, NamedTuple
@@ -23,6 +24,9 @@ SMALLEST_SWING: Final = 0.04
 
 IRREGULAR: Final = 0.3
 """Share by which a half period may differ from the median of the first six; the decay ends where one differs more."""
+
+
+_DECIMAL_COMMA: Final = re.compile(r"[-+]?\d+,\d+")
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,15 +119,20 @@ def decay_record(time: ArrayLike, angle: ArrayLike, *, unit: AngleUnit = "deg", 
 
 
 def read_decay(
-    path: str | Path, *, unit: AngleUnit = "deg", columns: tuple[int, int] = (0, 1), time_factor: float = 1.0
+    path: str | Path,
+    *,
+    unit: AngleUnit | None = None,
+    columns: tuple[int, int] | None = None,
+    time_factor: float = 1.0,
 ) -> DecayRecord:
-    """A decay from a CSV file of time and angle.
+    """A decay from a text file of time and angle.
 
     Parameters
     ----------
-    path : str or Path         comma-separated; lines that start with # and one line of column names are passed over
-    unit : str                 of the angle, "deg" or "rad"
-    columns : tuple of int     which columns hold time [s] and angle, counted from 0
+    path : str or Path         columns parted by comma, semicolon or tab, with decimal points; lines that start with # are
+                               passed over, and one line of column names may stand first
+    unit : str                 of the angle, "deg" or "rad"; left out, the name of its column must tell: roll_deg, phi [rad]
+    columns : tuple of int     which columns hold time [s] and angle, counted from 0; left out, the file has two
     time_factor : float        from model to full scale, sqrt(scale); 1 keeps the time as it is [1]
 
     Returns
@@ -132,7 +141,8 @@ def read_decay(
 
     Raises
     ------
-    InputError    no such file, a row that has not two numbers (with its line), and what `decay_record` refuses
+    InputError    no such file, no unit of the angle, a time in other units than seconds, more than two columns and no word on
+                  which, decimal commas, a row that has not its numbers (with its line), and what `decay_record` refuses
 
     Notes
     -----
@@ -142,32 +152,100 @@ def read_decay(
     --------
     >>> import tempfile, pathlib
     >>> file = pathlib.Path(tempfile.mkdtemp()) / "decay.csv"
-    >>> _ = file.write_text("time,angle\\n" + "".join(f"{0.1 * n},{np.cos(0.1 * n)}\\n" for n in range(100)))
+    >>> _ = file.write_text("time_s,roll_deg\\n" + "".join(f"{0.1 * n},{np.cos(0.1 * n)}\\n" for n in range(100)))
     >>> read_decay(file).time[-1].round(1)
     np.float64(9.9)
     """
     if not (np.isfinite(time_factor) and time_factor > 0):
         raise InputError(f"time factor {time_factor:g} must be a number above 0; for a model of 1:68 it is sqrt(68)")
-    rows: list[tuple[float, float]] = []
-    headed = False
-    try:
-        lines = Path(path).read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read as a text file ({error})") from None
-    for number, line in enumerate(lines, start=1):
-        if not line.strip() or line.lstrip().startswith("#"):
-            continue
-        fields = next(csv.reader([line]))
-        try:
-            rows.append((float(fields[columns[0]]), float(fields[columns[1]])))
-        except (ValueError, IndexError):
-            if rows or headed:
-                raise InputError(
-                    f'{path}: line {number} is "{line}"; columns {columns} must hold two numbers'
-                ) from None
-            headed = True
-    values = np.array(rows).reshape(-1, 2)
+    names, lines = _cells(Path(path))
+    chosen = _chosen(path, columns, names, len(lines[0][1]) if lines else len(names))
+    _check_seconds(path, names[chosen[0]] if names else "")
+    unit = unit or _unit_of(path, names[chosen[1]] if names else "")
+    values = np.array([_numbers(path, number, fields, chosen) for number, fields in lines]).reshape(-1, 2)
     return decay_record(values[:, 0] * time_factor, values[:, 1], unit=unit, source=str(path))
+
+
+def _cells(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
+    """Column names, if there are any, and the cells of each row with its line in the file."""
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read ({error.strerror}); give the record as a text file") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: cannot be read as a text file; save the record as text in UTF-8 first") from None
+    lines = [
+        (number, line)
+        for number, line in enumerate(text.splitlines(), start=1)
+        if line.strip() and not line.lstrip().startswith("#")
+    ]
+    if not lines:
+        raise InputError(f"{path}: holds no samples; a decay is one line of time and angle per sample")
+    mark = next((mark for mark in ("\t", ";") if mark in lines[0][1]), ",")
+    rows = [(n, [cell.strip() for cell in cells]) for n, line in lines for cells in csv.reader([line], delimiter=mark)]
+    if mark != "," and any(_DECIMAL_COMMA.fullmatch(cell) for _, cells in rows for cell in cells):
+        raise InputError(f"{path}: has decimal commas; write its numbers with decimal points (0.5, not 0,5)")
+    if any(_is_number(cell) for cell in rows[0][1]):
+        return [], rows
+    names = rows[0][1]
+    if len(rows) > 1 and len(rows[1][1]) == 2 * len(names):
+        raise InputError(
+            f"{path}: line {rows[1][0]} has {len(rows[1][1])} numbers under {len(names)} names; are they decimal commas? "
+            "write its numbers with decimal points (0.5, not 0,5)"
+        )
+    return names, rows[1:]
+
+
+def _chosen(path: str | Path, columns: tuple[int, int] | None, names: list[str], count: int) -> tuple[int, int]:
+    """Columns of time and angle."""
+    if columns is None and count != 2:
+        said = f" ({', '.join(names)})" if names else ""
+        raise InputError(f"{path}: has {count} columns{said}; say which two hold time and angle (columns)")
+    first, second = (0, 1) if columns is None else columns
+    if first == second or not (0 <= first < count and 0 <= second < count):
+        raise InputError(
+            f"{path}: columns {first + 1} and {second + 1} are asked for, and it has {count}; name two of them, time first"
+        )
+    return first, second
+
+
+def _numbers(path: str | Path, line: int, fields: list[str], columns: tuple[int, int]) -> tuple[float, float]:
+    try:
+        return float(fields[columns[0]]), float(fields[columns[1]])
+    except (ValueError, IndexError):
+        raise InputError(
+            f'{path}: line {line} is "{", ".join(fields)}"; columns {columns[0] + 1} and {columns[1] + 1} must hold two numbers'
+        ) from None
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def _words_of(name: str) -> set[str]:
+    """Words of a column's name: "roll_deg" and "phi [rad]" tell their unit."""
+    return set(re.findall(r"[a-z]+|°", name.lower()))
+
+
+def _unit_of(path: str | Path, name: str) -> AngleUnit:
+    words = _words_of(name)
+    degrees, radians = words & {"deg", "degree", "degrees", "°"}, words & {"rad", "radian", "radians"}
+    if bool(degrees) == bool(radians):
+        said = f'its column "{name}" does not' if name else "it has no column names that"
+        raise InputError(
+            f"{path}: is the angle in deg or rad? {said} tell; name the column roll_deg or roll_rad, or say the unit (deg, rad)"
+        )
+    return "deg" if degrees else "rad"
+
+
+def _check_seconds(path: str | Path, name: str) -> None:
+    other = _words_of(name) & {"ms", "msec", "milliseconds", "min", "minutes", "h", "hours"}
+    if other:
+        raise InputError(f'{path}: the time column is "{name}"; time is taken in seconds, convert it first')
 
 
 def extremes(record: DecayRecord, *, skip: int = 0) -> Extremes:
@@ -209,6 +287,11 @@ def extremes(record: DecayRecord, *, skip: int = 0) -> Extremes:
     index = _alternating(highs, lows, phi)
     swing = np.abs(np.diff(phi[index]))
     start = (int(np.argmax(swing)) if swing.size else 0) + skip
+    if swing.size and start > swing.size - FEWEST_EXTREMES + 1 and swing[0] < 0.5 * swing.max():
+        raise InputError(
+            f"{record.source}: the swings grow, from {np.degrees(swing[0]) / 2:.3g} deg to {np.degrees(swing.max()) / 2:.3g} "
+            f"deg at {t[index[int(np.argmax(swing))]]:.4g} s, near the end of the record; a free decay becomes smaller"
+        )
     index = _regular(t, index[start:])
     if index.size < FEWEST_EXTREMES:
         raise InputError(

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from quartering.view import cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
+from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
 from quartering.view.ship_options import takes_ship_options
 
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
@@ -44,6 +44,7 @@ _COMMANDS = (
     cli_ships.hull,
     cli_ships.coefficients,
     cli_ships.forces,
+    cli_decay.decay,
     cli_motions.verdict,
     cli_motions.simulate,
     cli_motions.branch,
