@@ -57,10 +57,10 @@ def changed_text(name_or_path: str, values: Values, target: Path) -> str:
     """
     text, data = _start(name_or_path, target)
     wanted = {**data, **{group: {**(data.get(group) or {}), **own} for group, own in values.items()}}
-    for group, own in values.items():
-        for key, value in own.items():
-            text = _with_value(text, group, key, value)
     try:
+        for group, own in values.items():
+            for key, value in own.items():
+                text = _with_value(text, group, key, value)
         right = yaml.safe_load(text) == wanted
     except yaml.YAMLError:
         right = False
@@ -102,7 +102,7 @@ def _with_value(text: str, group: str, key: str, value: float | str) -> str:
     if node is None:
         end = "" if text.endswith("\n") else "\n"
         if root.flow_style:
-            return _applied(text, _into_flow(text, root, f"{group}: {{{said}}}"))
+            return _applied(text, _into_flow(root, f"{group}: {{{said}}}"))
         return f"{text}{end}{' ' * root.start_mark.column}{group}:\n{' ' * root.start_mark.column}  {said}\n"
     if not isinstance(node, yaml.MappingNode):
         return text  # nothing that can be changed in its place: the caller sees that the values are not there
@@ -110,7 +110,7 @@ def _with_value(text: str, group: str, key: str, value: float | str) -> str:
     if old is not None:
         return _applied(text, _over(text, old, _scalar(value)))
     if node.flow_style:
-        return _applied(text, _into_flow(text, node, said))
+        return _applied(text, _into_flow(node, said))
     start = node.start_mark.index
     return _applied(text, _Edit(start, start, f"{said}\n{' ' * node.start_mark.column}"))
 
@@ -119,7 +119,7 @@ def _child(node: yaml.MappingNode, key: str) -> yaml.Node | None:
     return next((value for name, value in node.value if name.value == key), None)
 
 
-def _into_flow(text: str, node: yaml.MappingNode, said: str) -> _Edit:
+def _into_flow(node: yaml.MappingNode, said: str) -> _Edit:
     """A key put first into {..}."""
     start = node.start_mark.index + 1
     return _Edit(start, start, said + (", " if node.value else ""))

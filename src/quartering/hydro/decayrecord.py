@@ -129,7 +129,7 @@ def read_decay(
 
     Parameters
     ----------
-    path : str or Path         columns parted by comma, semicolon or tab, with decimal points; lines that start with # are
+    path : str or Path         columns parted by comma, semicolon, tab or blanks, with decimal points; lines that start with # are
                                passed over, and one line of column names may stand first
     unit : str                 of the angle, "deg" or "rad"; left out, the name of its column must tell: roll_deg, phi [rad]
     columns : tuple of int     which columns hold time [s] and angle, counted from 0; left out, the file has two
@@ -181,9 +181,8 @@ def _cells(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
     ]
     if not lines:
         raise InputError(f"{path}: holds no samples; a decay is one line of time and angle per sample")
-    mark = next((mark for mark in ("\t", ";") if mark in lines[0][1]), ",")
-    rows = [(n, [cell.strip() for cell in cells]) for n, line in lines for cells in csv.reader([line], delimiter=mark)]
-    if mark != "," and any(_DECIMAL_COMMA.fullmatch(cell) for _, cells in rows for cell in cells):
+    rows = [(number, _split(line)) for number, line in lines]
+    if any(_DECIMAL_COMMA.fullmatch(cell) for _, cells in rows for cell in cells):
         raise InputError(f"{path}: has decimal commas; write its numbers with decimal points (0.5, not 0,5)")
     if any(_is_number(cell) for cell in rows[0][1]):
         return [], rows
@@ -194,6 +193,14 @@ def _cells(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
             "write its numbers with decimal points (0.5, not 0,5)"
         )
     return names, rows[1:]
+
+
+def _split(line: str) -> list[str]:
+    """Cells of a line: parted by tabs, semicolons, commas or blanks, the first of these it has."""
+    mark = next((mark for mark in "\t;," if mark in line), None)
+    if mark is None or (mark == "," and re.search(r"\d,\d+\s+[-+]?\d", line)):  # blanks between decimal commas
+        return line.split()
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=mark))]
 
 
 def _chosen(path: str | Path, columns: tuple[int, int] | None, names: list[str], count: int) -> tuple[int, int]:

@@ -99,7 +99,8 @@ def free_damping(ship: Ship, speed: float = 0.0) -> FreeDamping:
     shape, inertia = _free_roll_shape(c)
     terms = {entry.name: entry for entry in c.table()}
     own = QUADRATIC in terms
-    drag = _drag_share(ship, shape) if terms["K_ppp"].kind == "cross-flow" else 0.0
+    cubic = terms.get("K_ppp")
+    drag = _drag_share(ship, shape) if cubic is None or cubic.kind == "cross-flow" else 0.0
     return FreeDamping(
         frequency=c.roll_frequency,
         inertia=inertia,
@@ -142,20 +143,29 @@ def linear_for(ship: Ship, speed: float, ratio: float) -> float:
 
 
 def damping_words(ship: Ship, speed: float = 0.0) -> str:
-    """Roll damping in a line: what is added, and what there is in all in a free roll.
+    """Roll damping in a line: what is added, and what there is in all in a free roll at a speed [m/s].
 
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> damping_words(ship("series60-cb60"))
-    'added roll damping 5 % of critical; in a free roll with the waves of the strips 5.19 %, at 10 deg with the drag 5.32 %'
+    >>> damping_words(ship("series60-cb60")).split("; ")[0]
+    'added roll damping 5 % of critical'
+    >>> damping_words(ship("series60-cb60")).split("; ")[1]
+    'in a free roll at rest with the waves of the strips 5.19 %, at 10 deg with the drag 5.32 %'
     """
-    roll = free_damping(ship, speed)
-    others = ["the waves of " + ship.radiation_words, *(["lift"] if speed > 0 else [])]
+    return f"added roll damping {_added_words(ship)}; {total_words(ship, free_damping(ship, speed), speed)}"
+
+
+def total_words(ship: Ship, roll: FreeDamping, speed: float) -> str:
+    """What there is in all in a free roll, with what it is made of."""
+    others = ["the waves of " + ship.radiation_words]
+    others += ["lift"] if speed > 0 else []
+    others += ["the measured set"] if ship.measured else []
     nonlinear = " and ".join([*(["the drag"] if roll.drag else []), *([QUADRATIC] if roll.added else [])])
+    where = f"at {speed:.3g} m/s" if speed > 0 else "at rest"
     at = f", at {AMPLITUDE:g} deg" + (f" with {nonlinear}" if nonlinear else "")
     largest = roll.equivalent(np.radians(AMPLITUDE))
-    return f"added roll damping {_added_words(ship)}; in a free roll with {' and '.join(others)} {_percent(roll.ratio)}{at} {_percent(largest)}"
+    return f"in a free roll {where} with {' and '.join(others)} {_percent(roll.ratio)}{at} {_percent(largest)}"
 
 
 def _added_words(ship: Ship) -> str:

@@ -1,4 +1,4 @@
-"""A measured roll decay as the added damping of a ship: what the equations have already is taken off, so that it counts once."""
+"""A measured roll decay as the added damping of a ship, less what its equations have already."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from quartering.hydro.decayrecord import DecayRecord, extremes, read_decay
 from quartering.hydro.freedamping import QUADRATIC, FreeDamping, free_damping, linear_for
 from quartering.hydro.freeroll import free_roll
 from quartering.hydro.froude import energy_decay
-from quartering.hydro.rolldecay import fit_decay
 from quartering.hydro.rolldamping import fraction_of_critical
+from quartering.hydro.rolldecay import fit_decay
 
 PERIOD_APART: Final = 0.05
 """Share by which the period of the record may differ from the ship's before it is said."""
@@ -55,6 +55,7 @@ class RollDecay:
     record : DecayRecord
     fit : DecayFit           linear + quadratic, by the equation of motion
     energy : DecayFit        the same by Froude's energy balance, which uses the extremes alone
+    skip : int               extremes left out after the release
     speed : float            at which the decay was measured [m/s]
     bare : FreeDamping       free roll of the ship with nothing added: waves, lift, drag
     lift : float             of `bare.ratio`, what the speed brings [1]
@@ -68,6 +69,7 @@ class RollDecay:
     record: DecayRecord
     fit: DecayFit
     energy: DecayFit
+    skip: int
     speed: float
     bare: FreeDamping
     lift: float
@@ -84,8 +86,9 @@ class RollDecay:
         waves = f"waves of {self.ship.radiation_words}" + (" and lift" if self.speed else "")
         d = self.fit.nonlinear.value
         nothing = "; that is all of it and more: 0"
+        ratio = f"{self.fit.damping_ratio.value:.4g}"
         return {
-            "roll_damping": f"measured: decay record {name}{at}, {self.fit.damping_ratio.value:.4g} of critical, less the {waves} "
+            "roll_damping": f"measured: decay record {name}{at}, {ratio} of critical, less the {waves} "
             f"({self.bare.ratio:.4g}){'' if self.roll_damping else nothing}",
             QUADRATIC: f"measured: decay record {name}{at}, d = {d:.4g} 1/rad, less the drag of the sections "
             f"({self.bare.drag:.4g} 1/rad){'' if self.quadratic else nothing}",
@@ -204,6 +207,7 @@ def roll_decay(
         record=record,
         fit=fit,
         energy=energy,
+        skip=skip,
         speed=speed,
         bare=bare,
         lift=lift,

@@ -15,6 +15,7 @@ from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, SYMBOLS
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.freedamping import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.forces import Form, form_words
 from quartering.motion.status import Status
@@ -191,6 +192,7 @@ def _heading(ship: Ship, form: Form, harmonics: int) -> Mapping[str, object]:
         "ship_draught": hull.draught,
         "loading": f"GM {loading.gm:.4g} m, KG {loading.kg:.4g} m, k_xx {loading.gyradius_roll:.4g} m,"
         f" k_zz {loading.gyradius_yaw:.4g} m, added roll damping {ship.roll_damping_words}",
+        "roll_damping": damping_words(ship),
         "autopilot": "none" if ship.autopilot is None else ship.autopilot.words,
         "righting_curve": ship.righting,
         "natural_roll_frequency": c.roll_frequency,

@@ -12,6 +12,7 @@ from quartering.conventions import in_unit, written
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.ends import ENDS_WORDS
+from quartering.hydro.freedamping import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
@@ -167,7 +168,8 @@ def notes(ds: xr.Dataset) -> list[str]:
     """Small print of a map: what is estimated, and how it was computed."""
     words = estimated_words(estimates_of(ds.attrs), provenance_of(str(ds.attrs["provenance"])))
     ground = OVER_GROUND if ds.attrs.get("velocities") == "absolute" else ""
-    return [f"{words}{ground} Steady motion: {ds.attrs['steady_motion']}; {ds.attrs['source']}."]
+    damping = f" {sentence(ds.attrs['roll_damping'])}" if "roll_damping" in ds.attrs else ""
+    return [f"{words}{damping}{ground} Steady motion: {ds.attrs['steady_motion']}; {ds.attrs['source']}."]
 
 
 def ship_notes(one: Ship) -> str:
@@ -181,7 +183,19 @@ def ship_notes(one: Ship) -> str:
     """
     estimated = estimates(coefficients(one, 0.5, 0.0).table())
     ground = OVER_GROUND if one.velocities == "absolute" else ""
-    return f"{estimated_words(estimated, one.provenance)}{ground} quartering {version('quartering')}."
+    damping = sentence(damping_words(one))
+    return f"{estimated_words(estimated, one.provenance)} {damping}{ground} quartering {version('quartering')}."
+
+
+def sentence(words: str) -> str:
+    """Words with a capital and a full stop.
+
+    Examples
+    --------
+    >>> sentence("added roll damping 5 % of critical")
+    'Added roll damping 5 % of critical.'
+    """
+    return f"{words[:1].upper()}{words[1:]}."
 
 
 def value_words(name: str, value: float, unit: str) -> str:

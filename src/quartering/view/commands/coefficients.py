@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.freedamping import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.validity import warn_of_conditions
 from quartering.view.commands.conditions import sizes, typed_ship, typed_value
 from quartering.view.options import value
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import estimated_words, speed_words
+from quartering.view.wording import estimated_words, sentence, speed_words
 
 
 def list_coefficients(name: str, speed: str, frequency: str | None, changes: Mapping[str, str], as_json: bool) -> None:
@@ -34,6 +35,7 @@ def list_coefficients(name: str, speed: str, frequency: str | None, changes: Map
     title = f"{one.name} at {speed_words(u, one.hull.length)}, encounter frequency {w:.3g} rad/s; about G, SI"
     show(table(title, ("name", "value", "unit", "kind", "source"), shown, (1,)))
     show("Zeros are left out. Y_r is the hydrodynamic one; the equations also carry -m U.")
+    show(sentence(damping_words(one, u)))
     show(estimated_words(estimates(entries), one.provenance))
     again = option_words(changes)
     show(next_steps(f"quartering forces {name}{again}", f"quartering polar {name}{again}"))

@@ -19,7 +19,7 @@ from quartering.view.commands.conditions import sizes
 from quartering.view.options import value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import speed_words
+from quartering.view.wording import sentence, speed_words
 
 
 class Request(NamedTuple):
@@ -140,8 +140,7 @@ def _print(found: RollDecay, before: Ship) -> None:
         f"Added: roll_damping {rounded(found.roll_damping):g} (of 2 n2 (I_x + a44), as the ship file counts) and {QUADRATIC} "
         f"{rounded(found.quadratic):g} kg m2{_replaced_words(before)}."
     )
-    words = damping_words(found.ship, found.speed)
-    show(f"{words[:1].upper()}{words[1:]}.")
+    show(sentence(damping_words(found.ship, found.speed)))
 
 
 def _row(part: Part) -> tuple[str, str, str, str, str]:

@@ -12,6 +12,7 @@ from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
 from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
+from quartering.hydro.freedamping import FreeDamping, free_damping, total_words
 from quartering.options import OPTIONS, parts
 from quartering.units import quantity
 from quartering.view.commands.conditions import typed_ship
@@ -90,9 +91,14 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
 def loading_rows(one: Ship) -> list[tuple[str, str, str, str]]:
     """Each value of the loading: what it is, how much, its unit, where it comes from."""
     value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
-    return [
+    rows = [
         (words, value.get(key, f"{getattr(one.loading, key):.5g}"), unit, one.provenance.get(key, "given"))
         for key, words, unit in LOADING
+    ]
+    roll = free_damping(one)
+    return [
+        *rows,
+        ("roll damping in all, of critical", f"{roll.ratio:.4g}", "-", f"derived: {total_words(one, roll, 0.0)}"),
     ]
 
 
@@ -123,10 +129,12 @@ def _course(exponents: np.ndarray) -> str:
 
 
 def _facts(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> dict[str, object]:
+    roll: FreeDamping = free_damping(one)
     return {
         "ship": one.name,
         "hydrostatics": dataclasses.asdict(floats),
         "loading": dataclasses.asdict(one.loading),
+        "free_roll_at_rest": {**roll._asdict(), "at_10_deg": roll.equivalent(np.radians(10.0))},
         "righting": dataclasses.asdict(fit),
         "told": dict(one.particulars),
         "calm_water_exponents": [{"speed": u, "exponents": z} for u, z in calm.items()],

@@ -36,7 +36,7 @@ def decay_picture(decay: RollDecay) -> Figure:
 def _draw_record(ax: Axes, decay: RollDecay) -> None:
     """The angle over time with the envelopes of fit and ship."""
     record, fit = decay.record, decay.fit
-    time, _ = swings(decay.record)
+    time, _ = swings(decay.record, decay.skip)
     mean = fit.offset.value
     ax.plot(
         record.time, np.degrees(record.angle - mean), color=style.QUIET, linewidth=0.8, label="record, mean taken off"
@@ -59,7 +59,7 @@ def _draw_record(ax: Axes, decay: RollDecay) -> None:
 
 def _draw_damping(ax: Axes, decay: RollDecay) -> None:
     """Equivalent damping over the amplitude: each swing, the fit, and the parts of the ship one over the other."""
-    _, amplitude = swings(decay.record)
+    _, amplitude = swings(decay.record, decay.skip)
     loss = np.log(amplitude[:-1] / amplitude[1:]) / np.pi
     middle = (amplitude[:-1] + amplitude[1:]) / 2
     reach = np.linspace(0.0, float(amplitude[0]), 50)
@@ -87,8 +87,8 @@ def _draw_damping(ax: Axes, decay: RollDecay) -> None:
 def _note(decay: RollDecay) -> str:
     fit = decay.fit
     parts = (
-        f"Fit: {100 * fit.damping_ratio.value:.3g} % of critical and d = {fit.nonlinear.value:.3g} 1/rad. Written: roll_damping "
-        f"{decay.roll_damping:.4g}, {QUADRATIC} {decay.quadratic:.4g} kg m2.",
+        f"Fit: {100 * fit.damping_ratio.value:.3g} % of critical and d = {fit.nonlinear.value:.3g} 1/rad. Added: "
+        f"roll_damping {decay.roll_damping:.4g}, {QUADRATIC} {decay.quadratic:.4g} kg m2.",
         *decay.notes,
     )
     return " ".join(part.rstrip(".") + "." for part in parts)
