@@ -3,6 +3,7 @@
 import doctest
 import re
 import shlex
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -85,6 +86,8 @@ def test_commands_of_the_pages_print_what_they_show(page, tmp_path, monkeypatch)
 
     from quartering.view.cli import app
 
+    for named in re.findall(r"`(tests/data/[\w.]+)`", page.read_text()):  # the files its sessions work on
+        shutil.copy(ROOT / named, tmp_path)
     monkeypatch.chdir(tmp_path)
     for session in blocks(page, "console"):
         for command, shown in re.findall(r"^\$ quartering (.*)\n((?:(?!\$ ).*\n)*)", session, re.MULTILINE):

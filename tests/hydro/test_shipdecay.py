@@ -33,7 +33,7 @@ def synthetic(ship, zeta, d, first=0.25, swings=24):
 def integrated(ship, speed, first, swings):
     """Free decay of sway, roll and yaw in calm water: linear terms at n2, |q| q of the strips, K_p|p|; linear restoring.
 
-    Written from theory.md 2.1, 2.3 and theory_relative.md 4, with nothing of the module under test; scipy's integrator.
+    Written out here, with nothing of the module under test; scipy's integrator.
     """
     n2 = free_roll(ship).frequency
     c = qt.coefficients(ship, n2, speed)
@@ -113,7 +113,7 @@ def test_a_ship_that_decays_by_its_own_waves_and_drag_gets_nothing():
 
 
 def test_the_drags_share_of_a_box_is_the_closed_form():
-    """theory_relative.md 5: sum c_s |rho_1 - h_s|^3 of a box is c L |rho_1 - h|^3, rho_1 = Y_pdot/(m - Y_vdot) (theory.md 2.3)."""
+    """sum c_s |rho_1 - h_s|^3 of a box is c L |rho_1 - h|^3 with the roll axis rho_1 = Y_pdot/(m - Y_vdot)."""
     box = qt.ship("box")
     n2 = free_roll(box).frequency
     at = {entry.name: entry.value for entry in qt.coefficients(box, n2, 0.0).table()}
@@ -169,7 +169,7 @@ def test_what_was_added_before_does_not_count():
 @pytest.mark.parametrize(
     ("ship", "words"),
     [
-        (S60.with_(coefficients={"K_p": 0.5}), r"K_p \(.*times 0.5\).*leave out"),
+        (S60.with_(factors={"K_p": 0.5}), r"K_p \(.*times 0.5\).*leave out"),
         (replace(S60, overrides={"K_p": -1e8}), r"K_p \(given\).*leave out"),
         (replace(S60, overrides={"K_ppp": -1e8}), r"K_ppp \(given\).*leave it out"),
         (replace(S60, multipliers={QUADRATIC: 2.0}), r"multiplier.*K_p\|p\|"),
@@ -199,10 +199,13 @@ def test_anthineas_from_particulars_offsets_and_decay():
     """
     ship = qt.ship(DATA / "anthineas.yaml")
     assert hydrostatics(ship).volume == pytest.approx(247.1, rel=0.01)
-    assert 2 * np.pi / free_roll(ship).frequency == pytest.approx(6.38, rel=0.05)
-    with pytest.warns(RangeWarning):
-        found = qt.roll_decay(ship, DATA / "anthineas_roll_decay.csv")
-    assert found.roll_damping == 0.0  # the strips' waves are all of the linear part: the decay's is small
+    assert 2 * np.pi / free_roll(ship).frequency == pytest.approx(6.38, rel=0.01)
+    found = qt.roll_decay(ship, DATA / "anthineas_roll_decay.csv")
+    linear = found.fit.damping_ratio
+    assert (
+        found.roll_damping < linear.high - linear.low
+    )  # the waves of the strips are all of it, but for the fit's error
+    assert found.damped.ratio == pytest.approx(linear.value, rel=1e-9)
     assert found.damped.equivalent(np.radians(5.0)) == pytest.approx(0.034, rel=0.05)
     total = -found.quadratic + found.bare.drag * found.bare.inertia
     assert total == pytest.approx(1450000.0, rel=0.12)  # d spans 0.649 to 0.79 between the ways and the analysts

@@ -129,8 +129,8 @@ def read_decay(
 
     Parameters
     ----------
-    path : str or Path         columns parted by comma, semicolon, tab or blanks, with decimal points; lines that start with # are
-                               passed over, and one line of column names may stand first
+    path : str or Path         columns parted by comma, semicolon, tab or blanks, with decimal points; lines that start with #
+                               are passed over, and one line of column names may stand first
     unit : str                 of the angle, "deg" or "rad"; left out, the name of its column must tell: roll_deg, phi [rad]
     columns : tuple of int     which columns hold time [s] and angle, counted from 0; left out, the file has two
     time_factor : float        from model to full scale, sqrt(scale); 1 keeps the time as it is [1]

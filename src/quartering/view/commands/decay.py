@@ -10,13 +10,12 @@ import numpy as np
 from quartering.conventions import InputError
 from quartering.hull.changed_file import changed_text, rounded
 from quartering.hull.ship import Ship, ship
-from quartering.hull.units import quantity
 from quartering.hydro.decayfit import Estimate
 from quartering.hydro.decayrecord import AngleUnit, DecayRecord, read_decay
 from quartering.hydro.freedamping import QUADRATIC, damping_words
 from quartering.hydro.shipdecay import Part, RollDecay, roll_decay
-from quartering.view.commands.conditions import sizes
-from quartering.view.options import value
+from quartering.units import quantity
+from quartering.view.commands.conditions import typed_value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import sentence, speed_words
@@ -48,7 +47,7 @@ def damp_ship(asked: Request, as_json: bool) -> None:
     if output is not None:
         changed_text(asked.ship, {}, output)  # refuses before the work what cannot be written there
     record = _record(asked)
-    found = roll_decay(one, record, speed=value(asked.speed, "speed", sizes(one), "--speed"), skip=asked.skip)
+    found = roll_decay(one, record, speed=typed_value("speed", asked.speed, one.sizes), skip=asked.skip)
     files: list[Any] = []
     if output is not None:
         text = changed_text(asked.ship, _values(found, one), output)
