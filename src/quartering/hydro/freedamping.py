@@ -148,9 +148,10 @@ def damping_words(ship: Ship, speed: float = 0.0) -> str:
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> damping_words(ship("series60-cb60")).split("; ")[0]
+    >>> added, whole = damping_words(ship("series60-cb60").with_(ends="strips")).split("; ")
+    >>> added
     'added roll damping 5 % of critical'
-    >>> damping_words(ship("series60-cb60")).split("; ")[1]
+    >>> whole
     'in a free roll at rest with the waves of the strips 5.19 %, at 10 deg with the drag 5.32 %'
     """
     return f"added roll damping {_added_words(ship)}; {total_words(ship, free_damping(ship, speed), speed)}"
