@@ -29,6 +29,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import state_matrix
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.ship_source import source_of
 
 QUADRATIC: Final = "K_p|p|"
 AMPLITUDE: Final = 10.0
@@ -159,7 +160,7 @@ def damping_words(ship: Ship, speed: float = 0.0) -> str:
 
 def total_words(ship: Ship, roll: FreeDamping, speed: float) -> str:
     """What there is in all in a free roll, with what it is made of."""
-    others = ["the waves of " + ship.radiation_words]
+    others = ["the waves of " + source_of(ship).words]
     others += ["lift"] if speed > 0 else []
     others += ["the measured set"] if ship.measured else []
     nonlinear = " and ".join([*(["the drag"] if roll.drag else []), *([QUADRATIC] if roll.added else [])])

@@ -21,6 +21,7 @@ from quartering.hydro.freeroll import free_roll
 from quartering.hydro.froude import energy_decay
 from quartering.hydro.rolldamping import fraction_of_critical
 from quartering.hydro.rolldecay import fit_decay
+from quartering.hydro.ship_source import source_of
 
 PERIOD_APART: Final = 0.05
 """Share by which the period of the record may differ from the ship's before it is said."""
@@ -83,7 +84,7 @@ class RollDecay:
     def provenance(self) -> dict[str, str]:
         """Where the two values come from, by key of a ship file."""
         name, at = Path(self.record.source).name, f" at {self.speed:.3g} m/s" if self.speed else ""
-        waves = f"waves of {self.ship.radiation_words}" + (" and lift" if self.speed else "")
+        waves = f"waves of {source_of(self.ship).words}" + (" and lift" if self.speed else "")
         d = self.fit.nonlinear.value
         nothing = "; that is all of it and more: 0"
         ratio = f"{self.fit.damping_ratio.value:.4g}"
@@ -256,7 +257,7 @@ def _notes(found: RollDecay, ship: Ship) -> list[str]:
     """What was set to 0, and what does not fit together."""
     fit, bare, notes = found.fit, found.bare, []
     source = Path(found.record.source).name
-    waves = f"the waves of {ship.radiation_words}" + (" and lift" if found.speed else "")
+    waves = f"the waves of {source_of(ship).words}" + (" and lift" if found.speed else "")
     if found.roll_damping == 0.0:
         notes.append(
             f"{source}: its linear damping {100 * fit.damping_ratio.value:.3g} % of critical is not above what {waves} have "

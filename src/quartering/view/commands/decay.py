@@ -13,6 +13,7 @@ from quartering.hull.ship import Ship, ship
 from quartering.hydro.decayfit import Estimate
 from quartering.hydro.decayrecord import AngleUnit, DecayRecord, read_decay
 from quartering.hydro.freedamping import QUADRATIC, damping_words
+from quartering.hydro.ship_source import source_of
 from quartering.hydro.shipdecay import Part, RollDecay, roll_decay
 from quartering.units import quantity
 from quartering.view.commands.conditions import typed_value
@@ -158,7 +159,7 @@ def _has_words(found: RollDecay) -> str:
     drag = f"drag of the sections (C_D {found.ship.drag_coefficient:g}) d = {bare.drag:.3g} 1/rad"
     if not bare.drag:
         drag = "no drag of the sections (drag_coefficient 0)"
-    return f"waves of {found.ship.radiation_words} {100 * (bare.ratio - found.lift):.3g} % of critical{lift}; {drag}"
+    return f"waves of {source_of(found.ship).words} {100 * (bare.ratio - found.lift):.3g} % of critical{lift}; {drag}"
 
 
 def _replaced_words(before: Ship) -> str:
