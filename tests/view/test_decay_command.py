@@ -231,3 +231,13 @@ def test_every_table_of_the_loading_says_what_there_is_in_all(run):
     ahead = " ".join(run("coefficients", "series60-cb60", "--speed", "8").stdout.split())
     assert "in a free roll at 8 m/s with the waves of the strips" in ahead
     assert "and lift" in ahead
+
+
+def test_a_model_record_of_a_tanker_is_read_at_full_scale(run):
+    """KVLCC2 at SSPA, 1:68 (head of the file): published mean period of the swings 20.98 s, that of small ones 0.4 % longer."""
+    words = ["--ship", "s175", "--scale", "68", "--json"]
+    result = run("decay", DATA / "kvlcc2_roll_decay.csv", *words)
+    facts = json.loads(result.stdout)
+    assert facts["period"] == pytest.approx(20.98, rel=0.005)
+    assert "its period is 21.1 s and that of" in result.stderr  # a record of another ship is told by its period
+    assert len(facts["notes"]) == result.stderr.count("note:")
