@@ -43,8 +43,8 @@ def test_ends_are_nowhere_farther_from_panels_than_strips(name):
 
 
 @pytest.mark.parametrize("name", SHIPS)
-def test_sway_is_within_six_per_cent_in_short_and_long_waves(name):
-    assert apart(name, "three-dimensional")[:, 0].max() < 0.06
+def test_sway_is_within_seven_per_cent_in_short_and_long_waves(name):
+    assert apart(name, "three-dimensional")[:, 0].max() < 0.07
 
 
 @pytest.mark.parametrize("name", SHIPS)

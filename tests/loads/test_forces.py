@@ -144,7 +144,7 @@ def test_dataset_says_what_it_is_and_survives_netcdf(tmp_path):
     assert forces.attrs["form"] == "stf"
     assert "0 deg following" in forces.attrs["heading_convention"]
     assert "centre of gravity" in forces.attrs["reference_point"]
-    assert forces.attrs["references"] == "H71, STF70"
+    assert forces.attrs["references"] == "H71, STF70, Morino74"
     assert forces.attrs["ship"] == CARGO.name
     assert forces.attrs["frequency"] == pytest.approx(abs(forces["encounter_frequency"].item()))
     for variable in forces.data_vars.values():

@@ -100,7 +100,7 @@ def test_three_dimensional_ends_halve_the_error_of_the_held_moment_at_least(meas
 def test_strips_and_panels_part_at_the_ends_of_the_ship():
     """Sway-roll added mass, column by column of panels: the two outer eighths hold 96 % of the difference."""
     pytest.importorskip("capytaine")
-    ship = qt.ship("series60-cb60")
+    ship = qt.ship("series60-cb60").with_(ends="strips")
     found = example.coupling_along(ship, np.sqrt(2 * np.pi * 9.81 / ship.hull.length))
     from_midship = np.abs(found["x"] + qt.hydrostatics(ship).lcb) / ship.hull.length
     apart = (found["strips"] - found["panels"]) * found["width"]

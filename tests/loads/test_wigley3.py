@@ -124,9 +124,12 @@ def test_three_dimensional_ends_bring_added_mass_to_that_of_panels(force, motion
 
 @pytest.mark.parametrize(("mode", "heading"), [("sway", 90.0), ("roll", 90.0), ("yaw", 150.0)])
 def test_three_dimensional_ends_bring_forces_to_those_of_panels(mode, heading):
-    """Waves of the ship's length and more, modulus within 6 %; strips are up to 18 and 24 % off in roll and yaw."""
+    """Waves of the ship's length and more, modulus within 6 %; strips are up to 18 and 24 % off in roll and yaw.
+
+    Yaw 7 %: the correction begins to fade here, which costs it 2 % (and gains more in shorter waves, `test_end_forces`).
+    """
     ratio = np.abs(strip(mode, heading, ends="three-dimensional") / tabulated(mode, heading))[RATIO > 1.0]
-    assert (np.abs(ratio - 1) < 0.06).all(), ratio
+    assert (np.abs(ratio - 1) < (0.07 if mode == "yaw" else 0.06)).all(), ratio
 
 
 def test_our_mesh_gives_the_tabulated_panel_forces():

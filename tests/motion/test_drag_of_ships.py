@@ -17,23 +17,27 @@ ORDERS = (1, 3, 5, 7, 9)
 
 def steep(name: str):
     rows = [row for row in ROWS if row["ship"] == name]
-    ship = qt.ship(name)
+    ship = qt.ship(name).with_(ends="strips", drag="strips")
     length = np.array([row["lambda_over_L"] for row in rows]) * ship.hull.length
     slope = np.array([1 / float(row["steepness"].split("/")[1]) for row in rows])
     speed, heading = (np.array([row[key] for row in rows]) for key in ("speed", "heading_deg"))
-    at = ship_system(ship, 2 * np.pi / length, speed, heading, drag="strips")
+    at = ship_system(ship, 2 * np.pi / length, speed, heading)
     return rows, at.at_amplitude((0.5 * slope * length)[:, None])
 
 
 @pytest.mark.parametrize("name", ["series60-cb60", "s175"])
 def test_steep_waves_agree_with_integration_elsewhere(name):
-    """Roll and sway to 2 %, yaw to 3 %, exponents to 3 % of the reference, which integrates |q| q from rest."""
+    """Roll and sway to 2 %, yaw to 3 %, exponents to 3 % of the reference, which integrates |q| q from rest.
+
+    Its S-175 had most sections on Lewis forms; on their own contours roll at resonance comes out up to 3.4 % lower: 4 % there.
+    """
+    share = 0.04 if name == "s175" else 0.02
     rows, system = steep(name)
     np.testing.assert_allclose(system.frequency, [row["omega"] for row in rows], rtol=1e-4)
     u, status, _ = harmonic_balance(system, ORDERS, from_rest=True)
     assert (status <= 1).all()
     sway, roll, yaw = np.hypot(u[:, :, 0], u[:, :, 1]).T
-    np.testing.assert_allclose(np.degrees(roll), [row["roll_deg"] for row in rows], rtol=0.02, atol=0.1)
+    np.testing.assert_allclose(np.degrees(roll), [row["roll_deg"] for row in rows], rtol=share, atol=0.1)
     np.testing.assert_allclose(sway, [row["sway"] for row in rows], rtol=0.02, atol=np.radians(0.1))
     np.testing.assert_allclose(np.degrees(yaw), [row["yaw_deg"] for row in rows], rtol=0.03, atol=0.02)
     found = assess(system, u, ORDERS)

@@ -7,11 +7,12 @@ sway added mass between zero and infinite frequency, where both can be solved ag
 
     psi(w) = psi_2D(0) + f d + m (psi_2D(w) - psi_2D(0)),    a and b likewise.
 
-The factor f takes d into short waves. d rests on the calm plane being a wall, in which a point at depth z has its image 2 z
-away. That image is made of wave numbers q along the plane, with weights e^{-2 q z}. Those above w^2/g make no waves, and the
-plane is a wall to them; those below do, and radiate from the section as in the strip. So what is left of d is
+The factor f takes d into short waves. d rests on the calm plane being a wall, in which the section, of draught T, has its
+image. Sway and roll set the water moving as dipoles do; the flow of one, 2 T away in the image, is made of wave numbers q along
+the plane with weights q e^{-2 q T}. Those above w^2/g make no waves, and the plane is a wall to them; those below do, and
+radiate from the section as in the strip. So what is left of d is
 
-    f = int_{w^2/g}^inf e^{-2 q z} dq / int_0^inf e^{-2 q z} dq = e^{-2 z w^2/g} .
+    f = int_{w^2/g}^inf q e^{-2 q T} dq / int_0^inf q e^{-2 q T} dq = (1 + 2 T w^2/g) e^{-2 T w^2/g} .
 
 f is real: what it takes from added mass has no damping of its own, so Kramers and Kronig hold for the memory and not for f d.
 
@@ -122,7 +123,7 @@ def _memory(potential: Floats, flux: Floats) -> Floats:
     return np.asarray(((potential[0] - potential[1]) * flux)[..., 0].sum(axis=1))
 
 
-def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect) -> SectionTable:
+def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect, draught: float) -> SectionTable:
     """Section coefficients and potentials with three-dimensional ends.
 
     Parameters
@@ -130,6 +131,7 @@ def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect) -> Secti
     table : SectionTable    of strips, the first of its frequencies 0
     immersed : Strips       the same sections
     effect : EndEffect      of their hull
+    draught : float         T of the hull [m]
 
     Returns
     -------
@@ -148,13 +150,13 @@ def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect) -> Secti
     >>> from quartering.hydro.table import radiation_table
     >>> hull = wigley_hull(100.0, 10.0, 6.25, 10.0)
     >>> table = radiation_table(strips(hull), [0.0, 0.5], 1025.0)
-    >>> ratio = with_ends(table, strips(hull), end_effect(hull)).a_zero[:, 0] / table.a_zero[:, 0]
+    >>> ratio = with_ends(table, strips(hull), end_effect(hull), 6.25).a_zero[:, 0] / table.a_zero[:, 0]
     >>> ratio[[0, 20]].round(1).tolist()  # the stem, and amidships
     [0.0, 1.0]
     """
     m = np.interp(immersed.x, effect.x, effect.memory)[:, None]
-    fading = np.exp(-2.0 * table.z * (table.frequency**2 / GRAVITY)[:, None, None])
-    change = fading[..., None] * _on_contours(table, immersed, effect)
+    short = 2.0 * draught * table.frequency**2 / GRAVITY
+    change = ((1.0 + short) * np.exp(-short))[:, None, None, None] * _on_contours(table, immersed, effect)
     normal = np.stack([table.ny, table.y * table.nz - table.z * table.ny], axis=-1)
     mass = -2.0 * table.density * np.einsum("fsni,snj->fsij", change, normal)
     added = np.stack([mass[..., 0, 0], 0.5 * (mass[..., 0, 1] + mass[..., 1, 0]), mass[..., 1, 1]], axis=-1)

@@ -80,7 +80,7 @@ def _three_dimensional(hull: Hull, frequency: Floats, density: float) -> Section
     immersed = strips(hull)
     with_still = frequency if frequency.size and frequency[0] == 0.0 else np.append(0.0, frequency)
     table = radiation_table(immersed, with_still, density, method=hull.section_method)
-    table = with_ends(table, immersed, end_effect(hull))
+    table = with_ends(table, immersed, end_effect(hull), hull.draught)
     kept = slice(with_still.size - frequency.size, None)
     return replace(table, frequency=table.frequency[kept], a=table.a[kept], b=table.b[kept], psi=table.psi[kept])
 
