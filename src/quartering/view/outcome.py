@@ -9,14 +9,15 @@ from typing import Any
 
 import typer
 
-from quartering.conventions import InputError, RangeWarning
+from quartering.conventions import DamageWarning, InputError, RangeWarning
 
 BAD_INPUT, INTERRUPTED = 2, 130
+_TOLD = (RangeWarning, DamageWarning)
 
 
 @contextmanager
 def answering() -> Iterator[None]:
-    """Run the body of a command: its refusals become one message on stderr, its range warnings plain lines.
+    """Run the body of a command: its refusals become one message on stderr, its warnings of range and of damage plain lines.
 
     Raises
     ------
@@ -25,7 +26,7 @@ def answering() -> Iterator[None]:
     said: set[str] = set()
 
     def say(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
-        if not issubclass(category, RangeWarning):
+        if not issubclass(category, _TOLD):
             usual(message, category, *place, **more)
         elif str(message) not in said:
             said.add(str(message))
@@ -33,7 +34,8 @@ def answering() -> Iterator[None]:
 
     with warnings.catch_warnings():
         usual = warnings.showwarning
-        warnings.simplefilter("always", RangeWarning)
+        for told in _TOLD:
+            warnings.simplefilter("always", told)
         warnings.showwarning = say
         try:
             yield
