@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Sequence
-from typing import NamedTuple, TypeVar
+from collections.abc import Awaitable, Callable, Sequence
+from itertools import islice
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 import xarray as xr
@@ -16,11 +17,12 @@ from quartering.hull.told import number
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.simulate import simulate
 from quartering.study.branch import branch
+from quartering.study.cure import Cure
 from quartering.study.loadings import loaded
 from quartering.study.polar import polar
 from quartering.study.sensitivity import sensitivity
 from quartering.units import quantity
-from quartering.view.commands.verdict import Examined, examine
+from quartering.view.commands.verdict import Examined, examine, seek_help
 from quartering.view.explorer.fleet import Known
 from quartering.view.explorer.state import LOADING, State
 
@@ -29,6 +31,8 @@ RATIOS = np.round(np.linspace(0.4, 2.3, 20), 10)
 """Headings [deg] and wave lengths over the ship's length of the map."""
 
 _HEADINGS_AT_ONCE = 5
+_SHIPS_AT_ONCE = 4
+"""Ships tried in one piece of the search for cures: about the work of a verdict."""
 _CYCLES, _PUSH, _START = 12, math.radians(1.0), math.radians(5.0)
 
 Answer = TypeVar("Answer")
@@ -146,3 +150,17 @@ def noting(work: Callable[[], Answer]) -> Callable[[], tuple[Answer, list[str]]]
         return answer, list(dict.fromkeys(str(one.message) for one in said if issubclass(one.category, RangeWarning)))
 
     return done
+
+
+async def sought(
+    found: Examined, take: Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]], wanted: Callable[[], bool]
+) -> list[Cure]:
+    """The cures of a condition, sought in pieces between which others are served, as long as they are wanted."""
+    steps = seek_help(found)
+    healing: list[Cure] = []
+    while wanted():
+        piece, _ = await take(lambda: list(islice(steps, _SHIPS_AT_ONCE)))
+        if not piece:
+            break
+        healing = piece[-1]
+    return healing
