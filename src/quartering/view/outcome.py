@@ -10,6 +10,7 @@ from typing import Any
 import typer
 
 from quartering.conventions import DamageWarning, InputError, RangeWarning
+from quartering.view.interrupts import listening
 
 BAD_INPUT, INTERRUPTED = 2, 130
 _TOLD = (RangeWarning, DamageWarning)
@@ -32,7 +33,7 @@ def answering() -> Iterator[None]:
             said.add(str(message))
             typer.echo(f"note: {message}", err=True)
 
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), listening():
         usual = warnings.showwarning
         for told in _TOLD:
             warnings.simplefilter("always", told)
