@@ -1,4 +1,4 @@
-"""Products row by row, for arrays whose rows are conditions."""
+"""Products row by row, for arrays whose rows are conditions: no row's digits depend on the rows beside it."""
 
 from __future__ import annotations
 
@@ -32,3 +32,30 @@ def rowwise(rows: NDArray[Any], matrix: NDArray[Any]) -> NDArray[Any]:
     [[3.0], [7.0]]
     """
     return np.asarray(np.matmul(rows[:, None, :], matrix)[:, 0])
+
+
+def contracted(one: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
+    """Sum of products over the last axis, of few elements, in one order.
+
+    Parameters
+    ----------
+    one, other : (..., j)    that broadcast
+
+    Returns
+    -------
+    (...)
+
+    Notes
+    -----
+    `numpy.einsum` goes through its axes in an order that it chooses by their lengths and strides, and so adds up one row alone
+    in another way than many.
+
+    Examples
+    --------
+    >>> contracted(np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([1.0, 10.0])).tolist()
+    [21.0, 43.0]
+    """
+    total = one[..., 0] * other[..., 0]
+    for j in range(1, one.shape[-1]):
+        total = total + one[..., j] * other[..., j]
+    return np.asarray(total)

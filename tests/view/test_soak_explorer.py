@@ -33,7 +33,7 @@ def _verdict_takes(explorer):
 def test_five_hundred_calls_are_answered_or_told_to_wait_and_the_next_is_served(explorer):
     """Sixteen at a time, some of ships that keep no course, whose cures are sought in vain; one in ten leaves at once."""
     random = np.random.default_rng(500)
-    unsteady = {"ship": "box", "speed": 8.0, "heading": 40, "wave_length": 120, "wave_height": 3}
+    unsteady = {"ship": "dtc", "speed": 11.0, "heading": 20, "wave_length": 100, "wave_height": 5}
     cases = [CONDITION | {"heading": int(random.integers(5, 175))} for _ in range(5)] + [LOST, unsteady]
 
     def call(number):

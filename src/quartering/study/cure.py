@@ -120,7 +120,7 @@ def seek(
 
     Yields
     ------
-    list of Cure    found so far, after each ship that was tried; a refinement counts as one
+    list of Cure    found so far, after each ship that was tried
 
     Raises
     ------
@@ -198,16 +198,28 @@ def _nearest(excess: Callable[[float], float]) -> Iterator[float | None]:
                 break
             yield None
             if value < 0:
-                crossings.append(_refined(excess, before, float(factor)))
+                crossing = None
+                for crossing in _refined(excess, before, float(factor)):  # noqa: B007
+                    yield None
+                crossings += [] if crossing is None else [crossing]
                 break
             before = float(factor)
     yield min(crossings, key=lambda f: abs(np.log(f))) if crossings else None
 
 
-def _refined(excess: Callable[[float], float], unstable: float, stable: float) -> float:
-    """Factor where the sign changes, on its stable side."""
+def _refined(excess: Callable[[float], float], unstable: float, stable: float) -> Iterator[float | None]:
+    """Factor where the sign changes, on its stable side: the last of what comes, after each ship that is tried.
 
-    def finite(factor: float) -> float:
-        return min(excess(factor), 1e6)
-
-    return float(brentq(finite, unstable, stable, xtol=1e-6))
+    Brent's method is begun anew with one value more until it lacks none: it asks for the same ones each time.
+    """
+    known: dict[float, float] = {}
+    while True:
+        try:
+            root = float(brentq(known.__getitem__, unstable, stable, xtol=1e-6))
+        except KeyError as lacking:
+            factor = float(lacking.args[0])
+            known[factor] = min(excess(factor), 1e6)
+            yield None
+        else:
+            yield root
+            return

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Awaitable, Callable, Sequence
-from itertools import islice
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -31,8 +30,6 @@ RATIOS = np.round(np.linspace(0.4, 2.3, 20), 10)
 """Headings [deg] and wave lengths over the ship's length of the map."""
 
 _HEADINGS_AT_ONCE = 5
-_SHIPS_AT_ONCE = 4
-"""Ships tried in one piece of the search for cures: about the work of a verdict."""
 _CYCLES, _PUSH, _START = 12, math.radians(1.0), math.radians(5.0)
 
 Answer = TypeVar("Answer")
@@ -155,12 +152,12 @@ def noting(work: Callable[[], Answer]) -> Callable[[], tuple[Answer, list[str]]]
 async def sought(
     found: Examined, take: Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]], wanted: Callable[[], bool]
 ) -> list[Cure]:
-    """The cures of a condition, sought in pieces between which others are served, as long as they are wanted."""
+    """The cures of a condition, sought ship by ship, others being served between, as long as they are wanted."""
     steps = seek_help(found)
     healing: list[Cure] = []
     while wanted():
-        piece, _ = await take(lambda: list(islice(steps, _SHIPS_AT_ONCE)))
-        if not piece:
+        more, _ = await take(lambda: next(steps, None))
+        if more is None:
             break
-        healing = piece[-1]
+        healing = more
     return healing

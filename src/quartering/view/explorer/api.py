@@ -12,6 +12,7 @@ import xarray as xr
 from fastapi import APIRouter, FastAPI, HTTPException, Query, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
+from starlette.exceptions import HTTPException as StarletteError
 
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, own_words
@@ -25,6 +26,7 @@ from quartering.view.commands.verdict import Examined, examine, facts
 from quartering.view.explorer.answers import joined, noting, sought
 from quartering.view.explorer.calls import PolarCall, VerdictCall
 from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.guard import METHODS
 from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
 from quartering.view.explorer.turns import Turns
 from quartering.view.terminal import plain
@@ -34,7 +36,6 @@ _RESULTS = ("roll", "roll_peak", "sway", "yaw", "k2", "exponent", "encounter_fre
 _BUSY, _CLIENT_LEFT = 503, 499
 _MOST_CALLS, _MOST_SEARCHES = 32, 4
 _OF_POST = (400, 403, 408, 413, 415, 422, 500, 503)
-_METHODS = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS", "TRACE"]
 _TAKEN = {"verdict": "GET, POST", "polar": "POST", "docs": "GET", "openapi.json": "GET"}
 
 
@@ -124,7 +125,7 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
 def _refuse_the_rest(server: FastAPI, routes: APIRouter) -> None:
     """Give every other refusal of the service the shape of its own."""
 
-    @routes.api_route("/{rest:path}", methods=_METHODS, include_in_schema=False)
+    @routes.api_route("/{rest:path}", methods=METHODS, include_in_schema=False)
     async def nothing(request: Request, rest: str) -> JSONResponse:
         taken = _TAKEN.get(rest)
         if taken is None:
@@ -137,8 +138,9 @@ def _refuse_the_rest(server: FastAPI, routes: APIRouter) -> None:
     async def invalid(_: Request, error: RequestValidationError) -> JSONResponse:
         return refused(without_paths("; ".join(_problem(one) for one in error.errors()[:5])))
 
+    @server.exception_handler(StarletteError)
     @server.exception_handler(HTTPException)
-    async def wrong(_: Request, error: HTTPException) -> JSONResponse:
+    async def wrong(_: Request, error: StarletteError) -> JSONResponse:
         return refused(str(error.detail), error.status_code, **(error.headers or {}))
 
     @server.exception_handler(Exception)

@@ -25,6 +25,8 @@ _PATIENCE, _SLOWEST = 30.0, 2_000.0
 _TOO_LARGE = f"the request is larger than {LARGEST_BODY / 1e6:.0f} MB; send a smaller file"
 _TOO_SLOW = "the request came too slowly; send it again over a better line"
 _NOT_JSON = "this address takes JSON; send it with the header content-type: application/json"
+METHODS: Final = ["GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS", "TRACE"]
+"""Methods that get as far as an address, which takes them or not."""
 _READS = ("GET", "HEAD", "OPTIONS")
 _OWN_HEADERS: Final = (
     (b"content-security-policy", b"frame-ancestors 'self'"),
@@ -115,6 +117,8 @@ def _too_much(scope: Scope, headers: Headers) -> tuple[int, str] | None:
     """Status and reason where a request says it is too large, or is not what its address takes."""
     if scope["type"] != "http":
         return None
+    if scope["method"] not in METHODS:
+        return 405, f"{scope['method'][:20]} is a method no address here takes; try GET, or POST with JSON"
     said = headers.get("content-length", "0")
     if not said.isdigit() or int(said) > LARGEST_BODY:
         return 413, _TOO_LARGE
