@@ -22,8 +22,9 @@ quick: $(VENV)/.dev
 test: $(VENV)/.dev
 	@$(MAKE) --no-print-directory --jobs 2 lint types tests-all
 
-# Kills at any moment, peak memory, interrupts of whole programs: long, and in part by chance.
-soak: $(VENV)/.dev
+# Kills and interrupts at any moment, a full disk, peak memory, a loaded server: long, and in part by chance. As root nothing is
+# left out that root alone can do; what this machine cannot is skipped with its reason.
+soak: $(VENV)/.soak
 	$(BIN)/python -m pytest -m soak
 
 # The newest releases of everything, in place of the versions of constraints.txt: red here is news, not a fault.
@@ -77,6 +78,10 @@ $(VENV)/.demo: $(VENV)/pyvenv.cfg pyproject.toml $(CONSTRAINTS)
 $(VENV)/.dev: $(VENV)/pyvenv.cfg pyproject.toml $(CONSTRAINTS)
 	$(PIP) --editable '.[dev]'
 	touch $@ $(VENV)/.demo
+
+$(VENV)/.soak: $(VENV)/.dev
+	$(PIP) --editable '.[dev,soak]'
+	touch $@
 
 $(VENV)/.docs: $(VENV)/.dev
 	$(PIP) --editable '.[docs]'

@@ -18,7 +18,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from quartering.conventions import InputError, RangeWarning
+    from quartering.conventions import DamageWarning, InputError, RangeWarning
     from quartering.hull.autopilot import Autopilot
     from quartering.hull.hydrostatics import hydrostatics
     from quartering.hull.righting import righting_arm
@@ -54,6 +54,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "Autopilot": "hull.autopilot",
     "InputError": "conventions",
+    "DamageWarning": "conventions",
     "RangeWarning": "conventions",
     "hydrostatics": "hull.hydrostatics",
     "righting_arm": "hull.righting",
@@ -94,6 +95,7 @@ _HOMES = {
 }
 __all__ = [
     "Autopilot",
+    "DamageWarning",
     "InputError",
     "Loading",
     "Model",

@@ -38,6 +38,10 @@ class RangeWarning(UserWarning):
     """A result leaves the range in which its method is valid."""
 
 
+class DamageWarning(UserWarning):
+    """Something kept on disk is not what was written, and is made anew."""
+
+
 class Symbol(NamedTuple):
     """How a quantity is written: its letter, its unit and what it means."""
 

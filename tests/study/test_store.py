@@ -207,7 +207,8 @@ def test_a_damaged_block_is_computed_again(stored, tmp_path):
     (folder / "blocks" / "0000004.nc").write_bytes(b"")
     with pytest.raises(qt.InputError, match="2 of"):
         open_result(folder)
-    qt.sweep(SHIP, **CONDITIONS, store=folder)
+    with pytest.warns(qt.DamageWarning, match="2 of"):
+        qt.sweep(SHIP, **CONDITIONS, store=folder)
     assert _blocks(folder) == _blocks(stored)
 
 

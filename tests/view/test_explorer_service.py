@@ -59,7 +59,7 @@ def test_polar_is_that_of_the_library(explorer):
         assert served["units"][name] == ds[name].attrs["units"]
     assert served["verdict"][0][0][0] == "stable"
     assert "K_ppp" in served["estimated_coefficients"]
-    assert ask(explorer, "/api/polar", query=MAP)[1]["roll"] == served["roll"]
+    assert ask(explorer, "/api/polar", query=MAP) == (405, {"error": "/api/polar takes POST, not GET"})
 
 
 def test_bilge_keels_can_be_asked_for(explorer):
@@ -111,6 +111,78 @@ def test_the_service_describes_itself_without_the_network(explorer):
     assert "https:" not in page
     with urllib.request.urlopen(f"{explorer.address}/api/openapi.json") as answer:
         assert set(json.load(answer)["paths"]) == {"/api/verdict", "/api/polar"}
+
+
+LOST = {"ship": "dtmb5415", "speed": 14, "heading": 50, "wave_length": 200, "wave_height": 10}
+"""A motion that is unstable: the cures of it are sought, which takes some hundred verdicts."""
+
+
+def test_cures_are_sought_by_post_alone(explorer):
+    assert ask(explorer, "/api/verdict", query=LOST)[1]["cures"] is None
+    cures = ask(explorer, "/api/verdict", LOST)[1]["cures"]
+    ship, wave = qt.ship("dtmb5415"), qt.Wave(200.0, 10.0)
+    expected = [(cure.parameter, pytest.approx(cure.needed, rel=1e-9)) for cure in qt.cures(ship, wave, 14.0, 50.0)[:3]]
+    assert expected
+    assert [(cure["parameter"], cure["needed"]) for cure in cures] == expected
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "headers", "data", "status"),
+    [
+        ("GET", "/api/nothing", {}, None, 404),
+        ("GET", "/api/polar", {}, None, 405),
+        ("DELETE", "/api/verdict", {"content-type": "application/json"}, None, 405),
+        ("POST", "/api/verdict", {"content-type": "text/plain"}, b"{}", 415),
+        ("POST", "/api/polar", {"content-type": "application/x-www-form-urlencoded"}, b"ship=wigley", 415),
+        ("POST", "/api/polar", {"content-type": "application/json", "origin": "http://other.example"}, b"{}", 403),
+        ("GET", "/api/verdict", {"host": "other.example"}, None, 400),
+        ("GET", "/api/verdict", {"origin": "null"}, None, 403),
+        ("GET", "/api/verdict", {"sec-fetch-site": "cross-site", "sec-fetch-dest": "image"}, None, 403),
+        ("GET", "/api/verdict", {}, None, 422),
+        ("POST", "/api/verdict", {"content-type": "application/json"}, b"{", 422),
+        ("POST", "/api/verdict", {"content-type": "application/json"}, b"\xff\x02", 400),
+        ("BREW", "/api/verdict", {}, None, 405),
+        ("GET", "/_nicegui_ws/socket.io/?EIO=4&transport=polling", {"origin": "http://other.example"}, None, 403),
+    ],
+)
+def test_every_refusal_has_the_documented_shape(explorer, method, path, headers, data, status):
+    request = urllib.request.Request(explorer.address + path, data, headers, method=method)
+    with pytest.raises(urllib.error.HTTPError) as refused, urllib.request.urlopen(request, timeout=600):
+        pass
+    with refused.value as answer:
+        assert answer.code == status
+        assert answer.headers["access-control-allow-origin"] is None
+        content = json.loads(answer.read())
+    assert list(content) == ["error"]
+    assert content["error"]
+
+
+def test_the_refusals_are_described(explorer):
+    with urllib.request.urlopen(f"{explorer.address}/api/openapi.json") as answer:
+        described = json.load(answer)
+    for path, methods in described["paths"].items():
+        for method, route in methods.items():
+            for status in set(route["responses"]) - {"200"}:
+                shape = route["responses"][status]["content"]["application/json"]["schema"]
+                assert shape == {"$ref": "#/components/schemas/Problem"}, (path, method, status)
+    assert described["components"]["schemas"]["Problem"]["required"] == ["error"]
+
+
+def test_a_caller_who_leaves_frees_its_place_at_once(explorer):
+    """Sixty callers ask for large maps and leave; of those who stay none is told to wait, and a verdict is answered."""
+    large = MAP | {
+        "heading": [i / 2 for i in range(360)],
+        "speed": [1.0, 2.0, 3.0, 4.0],
+        "wave_length": list(range(100, 110)),
+    }
+    content = json.dumps(large).encode()
+    head = "POST /api/polar HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/json\r\n"
+    head += f"content-length: {len(content)}\r\n\r\n"
+    for _ in range(60):
+        with socket.create_connection(("127.0.0.1", explorer.port), timeout=300) as sent:
+            sent.sendall(head.encode() + content)
+    for _ in range(3):
+        assert ask(explorer, "/api/verdict", CONDITION)[0] == 200
 
 
 def test_a_200_megabyte_upload_is_refused_before_it_is_sent(explorer):

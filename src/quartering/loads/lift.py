@@ -11,6 +11,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.loads.water import surface_slope, water_velocity
 from quartering.loads.waves import Floats, Phasors
+from quartering.rowwise import contracted
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
@@ -84,7 +85,7 @@ def moving_water_force(
     """
     w = np.stack([water[0], water[1]], axis=-1)
     rate = 1j * np.abs(np.asarray(frequency, dtype=float))[:, None]
-    by_lift, by_mass = (np.einsum("nij,nj->ni", matrix[:, :, ::2], w) for matrix in (lift, added_mass))
+    by_lift, by_mass = (contracted(matrix[:, :, ::2], w[:, None]) for matrix in (lift, added_mass))
     return np.asarray(rate * by_mass - by_lift)
 
 

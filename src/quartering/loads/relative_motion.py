@@ -138,7 +138,7 @@ def section_average(strips: Strips, wavenumber: ArrayLike, heading: ArrayLike, *
         share = -breadth * strips.dz[s]
         if share.sum() > 0:
             field = np.exp(-depth_factor * np.outer(k, strips.z[s])) * np.sinc(np.outer(k2, strips.y[s]) / np.pi)
-            average[:, s] = field @ (share / share.sum())
+            average[:, s] = (field * (share / share.sum())).sum(axis=1)  # row by row, see `rowwise`
     return average
 
 

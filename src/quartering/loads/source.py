@@ -19,6 +19,7 @@ from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.stations import stations
 from quartering.loads.strip_forces import FORMS, Form, wave_force_phasors
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, folded
+from quartering.rowwise import rowwise
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
@@ -165,7 +166,7 @@ def _about_gravity_centre(source: Hydrodynamics, force: Phasors, k: Floats, mu: 
     """Forces about midship at the calm plane, moved to G with the surface at G as reference of the phases."""
     x_g, z0 = source.centre
     phase = np.exp(1j * k * x_g * np.cos(np.radians(mu)))
-    return np.asarray(phase[:, None] * force @ transfer_matrix(-x_g, z0))
+    return rowwise(phase[:, None] * force, transfer_matrix(-x_g, z0))
 
 
 def _wave(wavenumber: Floats, heading: Floats) -> tuple[Floats, Floats]:

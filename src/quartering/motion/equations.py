@@ -21,6 +21,7 @@ from quartering.motion.steering import steered
 from quartering.motion.terms import TermTable, checked_number, term_table
 from quartering.motion.water import Strips, relative_inputs, relative_terms
 from quartering.names import RUDDER_NAMES
+from quartering.rowwise import contracted
 
 Floats = NDArray[np.float64]
 
@@ -263,7 +264,7 @@ def canonical(
 
     def row(force: ArrayLike) -> Floats:
         forces = np.broadcast_to(np.asarray(force, dtype=float), (w.size, 3))
-        return np.ascontiguousarray(np.einsum("...ij,...j->...i", inverse, forces))
+        return np.ascontiguousarray(contracted(inverse, forces[..., None, :]))
 
     def rows(matrix: Floats) -> Floats:
         product = inverse @ matrix

@@ -24,8 +24,9 @@ _CONVERGED, _BY_FOLLOWING = int(Status.CONVERGED), int(Status.CONVERGED_BY_FOLLO
 _RUNAWAY = 1e9
 _NO_MOTION, _SINGULAR, _NOT_FINITE = int(Status.NO_MOTION_FOUND), int(Status.SINGULAR), int(Status.NOT_FINITE)
 
-_WORTH_A_ROW = 8
-"""Conditions from which on a row abreast, filled or not, costs less than they do one at a time."""
+_MOST_ABREAST = 40
+"""Columns of a motion up to which a row of conditions is tried abreast, be they many or one: beyond, their matrices would fill
+the memory. The number of conditions must not decide: the two ways differ in the last digits."""
 
 
 @inner
@@ -187,7 +188,7 @@ def harmonic_balance(
     >>> bool(np.allclose(u[0, 1], [0.0, 0.1])), int(status[0])
     (True, 0)
     """
-    return _solved(system, orders, start, from_rest, abreast=system.plain and system.count >= _WORTH_A_ROW)
+    return _solved(system, orders, start, from_rest, abreast=system.plain and 2 * len(orders) <= _MOST_ABREAST)
 
 
 def solve_with_care(

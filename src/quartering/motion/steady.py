@@ -15,6 +15,7 @@ from quartering.motion.harmonic import checked_harmonics, harmonic_balance, orde
 from quartering.motion.status import Status
 from quartering.motion.steering import holds_heading
 from quartering.motion.struble import modified_struble
+from quartering.rowwise import rowwise
 
 _PEAK_SAMPLES = 256
 Start = Literal["linear", "rest"]
@@ -150,7 +151,7 @@ def roll_peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
     >>> roll_peaks(np.array([[[0.0, 1.0], [0.3, 0.4], [0.0, 0.0]]]), (1,)).round(3)
     array([0.5])
     """
-    return np.abs(u[:, 1] @ _sampled(orders)).max(axis=1)
+    return np.asarray(np.abs(rowwise(u[:, 1], _sampled(orders))).max(axis=1))
 
 
 def _sampled(orders: tuple[int, ...]) -> Floats:

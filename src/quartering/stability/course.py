@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from quartering.motion.equations import Floats
 from quartering.motion.steering import HEADING, RUDDER
+from quartering.rowwise import contracted
 from quartering.stability.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
@@ -103,10 +104,10 @@ def combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Flo
     n = w.size
     two, four = phasors[:, 1], phasors[:, 2]
     d2, d4 = two[:, :, _VELOCITIES], four[:, :, _VELOCITIES]
-    c = (four[:, 1, 1] - 1j * n2 * np.einsum("nj,nj->n", rho, d4[:, 1])) / (4j * n2)
+    c = (four[:, 1, 1] - 1j * n2 * contracted(rho, d4[:, 1])) / (4j * n2)
     diagonal = rate - 1j * (2 * w - n2)
     into_roll = d2[:, 1][:, [0, 2]] / (4j * n2)[:, None]
-    modulation = np.einsum("nkj,nj->nk", d2, rho)
+    modulation = contracted(d2, rho[:, None])
     drive = 1j * n2[:, None] * np.conj(modulation - rho * modulation[:, [1]])[:, [0, 2]]
     states = 2 + slow.shape[1]
     matrix = np.zeros((n, states, states))

@@ -15,6 +15,7 @@ from quartering.motion.change import of_states
 from quartering.motion.equations import Floats, System
 from quartering.motion.program import PLAIN
 from quartering.motion.steering import HEADING, RUDDER, feedback, state_matrix
+from quartering.rowwise import contracted
 from quartering.stability.course import combination_rate, course_matrix, course_rates
 from quartering.stability.eigenvalues import eigenvalues
 
@@ -134,9 +135,7 @@ def _averaged_roll_pair(system: System, phasors: Complex, detail: Detail) -> Com
         state[:, _VELOCITIES[k]] = 1j * frequency * displacement
         if k == 1:
             state[:, 1] = displacement
-        force = np.einsum("nks,ns->nk", phasors[:, 0], state) + 0.5 * np.einsum(
-            "nks,ns->nk", phasors[:, 1], state.conj()
-        )
+        force = contracted(phasors[:, 0], state[:, None]) + 0.5 * contracted(phasors[:, 1], state.conj()[:, None])
         error = -force if k < 2 else -force - displacement * steering
         error[:, k] -= frequency**2 * displacement
         matrix[:, :3, column] = -error.imag / (2 * w)
@@ -194,7 +193,7 @@ def roll_mode(rows: Any, linear: Any) -> tuple[Any, Any, Any]:
     """
     stiffness = rows[:, :, 1]
     n2, rho = np.sqrt(-stiffness[:, 1]), stiffness / stiffness[:, [1]]
-    rate = 0.5 * np.einsum("nj,nj->n", rho, rows[:, 1][:, _VELOCITIES])
+    rate = 0.5 * contracted(rho, rows[:, 1][:, _VELOCITIES])
     if linear.shape[2] > RUDDER:
         turn_rate, angle, decay = linear[:, 3, 3:].T
         rate = rate - 0.5 * rho[:, 2] * linear[:, 1, RUDDER] * (angle + turn_rate * decay) / (n2**2 + decay**2)
@@ -245,7 +244,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
     n2, rho, rate = roll_mode(rows, own)
     detuning = 0.5 * np.array(RESONANCES) * w[:, None] - n2[:, None]
     kappa = phasors[:, 1:, 1, 1]
-    damping = np.einsum("nj,nmj->nm", rho, phasors[:, 1:, 1][:, :, _VELOCITIES])
+    damping = contracted(rho[:, None], phasors[:, 1:, 1][:, :, _VELOCITIES])
 
     def growth(modulation: Complex) -> Floats:
         root = np.abs(modulation) ** 2 / (16 * n2[:, None] ** 2) - detuning**2
@@ -256,7 +255,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
     spectrum = np.full((w.size, system.states), np.nan, dtype=complex)
     if detail == "full" or system.states > HEADING:
         spectrum[:] = eigenvalues(state_matrix(phasors[:, 0].real, own))
-    linear = np.einsum("nj,nj->n", rho, system.linear[:, 1][:, _VELOCITIES])
+    linear = contracted(rho, system.linear[:, 1][:, _VELOCITIES])
     amplitudes = np.where(finite[:, None], amplitude, 0.0)
     by_rho = _index_from_amplitudes(system, amplitudes, n2, linear, rho[:, 0])
     literal = _index_from_amplitudes(system, amplitudes, n2, linear, None)

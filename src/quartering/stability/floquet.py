@@ -197,7 +197,8 @@ def floquet(
         exponents.real = np.log(np.abs(full)) * turns
     exponents.imag = np.angle(full) * turns
     expected = np.exp(np.where(found, trace, 0.0) * 2 * np.pi / frequency)
-    product = np.prod(full, axis=1).real
+    with np.errstate(over="ignore", invalid="ignore"):  # of multipliers of 1e80: endless, as its error
+        product = np.prod(full, axis=1).real
     liouville = np.where(
         expected > _SMALLEST_DETERMINANT, np.abs(product - expected) / np.maximum(expected, 1e-300), np.nan
     )

@@ -5,22 +5,23 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.io import netcdf_file
 
+from quartering.digest import fingerprint
 from quartering.study.conditions import FLAGS, RESULTS
 from quartering.study.dataset import EXTRA_DIMS, attributes
-from quartering.study.grid import Grid
+from quartering.study.grid import Block, Grid
+from quartering.study.seal import sealed
 
 Arrays = Mapping[str, NDArray[np.generic]]
 
 
 def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int]) -> bytes:
-    """Content of a block's file: netCDF, 64-bit offsets, with the coordinates of its conditions.
+    """Content of a block's file: netCDF, 64-bit offsets, with the coordinates of its conditions, and its seal.
 
     Parameters
     ----------
@@ -35,7 +36,6 @@ def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int])
     """
     block = grid.blocks[index]
     u, mu, length = grid.points(block.points)
-    own = {"speed": u, "heading": mu, "wave_length": length}
     buffer = io.BytesIO()
     file: Any = netcdf_file(buffer, "w", version=2)
     file.counts = json.dumps(counts)
@@ -46,7 +46,7 @@ def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int])
         sizes[extra[0]] = RESULTS[name][0]
     for name, size in sizes.items():
         file.createDimension(name, size)
-    for name, values in own.items():
+    for name, values in {"speed": u, "heading": mu, "wave_length": length}.items():
         _variable(file, name, ("point",), values)
     _variable(file, grid.sea, (grid.sea,), grid.axes[grid.sea])
     for name, column in grid.loadings.items():
@@ -56,8 +56,19 @@ def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int])
     _variable(file, "encounter_frequency", ("point",), found["encounter_frequency"])
     file.flush()
     data = buffer.getvalue()
+    held = {name: np.array(one.data) for name, one in file.variables.items()}
     file.close()
-    return data
+    return sealed(data, held, {"counts": dict(counts), **belongs(fingerprint(grid.described), part_of(block))})
+
+
+def part_of(block: Block) -> list[int]:
+    """The part of a grid that a block is: first and last loading, first and last point."""
+    return [block.loadings.start, block.loadings.stop, block.points.start, block.points.stop]
+
+
+def belongs(case: str, part: list[int]) -> dict[str, Any]:
+    """What a block's seal says about where it belongs: no block of another case or place is taken for it."""
+    return {"case": case, "part": part}
 
 
 def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.generic]) -> None:
@@ -91,21 +102,3 @@ def counted(found: Arrays) -> dict[str, int]:
         counts |= {f"{name} {value}": int(number) for value, number in zip(values, numbers, strict=True)}
     beyond = int(found["beyond"])
     return counts | ({"beyond": beyond} if beyond else {})
-
-
-def is_whole(path: Path) -> bool:
-    """Is a block's file there, with all it says it holds?
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    bool
-    """
-    try:
-        with netcdf_file(path, "r", mmap=True) as file:
-            return "encounter_frequency" in file.variables
-    except (OSError, ValueError, TypeError, KeyError, IndexError):
-        return False

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,6 +99,43 @@ def cures(
     >>> [one.parameter for one in found]
     ['K_prr', 'roll_damping']
     """
+    return list(seek(ship, wave, speed, heading, parameters=parameters, margin=margin, harmonics=harmonics))[-1]
+
+
+def seek(
+    ship: Ship,
+    wave: Wave,
+    speed: float | str,
+    heading: float | str,
+    *,
+    parameters: Sequence[str] = CURES,
+    margin: float = 0.0,
+    harmonics: int = 3,
+) -> Iterator[list[Cure]]:
+    """The search of `cures` in small steps, for whoever has others to serve meanwhile.
+
+    Parameters
+    ----------
+    ship, wave, speed, heading, parameters, margin, harmonics    as in `cures`
+
+    Yields
+    ------
+    list of Cure    found so far, after each ship that was tried
+
+    Raises
+    ------
+    InputError      as `cures`
+
+    Notes
+    -----
+    Source: [H71] Figs. 20-22 (what restores stability).
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> list(seek(ship("wigley"), Wave(100.0, 0.5), 3.0, 90.0))
+    [[]]
+    """
     speed, heading = condition(ship, speed, heading)
     if not margin >= 0:
         raise InputError(f"margin = {margin} 1/s; give zero or a rate by which disturbances must die out")
@@ -116,17 +153,23 @@ def cures(
             )
         return float(np.nan_to_num(float(found["exponent"][0, 0]), nan=np.inf))
 
-    if exponent(ship, speed, wave.height) < -margin:
-        return []
-    found = []
-    for name in parameters:
+    found: list[Cure] = []
+    stable = exponent(ship, speed, wave.height) < -margin
+    yield found
+    for name in () if stable else parameters:
         now, unit, at = _handle(ship, wave, speed, name, exponent)
         if now == 0.0:  # nothing to multiply: roll damping by a component method is no fraction of critical
             continue
-        needed = _nearest(lambda factor, at=at, now=now: at(now * factor) + margin)  # type: ignore[misc]
+        needed = None
+        for needed in _nearest(lambda factor, at=at, now=now: at(now * factor) + margin):  # type: ignore[misc]  # noqa: B007
+            yield found
         if needed is not None:
-            found.append(Cure(name, now, now * needed, unit))
-    return sorted(found, key=lambda cure: abs(np.log(abs(cure.needed / cure.now))))
+            found = sorted([*found, Cure(name, now, now * needed, unit)], key=_size)
+            yield found
+
+
+def _size(cure: Cure) -> float:
+    return float(abs(np.log(abs(cure.needed / cure.now))))
 
 
 def _handle(
@@ -142,10 +185,10 @@ def _handle(
     return now, unit, lambda value: exponent(loaded(ship, {name: value}), speed, wave.height)
 
 
-def _nearest(excess: Callable[[float], float]) -> float | None:
-    """Factor nearest to 1 (in ratio) at which `excess` passes from above to below zero; None when none does."""
+def _nearest(excess: Callable[[float], float]) -> Iterator[float | None]:
+    """Factor nearest to 1 (in ratio) at which `excess` passes from above to below zero: the last of what comes."""
     factors = np.geomspace(1.0, _REACH, _STEPS)
-    crossings = []
+    crossings: list[float] = []
     for side in (factors, 1.0 / factors):
         before = float(side[0])
         for factor in side[1:]:
@@ -153,17 +196,30 @@ def _nearest(excess: Callable[[float], float]) -> float | None:
                 value = excess(float(factor))
             except InputError:  # the ship or wave does not exist that far: no damping above 1, no wave that breaks
                 break
+            yield None
             if value < 0:
-                crossings.append(_refined(excess, before, float(factor)))
+                crossing = None
+                for crossing in _refined(excess, before, float(factor)):  # noqa: B007
+                    yield None
+                crossings += [] if crossing is None else [crossing]
                 break
             before = float(factor)
-    return min(crossings, key=lambda f: abs(np.log(f))) if crossings else None
+    yield min(crossings, key=lambda f: abs(np.log(f))) if crossings else None
 
 
-def _refined(excess: Callable[[float], float], unstable: float, stable: float) -> float:
-    """Factor where the sign changes, on its stable side."""
+def _refined(excess: Callable[[float], float], unstable: float, stable: float) -> Iterator[float | None]:
+    """Factor where the sign changes, on its stable side: the last of what comes, after each ship that is tried.
 
-    def finite(factor: float) -> float:
-        return min(excess(factor), 1e6)
-
-    return float(brentq(finite, unstable, stable, xtol=1e-6))
+    Brent's method is begun anew with one value more until it lacks none: it asks for the same ones each time.
+    """
+    known: dict[float, float] = {}
+    while True:
+        try:
+            root = float(brentq(known.__getitem__, unstable, stable, xtol=1e-6))
+        except KeyError as lacking:
+            factor = float(lacking.args[0])
+            known[factor] = min(excess(factor), 1e6)
+            yield None
+        else:
+            yield root
+            return

@@ -77,14 +77,32 @@ def _on_cluster(
         while waiting or pending:
             while waiting and len(pending) < ahead:
                 index = waiting.pop()
-                pending[executor.submit(_one_block, payload, index)] = index
+                with _reaching(client):
+                    pending[executor.submit(_one_block, payload, index)] = index
             for done in wait(pending, return_when=FIRST_COMPLETED).done:
                 index = pending.pop(done)
-                yield index, keep(index, done.result())
+                with _reaching(client):
+                    found = done.result()
+                yield index, keep(index, found)
     finally:
         for future in pending:
             future.cancel()
         executor.shutdown(wait=False)
+
+
+@contextmanager
+def _reaching(client: Any) -> Iterator[None]:
+    """Say in one message that a cluster was lost, whatever it says of it itself."""
+    try:
+        yield
+    except Exception as error:
+        own = type(error).__module__.partition(".")[0] in ("distributed", "concurrent", "asyncio")
+        if not own and client.status == "running":
+            raise  # the block's own error
+        raise InputError(
+            f"the cluster was lost ({type(error).__name__}); the finished blocks are kept: start it again and run the same"
+            " command, only what is missing is computed"
+        ) from None
 
 
 def prepare_pickling() -> None:

@@ -38,7 +38,8 @@ def open_result(folder: str | Path, *, partial: bool = False) -> xr.Dataset:
 
     Raises
     ------
-    InputError              no sweep there, another layout, blocks missing (unless `partial`)
+    InputError              no sweep there, another layout, blocks missing or damaged (unless `partial`); at reading: numbers
+                            that are not those written, by their checksum
 
     Notes
     -----
@@ -59,8 +60,8 @@ def open_result(folder: str | Path, *, partial: bool = False) -> xr.Dataset:
     missing = set(store.missing())
     if missing and not partial:
         raise InputError(
-            f'"{folder}" is not complete: {len(missing)} of {len(store.content["blocks"])} blocks are missing; run the same'
-            " sweep again, only those are computed (or open it with partial=True)"
+            f'"{folder}" is not complete: {len(missing)} of {store.count} blocks are missing or damaged; run the same sweep'
+            " again, only those are computed (or open it with partial=True)"
         )
     case = store.content["case"]
     axes = {name: np.array(case[name], dtype=float) for name in (*CONDITION_AXES, STEEPNESS) if name in case}

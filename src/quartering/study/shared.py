@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,17 +51,26 @@ def systems(
     >>> [at.slow.tolist() for at in systems(two, np.array([0.05]), np.array([5.0]), np.array([30.0]))]
     [[False], [False]]
     """
-    known: dict[tuple[object, ...], tuple[Phasors, Floats, Bools, float]] = {}
+    known: dict[tuple[object, ...], tuple[Phasors, Floats, Bools]] = {}
     for ship in ships:
-        kg = ship.loading.kg
-        key = (id(ship.hull), ship.loading.density, keeps_speed_terms(ship), None if form == "stf" else kg)
+        moves = form == "stf"
+        kg = None if moves else ship.loading.kg
+        key = (id(ship.hull), ship.loading.density, keeps_speed_terms(ship), kg)
         if key not in known:
-            known[key] = *_held_excitation(ship, wavenumber, speed, heading, form), kg
-        force, omega, held, at_kg = known[key]
+            known[key] = _held_excitation(_at_the_surface(ship) if moves else ship, wavenumber, speed, heading, form)
+        force, omega, held = known[key]
+        if moves:
+            force = _moved(force, ship.loading.kg - ship.hull.draught)
         # What is not held is solved at zero frequency, which any database holds, and has no answer there.
-        stand_in = (_moved(force, kg - at_kg), np.where(held, omega, 0.0))
+        stand_in = (force, np.where(held, omega, 0.0))
         at = ship_system(ship, wavenumber, speed, heading, form, known=stand_in)
         yield at if held.all() else replace(at, encounter_frequency=omega, slow=at.slow & held, outside=~held)
+
+
+@lru_cache(maxsize=64)
+def _at_the_surface(ship: Ship) -> Ship:
+    """The ship with G in the calm surface: forces are found there, whichever loadings a block holds, and moved from there."""
+    return replace(ship, loading=replace(ship.loading, kg=ship.hull.draught))
 
 
 def _held_excitation(
@@ -77,8 +87,6 @@ def _held_excitation(
 
 def _moved(force: Phasors, up: float) -> Phasors:
     """Force about a point `up` metres above the one it is given about."""
-    if up == 0.0:
-        return force
     moved = force.copy()
     moved[:, 1] -= up * force[:, 0]
     return moved

@@ -11,19 +11,20 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.io import netcdf_file
 
 from quartering.conventions import InputError
 from quartering.digest import fingerprint, source_digest
 from quartering.publish import publish
-from quartering.study.block_file import Arrays, block_file, counted, is_whole
+from quartering.study.block_file import Arrays, belongs, block_file, counted, part_of
 from quartering.study.dataset import heading_of, plain_attributes
 from quartering.study.grid import Grid
+from quartering.study.seal import DamagedError, is_sound, read_index, read_variable
 
 LAYOUT = 1
 """Number of the layout of the folder; another one is refused."""
 MANIFEST = "case.json"
 _BLOCKS = "blocks"
+_CHECKED = ("hash", "case", "text", "block_size", "blocks", "attributes")
 
 
 @dataclass(frozen=True)
@@ -43,9 +44,28 @@ class Store:
         """File of one block."""
         return self.folder / _BLOCKS / f"{index:07d}.nc"
 
+    @property
+    def count(self) -> int:
+        """Number of blocks."""
+        return len(self.content["blocks"])
+
     def missing(self) -> list[int]:
-        """Blocks that are not there, or not whole."""
-        return [i for i in range(len(self.content["blocks"])) if not is_whole(self.block(i))]
+        """Blocks that are not there, or whose seal is not that of this case and place."""
+        return [i for i in range(self.count) if self.index(i) is None]
+
+    def damaged(self) -> list[int]:
+        """Blocks that are there, but not byte for byte as they were written: every byte is read."""
+        there = [i for i in range(self.count) if self.block(i).exists()]
+        return [i for i in there if self.index(i) is None or not is_sound(self.block(i))]
+
+    def index(self, index: int) -> dict[str, Any] | None:
+        """What the seal of a block holds; None where there is none, or that of another case or place."""
+        try:
+            found = read_index(self.block(index))
+        except (OSError, DamagedError):
+            return None
+        own = belongs(self.content["hash"], self.content["blocks"][index])
+        return found if own.items() <= found.items() else None
 
 
 def open_store(folder: str | Path, grid: Grid) -> Store:
@@ -130,27 +150,47 @@ def read_store(folder: str | Path) -> Store:
     """
     path = Path(folder)
     try:
-        content = json.loads((path / MANIFEST).read_text())
+        content = json.loads((path / MANIFEST).read_bytes().decode("utf-8"))
         layout = content["layout"]
-        whole = layout != LAYOUT or {"case", "blocks", "attributes"} <= set(content)
+        lacking = [name for name in (*_CHECKED, "version", "code", "checksum") if name not in content]
+        changed = not lacking and content["checksum"] != _checksum(content)
     except FileNotFoundError:
         raise InputError(f'"{path}" is not the result of a sweep: there is no {MANIFEST} in it') from None
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (OSError, ValueError, LookupError, TypeError, RecursionError) as error:
         raise InputError(
-            f'"{path / MANIFEST}" cannot be read ({error}); the blocks beside it are untouched: put the file back, or'
+            f'"{path / MANIFEST}" cannot be read ({_words(error)}); the blocks beside it are untouched: put the file back, or'
             " compute into another folder"
         ) from None
-    if not whole:
-        raise InputError(
-            f'"{path / MANIFEST}" lacks a part; the blocks beside it are untouched: put the whole file back, or compute into'
-            " another folder"
-        )
     if layout != LAYOUT:
         raise InputError(
             f'"{path}" was written in layout {layout} by quartering {content.get("version")}; this is quartering'
             f" {version('quartering')}, which reads layout {LAYOUT}: compute into another folder, or use that version"
         )
+    if lacking:
+        raise InputError(
+            f'"{path / MANIFEST}" lacks a part ({", ".join(lacking)}); the blocks beside it are untouched: put the whole file'
+            " back, or compute into another folder"
+        )
+    if changed:
+        raise InputError(
+            f'"{path / MANIFEST}" is not what was written: its checksum does not fit; the blocks beside it are untouched: put'
+            " the file back as it was, or compute into another folder"
+        )
     return Store(path, content)
+
+
+def _words(error: Exception) -> str:
+    """Why a manifest cannot be read, without the words of the interpreter."""
+    if isinstance(error, OSError):
+        return error.strerror or str(error)
+    if isinstance(error, UnicodeDecodeError):
+        return f"byte {error.start} is no text"
+    return f"no JSON: {error}" if isinstance(error, json.JSONDecodeError) else "it does not describe a case"
+
+
+def _checksum(content: Mapping[str, Any]) -> str:
+    """Checksum of all that a manifest says of its case; version and code are compared by themselves."""
+    return fingerprint({name: content[name] for name in _CHECKED})
 
 
 def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str, int]:
@@ -194,11 +234,28 @@ def block_counts(store: Store, index: int) -> dict[str, int]:
     Returns
     -------
     dict of str to int
+
+    Raises
+    ------
+    InputError    the block is missing or damaged
     """
-    file: Any
-    with netcdf_file(store.block(index), "r", mmap=True) as file:
-        counts: dict[str, int] = json.loads(file.counts)
+    counts: dict[str, int] = _index(store, index)["counts"]
     return counts
+
+
+def _index(store: Store, index: int) -> dict[str, Any]:
+    found = store.index(index)
+    if found is None:
+        raise _lost(store, index)
+    return found
+
+
+def _lost(store: Store, index: int) -> InputError:
+    what = "is damaged" if store.block(index).exists() else "is missing"
+    return InputError(
+        f'"{store.folder}": block {index} of {store.count} {what}; run the same sweep again, only what is missing or damaged is'
+        " computed"
+    )
 
 
 def read_block(store: Store, index: int, name: str) -> NDArray[np.generic]:
@@ -218,20 +275,16 @@ def read_block(store: Store, index: int, name: str) -> NDArray[np.generic]:
     ------
     InputError    the block is missing or damaged
     """
+    found = _index(store, index)
     try:
-        with netcdf_file(store.block(index), "r", mmap=True) as file:
-            values = np.array(file.variables[name].data)
-    except (OSError, ValueError, TypeError, KeyError):
-        raise InputError(
-            f'"{store.folder}": block {index} of {len(store.content["blocks"])} has no block yet or is damaged; run the same'
-            " sweep again, only what is missing is computed"
-        ) from None
-    return values.astype(values.dtype.newbyteorder("="))
+        return read_variable(store.block(index), name, found)
+    except (OSError, DamagedError):
+        raise _lost(store, index) from None
 
 
 def _manifest(grid: Grid) -> dict[str, Any]:
     """What a store says about its case."""
-    return {
+    content = {
         "layout": LAYOUT,
         "version": version("quartering"),
         "code": code_digest(),
@@ -239,9 +292,10 @@ def _manifest(grid: Grid) -> dict[str, Any]:
         "case": grid.described,
         "text": grid.text,
         "block_size": grid.block_size,
-        "blocks": [[b.loadings.start, b.loadings.stop, b.points.start, b.points.stop] for b in grid.blocks],
+        "blocks": [part_of(block) for block in grid.blocks],
         "attributes": plain_attributes(heading_of(grid.ship, form=grid.form, harmonics=grid.harmonics)),
     }
+    return content | {"checksum": _checksum(json.loads(json.dumps(content)))}
 
 
 def _same_case(store: Store, grid: Grid) -> Store:
@@ -279,7 +333,7 @@ def code_digest() -> str:
     >>> len(code_digest())
     16
     """
-    own = (f"study/{name}.py" for name in ("conditions", "shared", "grid", "loadings"))
+    own = (f"study/{name}.py" for name in ("conditions", "shared", "grid", "loadings", "case_values"))
     return source_digest("hull", "hydro", "loads", "motion", "stability", *own)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections import Counter
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -10,6 +11,7 @@ from typing import Any, Unpack
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from quartering.conventions import DamageWarning
 from quartering.hull.option_types import StudyAxes
 from quartering.hull.righting import fitted_to
 from quartering.hull.ship import Ship
@@ -169,9 +171,14 @@ def fill(
     ------
     InputError        what `reached`, `open_store` and `write_block` refuse
 
+    Warns
+    -----
+    DamageWarning     blocks there that are not as they were written
+
     Notes
     -----
-    However it ends, the blocks finished stay, and the next call goes on from them.  Their size is chosen when a store is begun,
+    However it ends, the blocks finished stay, and the next call goes on from them; every byte of theirs is held against its
+    checksum, and damaged blocks are computed again.  Their size is chosen when a store is begun,
     by the time a condition takes here, and stays with it: the numbers do not depend on it.  Memory holds the blocks being
     worked on and nothing else.
     """
@@ -183,7 +190,9 @@ def fill(
 
 def _filled(wanted: Grid, store: Store, client: Any, told: Callable[[int, Counter[str]], None] | None) -> Counter[str]:
     """Counts of a store's conditions after the missing blocks are computed."""
-    missing = store.missing()
+    damaged = store.damaged()
+    missing = sorted({*store.missing(), *damaged})
+    _tell(store, damaged)
     todo = set(missing)
     total: Counter[str] = Counter()
     for i in range(len(wanted.blocks)):
@@ -200,6 +209,18 @@ def _filled(wanted: Grid, store: Store, client: Any, told: Callable[[int, Counte
         if told is not None:
             told(conditions_of(total), total)
     return total
+
+
+def _tell(store: Store, damaged: list[int]) -> None:
+    """Say which blocks are not what was written, and are computed again."""
+    if damaged:
+        some = ", ".join(map(str, damaged[:5])) + (", .." if len(damaged) > 5 else "")
+        warnings.warn(
+            f'store "{store.folder}": {len(damaged)} of {store.count} blocks are damaged ({some}): their checksums do not fit;'
+            " they are computed again",
+            DamageWarning,
+            stacklevel=5,
+        )
 
 
 def sized(wanted: Grid, folder: str | Path) -> Grid:

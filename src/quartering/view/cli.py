@@ -5,13 +5,18 @@ from __future__ import annotations
 import os
 from typing import Annotated
 
-import typer
+from quartering.view.interrupts import quiet_start
 
-from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
-from quartering.view.ship_options import takes_ship_options
+with quiet_start():
+    import typer
+
+    from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
+    from quartering.view.ship_options import takes_ship_options
 
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
 os.environ.setdefault("NUMBA_OPT", "1")
+
+INTERRUPTED = 130
 
 app = typer.Typer(
     name="quartering",
@@ -79,4 +84,7 @@ for _command in _COMMANDS:
 
 def main() -> None:
     """Entry point of the ``quartering`` command."""
-    app()
+    try:
+        app()
+    except KeyboardInterrupt:  # between the imports and the command
+        raise SystemExit(INTERRUPTED) from None

@@ -9,14 +9,16 @@ from typing import Any
 
 import typer
 
-from quartering.conventions import InputError, RangeWarning
+from quartering.conventions import DamageWarning, InputError, RangeWarning
+from quartering.view.interrupts import listening
 
 BAD_INPUT, INTERRUPTED = 2, 130
+_TOLD = (RangeWarning, DamageWarning)
 
 
 @contextmanager
 def answering() -> Iterator[None]:
-    """Run the body of a command: its refusals become one message on stderr, its range warnings plain lines.
+    """Run the body of a command: its refusals become one message on stderr, its warnings of range and of damage plain lines.
 
     Raises
     ------
@@ -25,15 +27,16 @@ def answering() -> Iterator[None]:
     said: set[str] = set()
 
     def say(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:
-        if not issubclass(category, RangeWarning):
+        if not issubclass(category, _TOLD):
             usual(message, category, *place, **more)
         elif str(message) not in said:
             said.add(str(message))
             typer.echo(f"note: {message}", err=True)
 
-    with warnings.catch_warnings():
+    with warnings.catch_warnings(), listening():
         usual = warnings.showwarning
-        warnings.simplefilter("always", RangeWarning)
+        for told in _TOLD:
+            warnings.simplefilter("always", told)
         warnings.showwarning = say
         try:
             yield

@@ -6,6 +6,8 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from quartering.view.interrupts import stop_if_asked
+
 
 @contextmanager
 def bar(words: str, total: int) -> Iterator[Callable[[int, int], None]]:
@@ -21,7 +23,7 @@ def bar(words: str, total: int) -> Iterator[Callable[[int, int], None]]:
     function(done, total)
     """
     if not sys.stderr.isatty():
-        yield lambda _done, _total: None
+        yield lambda _done, _total: stop_if_asked()
         return
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
@@ -29,7 +31,12 @@ def bar(words: str, total: int) -> Iterator[Callable[[int, int], None]]:
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as progress:
         task = progress.add_task(words, total=total)
-        yield lambda done, of: progress.update(task, completed=done, total=of)
+
+        def told(done: int, of: int) -> None:
+            stop_if_asked()
+            progress.update(task, completed=done, total=of)
+
+        yield told
 
 
 @contextmanager

@@ -21,6 +21,7 @@ from quartering.study.progress import failures, progress_line, summary
 from quartering.study.starting_case import starting_case
 from quartering.study.sweep import fill, sized
 from quartering.study.uncertainty import uncertain
+from quartering.view.interrupts import stop_if_asked
 from quartering.view.output import claim, folder_named, write
 from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
@@ -56,6 +57,7 @@ def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_
     begin, seen = time.monotonic(), _Progress(wanted.count)
     try:
         counts = fill(wanted, folder, cluster=cluster, told=seen.told)
+        stop_if_asked()
     except KeyboardInterrupt:
         seen.end()
         typer.echo(
@@ -148,9 +150,10 @@ class _Progress:
         self.done = 0
 
     def told(self, done: int, counts: Counter[str]) -> None:
-        """Say how far the run has come."""
+        """Say how far the run has come, or stop where that was asked for."""
         self.begun = done if self.begun is None else self.begun
         self.done = done
+        stop_if_asked()
         now, terminal = time.monotonic(), sys.stderr.isatty()
         if now - self.last < (0.2 if terminal else _BETWEEN_LINES) or done == 0:
             return

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, replace
 from typing import NamedTuple
 
@@ -24,7 +24,7 @@ from quartering.motion.status import Status
 from quartering.motion.steady import Motion, steady_motion
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.verdict import Verdict, stability
-from quartering.study.cure import Cure, cures
+from quartering.study.cure import Cure, seek
 from quartering.view.commands.conditions import condition
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
@@ -56,9 +56,15 @@ def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int 
 
 def helps(found: Examined) -> list[Cure]:
     """The few smallest changes that make an unstable motion stable; none for a stable one."""
-    if found.verdict.stable or not found.motion.status.ok:
-        return []
-    return cures(found.ship, found.wave, found.speed, found.heading)[:_MOST_CURES]
+    steps = list(seek_help(found))
+    return steps[-1] if steps else []
+
+
+def seek_help(found: Examined) -> Iterator[list[Cure]]:
+    """The search of `helps` in small steps: what has been found so far."""
+    if not found.verdict.stable and found.motion.status.ok:
+        for some in seek(found.ship, found.wave, found.speed, found.heading):
+            yield some[:_MOST_CURES]
 
 
 def judge(
@@ -157,8 +163,8 @@ def _stability_table(v: Verdict, calm: np.ndarray) -> Table:
     return table("Stability", ("quantity", "value", "remark"), rows)
 
 
-def facts(found: Examined, healing: list[Cure]) -> dict[str, object]:
-    """Everything about a condition, for programs: what `quartering verdict --json` prints."""
+def facts(found: Examined, healing: list[Cure] | None) -> dict[str, object]:
+    """Everything about a condition, for programs: what `quartering verdict --json` prints; None where no cures were sought."""
     one, model, motion, v = found.ship, found.model, found.motion, found.verdict
     sway, roll, yaw = motion.amplitude
     return {
@@ -174,7 +180,9 @@ def facts(found: Examined, healing: list[Cure]) -> dict[str, object]:
         "strongest": list(v.strongest), "roll_share": v.roll_share, "liouville": v.liouville,
         "mean_jacobian": v.mean_jacobian, "advice": motion.status.advice, "residual": motion.residual,
         "natural_roll_frequency": coefficients(one, 0.0, 0.0).roll_frequency,
-        "cures": [{"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in healing],
+        "cures": None if healing is None else [
+            {"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in healing
+        ],
         "calm_water_at_own_frequencies": calm_water_exponents(one, found.speed),
         "estimated": [e.name for e in _entries(found) if e.estimated],
         "sources": {e.name: e.source for e in _entries(found)},

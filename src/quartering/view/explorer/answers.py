@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Sequence
-from typing import NamedTuple, TypeVar
+from collections.abc import Awaitable, Callable, Sequence
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 import xarray as xr
@@ -16,11 +16,12 @@ from quartering.hull.told import number
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.simulate import simulate
 from quartering.study.branch import branch
+from quartering.study.cure import Cure
 from quartering.study.loadings import loaded
 from quartering.study.polar import polar
 from quartering.study.sensitivity import sensitivity
 from quartering.units import quantity
-from quartering.view.commands.verdict import Examined, examine
+from quartering.view.commands.verdict import Examined, examine, seek_help
 from quartering.view.explorer.fleet import Known
 from quartering.view.explorer.state import LOADING, State
 
@@ -146,3 +147,17 @@ def noting(work: Callable[[], Answer]) -> Callable[[], tuple[Answer, list[str]]]
         return answer, list(dict.fromkeys(str(one.message) for one in said if issubclass(one.category, RangeWarning)))
 
     return done
+
+
+async def sought(
+    found: Examined, take: Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]], wanted: Callable[[], bool]
+) -> list[Cure]:
+    """The cures of a condition, sought ship by ship, others being served between, as long as they are wanted."""
+    steps = seek_help(found)
+    healing: list[Cure] = []
+    while wanted():
+        more, _ = await take(lambda: next(steps, None))
+        if more is None:
+            break
+        healing = more
+    return healing

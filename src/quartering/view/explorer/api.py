@@ -1,16 +1,18 @@
-"""The same answers as a service: /api/verdict and /api/polar, by GET with a query or by POST with JSON."""
+"""The same answers as a service: one verdict by GET, and by POST with JSON what takes longer, its cures and maps."""
 
 from __future__ import annotations
 
+import asyncio
 import html
 from collections.abc import Awaitable, Callable
 from typing import Annotated, Any
 
 import numpy as np
 import xarray as xr
-from fastapi import APIRouter, FastAPI, Query, Request
+from fastapi import APIRouter, FastAPI, HTTPException, Query, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
+from starlette.exceptions import HTTPException as StarletteError
 
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, own_words
@@ -18,18 +20,23 @@ from quartering.hull.told import condition, number, numbers
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
+from quartering.study.cure import Cure
 from quartering.study.polar import polar
-from quartering.view.commands.verdict import examine, facts, helps
-from quartering.view.explorer.answers import joined, noting
+from quartering.view.commands.verdict import Examined, examine, facts
+from quartering.view.explorer.answers import joined, noting, sought
 from quartering.view.explorer.calls import PolarCall, VerdictCall
 from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.guard import METHODS
+from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
 from quartering.view.explorer.turns import Turns
 from quartering.view.terminal import plain
 
 _AT_ONCE = 1024
 _RESULTS = ("roll", "roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")
-_UNPROCESSABLE, _BUSY, _CLIENT_LEFT = 422, 503, 499
-_MOST_CALLS = 32
+_BUSY, _CLIENT_LEFT = 503, 499
+_MOST_CALLS, _MOST_SEARCHES = 32, 4
+_OF_POST = (400, 403, 408, 413, 415, 422, 500, 503)
+_TAKEN = {"verdict": "GET, POST", "polar": "POST", "docs": "GET", "openapi.json": "GET"}
 
 
 def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
@@ -42,74 +49,119 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
     turns : Turns      all calls together are one client of it, so that they never crowd out the people on the pages
     """
     routes = APIRouter(prefix="/api", tags=["api"])
-    under_way = [0]
+    under_way, searches = [0], [0]
 
-    async def answered(work: Callable[[], Awaitable[JSONResponse]]) -> JSONResponse:
+    async def answered(request: Request, work: Callable[[], Awaitable[JSONResponse]]) -> JSONResponse:
+        """The answer of some work, unless too many wait already; a caller who leaves gives its place to the next at once."""
         if under_way[0] >= _MOST_CALLS:
-            return _refused(f"{_MOST_CALLS} calls are waiting already; try again in a moment", _BUSY)
+            return refused(f"{_MOST_CALLS} calls are waiting already; try again in a moment", _BUSY)
         under_way[0] += 1
+        working, leaving = asyncio.ensure_future(work()), asyncio.ensure_future(_left(request))
         try:
-            return await work()
+            await asyncio.wait({working, leaving}, return_when=asyncio.FIRST_COMPLETED)
+            return working.result() if working.done() else refused("the caller has gone", _CLIENT_LEFT)
         except InputError as error:
-            return _refused(str(error))
+            return refused(without_paths(str(error)))
         finally:
             under_way[0] -= 1
+            working.cancel()
+            leaving.cancel()
 
-    async def verdict(call: VerdictCall) -> JSONResponse:
-        async def work() -> JSONResponse:
-            return _json(*await turns.take("api", noting(lambda: _verdict(call, fleet))))
+    async def take(work: Callable[[], Any]) -> tuple[Any, list[str]]:
+        return await turns.take("api", noting(work))
 
-        return await answered(work)
+    async def take_long(work: Callable[[], Any]) -> tuple[Any, list[str]]:
+        return await turns.take("api, long work", noting(work))
 
-    async def polar_map(request: Request, call: PolarCall) -> JSONResponse:
-        async def work() -> JSONResponse:
-            blocks, notes = [], []
-            for block in _blocks(call, fleet):
-                if await request.is_disconnected():
-                    return _refused("the caller has gone", _CLIENT_LEFT)
-                part, said = await turns.take("api", noting(block))
-                blocks.append(part)
-                notes += said
-            return _json(_map(joined(blocks)), list(dict.fromkeys(notes)))
+    async def cured(found: Examined) -> list[Cure]:
+        searches[0] += 1
+        try:
+            return await sought(found, take_long, lambda: True)
+        finally:
+            searches[0] -= 1
 
-        return await answered(work)
+    async def judged(call: VerdictCall, with_cures: bool) -> JSONResponse:
+        found, notes = await take(lambda: _examined(call, fleet))
+        if not _ailing(found):
+            healing: list[Cure] | None = []
+        elif with_cures and searches[0] >= _MOST_SEARCHES:
+            return refused(f"{_MOST_SEARCHES} searches for cures are under way; try again, or ask by GET", _BUSY)
+        else:
+            healing = await cured(found) if with_cures else None
+        told, _ = await take(lambda: facts(found, healing))
+        return _json(told, notes)
 
-    @routes.get("/verdict", summary="Judge one condition")
-    async def get_verdict(call: Annotated[VerdictCall, Query()]) -> JSONResponse:
+    async def mapped(call: PolarCall) -> JSONResponse:
+        blocks, notes = [], []
+        for block in (await take(lambda: _blocks(call, fleet)))[0]:
+            part, said = await take_long(block)
+            blocks.append(part)
+            notes += said
+        return _json(_map(joined(blocks)), list(dict.fromkeys(notes)))
+
+    @routes.get("/verdict", summary="Judge one condition", responses=responses(400, 403, 422, 500, 503))
+    async def get_verdict(request: Request, call: Annotated[VerdictCall, Query()]) -> JSONResponse:
+        """What `quartering verdict --json` prints, but no cures are sought: `cures` is null for an unstable motion."""
+        return await answered(request, lambda: judged(call, False))
+
+    @routes.post("/verdict", summary="Judge one condition, and seek what cures it", responses=responses(*_OF_POST))
+    async def post_verdict(request: Request, call: VerdictCall) -> JSONResponse:
         """What `quartering verdict --json` prints: motion, indices, multipliers, sentence, cures, sources."""
-        return await verdict(call)
+        return await answered(request, lambda: judged(call, True))
 
-    @routes.post("/verdict", summary="Judge one condition")
-    async def post_verdict(call: VerdictCall) -> JSONResponse:
-        """What `quartering verdict --json` prints: motion, indices, multipliers, sentence, cures, sources."""
-        return await verdict(call)
-
-    @routes.get("/polar", summary="Map of roll and stability")
-    async def get_polar(request: Request, call: Annotated[PolarCall, Query()]) -> JSONResponse:
-        """Nested lists [speed][heading][wave length] with their units; null where there is no answer."""
-        return await polar_map(request, call)
-
-    @routes.post("/polar", summary="Map of roll and stability")
+    @routes.post("/polar", summary="Map of roll and stability", responses=responses(*_OF_POST))
     async def post_polar(request: Request, call: PolarCall) -> JSONResponse:
         """Nested lists [speed][heading][wave length] with their units; null where there is no answer."""
-        return await polar_map(request, call)
+        return await answered(request, lambda: mapped(call))
 
     @routes.get("/docs", include_in_schema=False)
     async def docs() -> HTMLResponse:
         return HTMLResponse(_page(server.openapi()))
 
-    @server.exception_handler(RequestValidationError)
-    async def invalid(_: Request, error: RequestValidationError) -> JSONResponse:
-        return _refused("; ".join(_problem(one) for one in error.errors()[:5]))
-
+    _refuse_the_rest(server, routes)
     server.include_router(routes)
 
 
-def _verdict(call: VerdictCall, fleet: Fleet) -> dict[str, Any]:
+def _refuse_the_rest(server: FastAPI, routes: APIRouter) -> None:
+    """Give every other refusal of the service the shape of its own."""
+
+    @routes.api_route("/{rest:path}", methods=METHODS, include_in_schema=False)
+    async def nothing(request: Request, rest: str) -> JSONResponse:
+        taken = _TAKEN.get(rest)
+        if taken is None:
+            return refused(
+                f'there is no "/api/{rest[:80]}"; there are {", ".join(f"/api/{name}" for name in _TAKEN)}', 404
+            )
+        return refused(f"/api/{rest} takes {taken}, not {request.method}", 405, allow=taken)
+
+    @server.exception_handler(RequestValidationError)
+    async def invalid(_: Request, error: RequestValidationError) -> JSONResponse:
+        return refused(without_paths("; ".join(_problem(one) for one in error.errors()[:5])))
+
+    @server.exception_handler(StarletteError)
+    @server.exception_handler(HTTPException)
+    async def wrong(_: Request, error: StarletteError) -> JSONResponse:
+        return refused(str(error.detail), error.status_code, **(error.headers or {}))
+
+    @server.exception_handler(Exception)
+    async def failed(_: Request, __: Exception) -> JSONResponse:
+        return refused("the server failed at this call, a fault of its own; whoever runs it finds it in the log", 500)
+
+
+async def _left(request: Request) -> None:
+    """Wait until the caller leaves."""
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
+
+
+def _examined(call: VerdictCall, fleet: Fleet) -> Examined:
     one = call.loaded(fleet)
     wave = Wave(call.wave_length, call.wave_height, period=call.wave_period, ship=one)
-    found = examine(one, wave, *condition(one, call.speed, call.heading), call.harmonics, call.form)
-    return facts(found, helps(found))
+    return examine(one, wave, *condition(one, call.speed, call.heading), call.harmonics, call.form)
+
+
+def _ailing(found: Examined) -> bool:
+    return not found.verdict.stable and found.motion.status.ok
 
 
 def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
@@ -149,11 +201,7 @@ def _map(ds: xr.Dataset) -> dict[str, Any]:
 
 
 def _json(content: dict[str, Any], notes: list[str]) -> JSONResponse:
-    return JSONResponse(plain({**content, "notes": notes}))
-
-
-def _refused(reason: str, status: int = _UNPROCESSABLE) -> JSONResponse:
-    return JSONResponse({"error": reason}, status_code=status)
+    return JSONResponse(plain_names(plain({**content, "notes": notes})))
 
 
 def _problem(one: Any) -> str:
@@ -166,7 +214,7 @@ def _problem(one: Any) -> str:
 def _page(schema: dict[str, Any]) -> str:
     """The documentation of the service as one page that needs nothing from elsewhere."""
     rows = []
-    for call, path in ((VerdictCall, "/api/verdict"), (PolarCall, "/api/polar")):
+    for call, path, how in ((VerdictCall, "/api/verdict", "GET or POST"), (PolarCall, "/api/polar", "POST")):
         said = schema["paths"][path]["post"]
         fields = "".join(
             f"<tr><td><code>{name}</code></td><td>{'yes' if field.is_required() else ''}</td>"
@@ -174,9 +222,10 @@ def _page(schema: dict[str, Any]) -> str:
             for name, field in call.model_fields.items()
         )
         rows.append(
-            f"<h2>GET or POST {path}</h2><p>{html.escape(str(call.__doc__))} {html.escape(said['description'])}</p>"
+            f"<h2>{how} {path}</h2><p>{html.escape(str(call.__doc__))} {html.escape(said['description'])}</p>"
             f"<table><tr><th>field</th><th>needed</th><th></th></tr>{fields}</table>"
         )
+    refusals = "".join(f"<tr><td>{status}</td><td>{when}</td></tr>" for status, when in STATUSES.items())
     example = (
         "curl 'http://127.0.0.1:8080/api/verdict?ship=series60-cb60&speed=7.5&heading=30&wave_length=150&wave_height=4'"
     )
@@ -187,6 +236,7 @@ def _page(schema: dict[str, Any]) -> str:
     return (
         f"<!doctype html><html lang=en><meta charset=utf-8><title>quartering: service</title><style>{style}</style>"
         f"<h1>quartering as a service</h1><pre>{html.escape(example)}</pre>"
-        "<p>Refusals have status 422 and say why in <code>error</code>. The machine-readable description is"
-        f" <a href=openapi.json>openapi.json</a>.</p>{''.join(rows)}</html>"
+        "<p>GET answers the verdict; POST takes JSON and seeks cures too. The machine-readable description is"
+        f" <a href=openapi.json>openapi.json</a>.</p>{''.join(rows)}<h2>Refusals</h2><p>Every refusal is"
+        f" <code>{{&quot;error&quot;: &quot;why&quot;}}</code>, with the status</p><table>{refusals}</table></html>"
     )

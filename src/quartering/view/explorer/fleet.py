@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 from collections import OrderedDict
 from collections.abc import Mapping
@@ -34,7 +35,11 @@ class Known:
 
 
 class Fleet:
-    """Ships by key. A key never is a path: nobody opens a file of the server by naming it.
+    """Ships by key. A key never is a path: nobody opens a file of the server by naming it, or learns where it stands.
+
+    Parameters
+    ----------
+    given : str or None    ship file or built-in ship the server was started with; `first` is its key
 
     Examples
     --------
@@ -44,9 +49,11 @@ class Fleet:
 
     def __init__(self, given: str | None = None) -> None:
         self._names = [entry.name for entry in available_ships()]
-        self._given = given if given is not None and given not in self._names else None
-        if self._given is not None:
-            self._own = Known(self._given, self._given, ship(self._given))
+        own = given if given is not None and given not in self._names else None
+        self._given = None if own is None else _key(own, self._names)
+        if own is not None and self._given is not None:
+            self._own = Known(self._given, self._given, ship(own))
+        self.first = given if own is None else self._given
         self._uploads: OrderedDict[str, Known] = OrderedDict()
         self._lock = threading.Lock()
 
@@ -94,3 +101,9 @@ class Fleet:
             self._uploads.move_to_end(found.key)
             while len(self._uploads) > MOST_UPLOADS:
                 self._uploads.popitem(last=False)
+
+
+def _key(path: str, taken: list[str]) -> str:
+    """Name of a ship file for those who do not know this machine: that of the file, without its place."""
+    name = re.split(r"[/\\]", path)[-1]
+    return f"own-{name}" if name in taken else name

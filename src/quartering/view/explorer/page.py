@@ -15,15 +15,16 @@ from nicegui.client import Client
 
 from quartering.conventions import InputError
 from quartering.hydro.coefficients import coefficients
-from quartering.view.commands.verdict import Examined, helps
+from quartering.view.commands.verdict import Examined
 from quartering.view.explorer import downloads
-from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting, scene, verdict
+from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.damping_dials import damping_hint
 from quartering.view.explorer.fleet import Fleet, Known
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.map_panel import MapPanel
+from quartering.view.explorer.problems import without_paths
 from quartering.view.explorer.state import State
 from quartering.view.explorer.turns import Turns
 from quartering.view.explorer.upload_dialog import UploadDialog
@@ -270,7 +271,7 @@ class Page:
     async def _fill_cures(self, state: State, _: Scene, found: Examined) -> None:
         if found.verdict.stable or not found.motion.status.ok:
             return
-        healing, _notes = await self._take(lambda: helps(found))
+        healing = await sought(found, self._take, lambda: self.state is state)
         if self.state is state and healing:
             words = "; ".join(html.escape(cure.sentence) for cure in healing)
             self._heal.set_content(f"<p class='heal'>Each of these alone restores stability: {words}.</p>")
@@ -279,7 +280,7 @@ class Page:
         return await self._turns.take(self._client.id, noting(work))
 
     def _say_wrong(self, problem: str) -> None:
-        self._wrong.set_content(f"<p class='wrong'>{html.escape(problem)}</p>")
+        self._wrong.set_content(f"<p class='wrong'>{html.escape(without_paths(problem))}</p>")
 
 
 def _of_map(state: State) -> State:

@@ -6,6 +6,7 @@ import importlib.util
 import socket
 import threading
 import webbrowser
+from collections.abc import Sequence
 from contextlib import suppress
 
 import typer
@@ -14,10 +15,9 @@ from quartering.conventions import InputError
 from quartering.stability.ahead import announce_compilation
 
 _LONGEST_MESSAGE = 1_000_000
-_LOCAL = ("127.0.0.1", "localhost", "::1")
 
 
-def run_explorer(ship: str | None, host: str, port: int, browser: bool) -> None:
+def run_explorer(ship: str | None, host: str, port: int, browser: bool, names: Sequence[str] = ()) -> None:
     """Serve the explorer until Ctrl-C.
 
     Parameters
@@ -25,6 +25,7 @@ def run_explorer(ship: str | None, host: str, port: int, browser: bool) -> None:
     ship : str or None    built-in ship or ship file to open with
     host, port            to listen on
     browser : bool        open the page in the system's browser
+    names                 further names the server goes by, where it is reached by others than its host's
 
     Raises
     ------
@@ -37,17 +38,28 @@ def run_explorer(ship: str | None, host: str, port: int, browser: bool) -> None:
 
     from quartering.view.explorer.application import explorer
     from quartering.view.explorer.fleet import Fleet
+    from quartering.view.explorer.guard import LOOPBACK
+    from quartering.view.explorer.patience import Patient
 
     announce_compilation()
-    server = explorer(Fleet(ship), ship)
+    fleet = Fleet(ship)
+    server = explorer(fleet, fleet.first, host, names)
     address = f"http://{host}:{port}/"
     typer.echo(f"quartering explorer: {address}   (Ctrl-C ends it; the service is described at {address}api/docs)")
-    if host not in _LOCAL:
+    if host not in LOOPBACK:
         typer.echo(f"note: everyone who can reach {host} can use it", err=True)
     if browser:
         threading.Timer(0.5, webbrowser.open, (address,)).start()
     with suppress(KeyboardInterrupt):  # Ctrl-C is how it ends
-        uvicorn.run(server, host=host, port=port, log_level="warning", ws_max_size=_LONGEST_MESSAGE)
+        uvicorn.run(
+            server,
+            host=host,
+            port=port,
+            log_level="warning",
+            ws_max_size=_LONGEST_MESSAGE,
+            http=Patient,
+            server_header=False,
+        )
 
 
 def _check_port(host: str, port: int) -> None:

@@ -36,7 +36,19 @@ class Turns:
         answer: asyncio.Future[Answer] = asyncio.get_running_loop().create_future()
         self._lines.setdefault(client, deque()).append((answer, work))
         self._next()
-        return await answer
+        try:
+            return await answer
+        except asyncio.CancelledError:
+            self._forget(client, answer)
+            raise
+
+    def _forget(self, client: str, answer: asyncio.Future[Any]) -> None:
+        """Take a piece that nobody waits for out of its line."""
+        line = self._lines.get(client, deque())
+        for piece in [piece for piece in line if piece[0] is answer]:
+            line.remove(piece)
+        if client in self._lines and not line:
+            del self._lines[client]
 
     def _next(self) -> None:
         """Begin the next piece of work when the thread is free."""
