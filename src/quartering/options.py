@@ -285,6 +285,11 @@ def _slip(of: Option, given: Any, sizes: Sizes) -> str:
     if unit or of.kind == "steepness" or not math.isfinite(number):
         high = _resolved(of.high, of, sizes)
         over = high is not None and unit != "" and _number(given, of, sizes) > high
+        if unit and of.kind == "density":
+            other = {"kg/m3": "t/m3", "t/m3": "kg/m3"}[unit]
+            low = _resolved(of.low, of, sizes)
+            if low is not None and high is not None and low <= _number(f"{number!r} {other}", of, sizes) <= high:
+                return f"did you mean {number:g} {other}?"
         return "is the unit right?" if over and of.kind != "steepness" else ""
     if number <= 0:
         return ""
@@ -340,7 +345,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
            axis=True, dial=(), home="hull.draught"),
     Option("depth", "length", "side of the hull from the keel to the deck; carries the lines up where they end below", low=0,
            above=True, high=100, usual="10 m", example="1.6 T"),
-    Option("datum", "word", "where the heights of the lines are counted from", default="keel", acts=False,
+    Option("datum", "word", "where the heights of the lines are counted from; found from the lines where they tell it",
            words={"keel": "up from the keel at midship", "waterline": "up from the calm water"}, example="keel"),
     # How it is loaded
     Option("gm", "length", place="loading", low=0, above=True, usual="0.05 B", default="0.05 B", axis=True,
