@@ -11,7 +11,7 @@ from quartering.hull.quadrature import station_weights
 from quartering.hull.section import Floats
 from quartering.hull.sense import check_breadths, check_coefficients, check_decks, waterline_breadth
 
-STEP = 1e-5
+STEP = 3e-5
 """Distance of two stations that are a step of the lines, of the extent of the hull."""
 BLUNT = 0.1
 """Half breadth at the waterline, of half the beam, from which on a section ends the hull in a flat."""
