@@ -80,7 +80,7 @@ def write_gdf(path, triangles, *, waterline, isy=1):
 
 
 def hull_of(path, **keys):
-    lines = read_lines(path, draught=S60.draught)
+    lines = read_lines(path, draught=keys.get("draught", S60.draught))
     return hull_from_lines(str(path), lines, **{**SIZE, **keys})
 
 
