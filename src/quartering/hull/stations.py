@@ -193,7 +193,7 @@ def _with_necks(
     """Contours that all reach over the water, and what to say of those that did not.
 
     End sections wholly under water, of a bulb ahead of the stem, get a neck without breadth up to the deck of their
-    neighbours: their area, volume and added mass count, the waterplane does not gain by them.  Ahead of a blunt end the
+    neighbours: their area counts, the waterplane does not gain by them, and the strips pass them over.  Ahead of a blunt end the
     bulb reaches back to it, as a step.  Elsewhere a contour that ends below the waterline is refused.
     """
     under = [label_height[-1] < draught for _, label_height in contours]
@@ -216,7 +216,7 @@ def _with_necks(
         deck = float(contours[aft if k < aft else count - fore - 1][1][-1])
         made[k] = np.append(y, [0.0, 0.0]), np.append(height, [height[-1], deck])
     names = f"{labels[ends[0]]}" + (f" to {labels[ends[-1]]}" if len(ends) > 1 else "")
-    remark = f"{len(ends)} end sections wholly under water ({names}) count as they are, a neck without breadth over them"
+    remark = f"{len(ends)} end sections wholly under water ({names}) count in volume and centres, and are left out of the strips"
     called = list(labels)
     hair = 0.5 * STEP * (x[-1] - x[0])
     for bulb, full, after in ((count - fore, count - fore - 1, count - fore), (aft - 1, aft, aft)):
