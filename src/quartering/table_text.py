@@ -145,10 +145,17 @@ def _parted(lines: list[str]) -> list[list[str]]:
 def _blanks_part(lines: list[str]) -> bool:
     """Do blanks part the columns, the commas being decimal ones?"""
     last = lines[-1].split()
-    return len(last) > 1 and all(_COMMA.match(word) or _number(word) for word in last) and "," not in lines[0]
+    return len(last) > 1 and all(_COMMA.match(word) or is_number(word) for word in last) and "," not in lines[0]
 
 
-def _number(word: str) -> bool:
+def is_number(word: str) -> bool:
+    """Is a cell a number?
+
+    Examples
+    --------
+    >>> is_number("1e3"), is_number("ms")
+    (True, False)
+    """
     try:
         float(word)
     except ValueError:
@@ -211,6 +218,6 @@ def _is_unit_row(row: list[str]) -> bool:
     plain = [cell.strip("[]() ").lower() for cell in words]
     return (
         bool(words)
-        and not any(_number(_decimal(cell)) for cell in words)
+        and not any(is_number(_decimal(cell)) for cell in words)
         and any(one in UNITS or cell[0] in "[(" for one, cell in zip(plain, words, strict=True))
     )

@@ -20,6 +20,7 @@ STATIONS: Final = 61
 _OWN_STATIONS: Final = 80
 _FLAT: Final = 0.01  # area of a flat across the ship, of its breadth times its height, from which on the lines step
 _GAP: Final = 0.05  # distance of two ends of a section that are joined, of its size
+_INNER: Final = 0.35  # share of the length to each side of the middle where nothing lies apart from the hull
 _MERGE: Final = 1e-6
 
 
@@ -126,7 +127,7 @@ def _section(surface: Surface, x: float, label: str, calm: float | None) -> Cont
     where = f"{surface.name}: {label}"
     pieces = [_upward(piece) for piece in _pieces(_segments(surface, x))]
     if calm is not None:
-        wet = [piece for piece in pieces if piece[:, 1].min() < calm]
+        wet = [piece for piece in pieces if piece[:, 1].min() < calm + 1e-6 * np.ptp(surface.points[:, 2])]
         pieces = wet or pieces
     if not pieces:
         raise InputError(f"{where}: the surface has no section here")
@@ -140,11 +141,13 @@ def _section(surface: Surface, x: float, label: str, calm: float | None) -> Cont
                 "catamaran, twin skegs or an appendage; only hulls in one piece about the centreplane are treated here"
             )
     pieces.sort(key=lambda piece: float(piece[:, 1].min()))
+    along = surface.points[:, 0]
+    inner = abs(x - (along.min() + along.max()) / 2) < _INNER * np.ptp(along)
     for low, high in zip(pieces, pieces[1:], strict=False):
-        if low[:, 1].max() > high[:, 1].min() + 1e-3 * size:
+        if inner or low[:, 1].max() > high[:, 1].min() + 1e-3 * size:
             raise InputError(
-                f"{where}: the section is in several pieces that do not lie over each other (an appendage apart from the "
-                "hull, or a second surface inside the first); leave one of them out"
+                f"{where}: the section is in several pieces (an appendage apart from the hull, or a second surface inside the "
+                "first); only a bulb at the ends may lie apart, under the hull; leave one of them out"
             )
     y, z = np.concatenate([_to_centre(piece, k < len(pieces) - 1) for k, piece in enumerate(pieces)]).T
     while len(y) > 2 and y[-1] < y[-2] and abs(z[-1] - z[-2]) < 0.1 * (y[-2] - y[-1]):  # the deck

@@ -175,7 +175,7 @@ def sway_phase(frequency: Floats, direction: Floats, forces: Mapping[str, NDArra
     >>> sway_phase(w, beam, {"total": force}), sway_phase(w, beam, {"total": -force})[0][:22]
     ([], 'total forces have the ')
     """
-    if not direction.size or not frequency.size:
+    if not direction.size or frequency.size < 3:  # too few to tell it from one odd value
         return []
     sine = np.sin(np.radians(direction))
     beam = int(np.argmax(np.abs(sine)))
@@ -183,7 +183,7 @@ def sway_phase(frequency: Floats, direction: Floats, forces: Mapping[str, NDArra
         return []
     turned = []
     for name, values in forces.items():
-        sway = values[: min(3, frequency.size), beam, 0] * np.sign(sine[beam])
+        sway = values[:3, beam, 0] * np.sign(sine[beam])
         if sway.imag.sum() < -0.5 * np.abs(sway).sum() < 0:
             turned.append(name)
     if not turned:
