@@ -136,8 +136,8 @@ def check_datum(ship: Ship, given: Mapping[str, Any], where: str) -> None:
     if wanted != has:
         raise Refused(
             "datum",
-            f"datum = {wanted}; heights of these lines count from {has}; datum acts while lines of a file are read: write it in "
-            "the ship file beside `lines:` or `offsets:`",
+            f"datum = {wanted}; heights of these lines count from {has}; datum acts while lines of a file are read: write it "
+            "in the ship file beside `lines:` or `offsets:`",
             where,
         )
 

@@ -104,16 +104,16 @@ def datum_of(
     'keel'
     """
     found = (
-        cast("Datum", checked(OPTIONS["datum"], told, where)) if told else _decided(where, profile, draught, usual, still_water)
+        cast("Datum", checked(OPTIONS["datum"], told, where))
+        if told
+        else _decided(where, profile, draught, usual, still_water)
     )
     if found == "waterline":
         _check_draught(where, profile, draught, told)
     return found
 
 
-def _decided(
-    where: str, profile: Profile, draught: float, usual: Datum | None, still_water: float | None
-) -> Datum:
+def _decided(where: str, profile: Profile, draught: float, usual: Datum | None, still_water: float | None) -> Datum:
     (keel, top), deepest = profile.middle, profile.deepest
     fits: list[Datum] = []
     if _fits(keel, deepest, 0.0, draught) and top >= 0.98 * draught:
@@ -121,7 +121,7 @@ def _decided(
     if _fits(keel, deepest, -draught, draught) and top >= -0.02 * draught:
         fits.append("waterline")
     if usual in fits or (usual == "waterline" and deepest < 0 <= top + 0.02 * draught):
-        return cast("Datum", usual)
+        return usual
     if len(fits) == 1:
         return fits[0]
     if still_water is not None and abs(still_water - draught) < 0.02 * draught and top >= 0.98 * draught:

@@ -178,7 +178,9 @@ def _stations_at_one_place(group: Floats) -> list[Floats]:
     z = group[:, 2]
     falls = np.flatnonzero(np.diff(z) < -0.5 * np.ptp(z)) + 1
     parts = np.split(group, falls)
-    return parts if len(falls) and all(len(part) > 1 and (np.diff(part[:, 2]) >= 0).all() for part in parts) else [group]
+    return (
+        parts if len(falls) and all(len(part) > 1 and (np.diff(part[:, 2]) >= 0).all() for part in parts) else [group]
+    )
 
 
 def _in_order(
@@ -304,9 +306,7 @@ def read_pdstrip_sections(path: str | Path) -> Lines:
         )
         labels.append(f"station {k + 1} (x = {x[-1]:g} m)")
         contours.append(_starboard(f"{path}: {labels[-1]}", y, z))
-    return _in_order(
-        path, x, contours, labels, f"PDSTRIP sections of {Path(path).name}", still_water=still_water
-    )
+    return _in_order(path, x, contours, labels, f"PDSTRIP sections of {Path(path).name}", still_water=still_water)
 
 
 def _starboard(where: str, y: Floats, z: Floats) -> Contour:

@@ -35,7 +35,7 @@ def check_breadths(name: str, beam: float, draught: float, contours: Contours, l
     >>> check_breadths("my.csv", 10.0, 4.0, (bad,), ["station 1"])
     Traceback (most recent call last):
     ...
-    quartering.conventions.InputError: my.csv: station 1, waterline 2 (height 0 m): half breadth 5000 m; half the beam is 5 m ...
+    quartering.conventions.InputError: my.csv: station 1, waterline 2 (height 0 m): half breadth 5000 m; half the beam is 5 ...
     """
     for label, (y, height) in zip(labels, contours, strict=True):
         limit = np.where(np.asarray(height) <= draught, WIDEST, FLARE) * beam / 2
@@ -43,7 +43,8 @@ def check_breadths(name: str, beam: float, draught: float, contours: Contours, l
             at = int(np.argmax(np.asarray(y) / limit))
             raise InputError(
                 f"{name}: {label}, waterline {at + 1} (height {height[at]:g} m): half breadth {y[at]:g} m; half the beam is "
-                f"{beam / 2:g} m, and no half breadth is more than {limit[at] / beam * 2:g} times that here; correct it, or the beam"
+                f"{beam / 2:g} m, and no half breadth is more than {limit[at] / beam * 2:g} times that here; correct it, or "
+                "the beam"
             )
 
 
@@ -51,7 +52,7 @@ def check_decks(name: str, length: float, draught: float, contours: Contours, la
     """Refuse a deck no ship has, named by station."""
     tops = np.array([float(height[-1]) for _, height in contours])
     usual = max(float(np.median(tops)), draught)
-    high = min(float(OPTIONS["depth"].high or np.inf), length)  # type: ignore[arg-type]
+    high = min(float(OPTIONS["depth"].high or np.inf), length)
     for label, top in zip(labels, tops, strict=True):
         if top > min(high, HIGHEST * usual):
             raise InputError(
@@ -94,14 +95,14 @@ def check_coefficients(
     extent = f"; the stations reach over {x[-1] - x[0]:g} m" if abs(x[-1] - x[0] - length) > 0.01 * length else ""
     if not BLOCK[0] <= block <= BLOCK[1]:
         raise InputError(
-            f"{name}: the volume is {volume:.4g} m3, a block coefficient of {block:.4g} on length {length:g} m, beam {beam:g} m and "
-            f"draught {draught:g} m{extent}; a ship has from {BLOCK[0]:g} to 1; check these three, the unit of the lines, and where "
-            "their heights count from (`datum:`)"
+            f"{name}: the volume is {volume:.4g} m3, a block coefficient of {block:.4g} on length {length:g} m, beam {beam:g} "
+            f"m and draught {draught:g} m{extent}; a ship has from {BLOCK[0]:g} to 1; check these three, the unit of the lines, "
+            "and where their heights count from (`datum:`)"
         )
     if not PLANE[0] <= fullness <= PLANE[1]:
         raise InputError(
-            f"{name}: the waterplane is {plane:.4g} m2, a coefficient of {fullness:.4g} on length {length:g} m and beam {beam:g} m"
-            f"{extent}; a ship has from {PLANE[0]:g} to 1; check these and the draught of {draught:g} m"
+            f"{name}: the waterplane is {plane:.4g} m2, a coefficient of {fullness:.4g} on length {length:g} m and beam "
+            f"{beam:g} m{extent}; a ship has from {PLANE[0]:g} to 1; check these and the draught of {draught:g} m"
         )
     if block < FINE:
         warnings.warn(

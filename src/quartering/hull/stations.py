@@ -193,8 +193,8 @@ def _with_necks(
     """Contours that all reach over the water, and what to say of those that did not.
 
     End sections wholly under water, of a bulb ahead of the stem, get a neck without breadth up to the deck of their
-    neighbours: their area counts, the waterplane does not gain by them, and the strips pass them over.  Ahead of a blunt end the
-    bulb reaches back to it, as a step.  Elsewhere a contour that ends below the waterline is refused.
+    neighbours: their area counts, the waterplane does not gain by them, and the strips pass them over.  Ahead of a blunt end
+    the bulb reaches back to it, as a step.  Elsewhere a contour that ends below the waterline is refused.
     """
     under = [label_height[-1] < draught for _, label_height in contours]
     if not any(under):

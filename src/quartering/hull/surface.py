@@ -146,8 +146,8 @@ def _checked_gaps(surface: Surface, pairs: NDArray[np.intp], volumes: Floats) ->
         x, y, z = volumes * (2.0 if surface.half else 1.0)
         raise InputError(
             f"{surface.name}: the surface is open along {len(pairs)} edges, the first from {_place(a)} to {_place(b)} m, and "
-            f"leaks: its volume is {x:.5g} m3 by x, {y:.5g} by y, {z:.5g} by z, {100 * leak:.2g} % apart; it may only be open above "
-            "the waterline and, for a half, on the centreplane; close the holes"
+            f"leaks: its volume is {x:.5g} m3 by x, {y:.5g} by y, {z:.5g} by z, {100 * leak:.2g} % apart; it may only be open "
+            "above the waterline and, for a half, on the centreplane; close the holes"
         )
     return f"panels meet in part along {len(pairs)} edges, volumes by x, y, z agree within {100 * leak:.1g} %"
 

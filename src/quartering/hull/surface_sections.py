@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -143,7 +144,7 @@ def _section(surface: Surface, x: float, label: str, calm: float | None) -> Cont
     pieces.sort(key=lambda piece: float(piece[:, 1].min()))
     along = surface.points[:, 0]
     inner = abs(x - (along.min() + along.max()) / 2) < _INNER * np.ptp(along)
-    for low, high in zip(pieces, pieces[1:], strict=False):
+    for low, high in pairwise(pieces):
         if inner or low[:, 1].max() > high[:, 1].min() + 1e-3 * size:
             raise InputError(
                 f"{where}: the section is in several pieces (an appendage apart from the hull, or a second surface inside the "

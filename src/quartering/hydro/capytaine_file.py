@@ -79,8 +79,8 @@ def _check_conditions(path: str | Path, data: xr.Dataset) -> None:
     speed = _numbers(path, data, "forward_speed")
     if speed is not None and not (speed == 0).all():
         raise InputError(
-            f"{path}: forward_speed = {', '.join(f'{one:g}' for one in speed[:4])} m/s; results with forward speed are of no use "
-            "here; give those at zero speed"
+            f"{path}: forward_speed = {', '.join(f'{one:g}' for one in speed[:4])} m/s; results with forward speed are of no "
+            "use here; give those at zero speed"
         )
     depth = _numbers(path, data, "water_depth")
     if depth is None:
@@ -107,7 +107,9 @@ def _without_body(data: xr.Dataset) -> xr.Dataset:
         if dim not in data.coords:
             continue
         names = [str(name) for name in data[dim].to_numpy()]
-        if len({name.partition("__")[0] for name in names if "__" in name}) == 1 and all("__" in name for name in names):
+        if len({name.partition("__")[0] for name in names if "__" in name}) == 1 and all(
+            "__" in name for name in names
+        ):
             data = data.assign_coords({dim: [name.partition("__")[2] for name in names]})
     return data
 
@@ -162,7 +164,9 @@ def _directions(path: str | Path, data: xr.Dataset) -> NDArray[np.float64]:
         return given
     if np.abs(given).max() > 2 * np.pi + 1e-6:
         if said.startswith("rad"):
-            raise InputError(f"{path}: wave_direction up to {np.abs(given).max():g} rad; are these degrees? Set its units to deg")
+            raise InputError(
+                f"{path}: wave_direction up to {np.abs(given).max():g} rad; are these degrees? Set its units to deg"
+            )
         warnings.warn(
             f"{path}: wave_direction up to {np.abs(given).max():g} can be no radians and is read as degrees",
             RangeWarning,
@@ -211,7 +215,9 @@ def _only(path: str | Path, field: xr.DataArray, dims: tuple[str, ...]) -> xr.Da
 def _as_numbers(path: str | Path, field: xr.DataArray) -> NDArray[Any]:
     values = field.to_numpy()
     if values.dtype.kind not in "fciu":
-        raise InputError(f"{path}: {field.name} is stored as {values.dtype.name}, not as numbers; save it as floating-point numbers")
+        raise InputError(
+            f"{path}: {field.name} is stored as {values.dtype.name}, not as numbers; save it as floating-point numbers"
+        )
     return values
 
 
@@ -222,7 +228,9 @@ def _force(path: str | Path, data: xr.Dataset, name: str) -> NDArray[np.complex1
     if "complex" in field.dims:
         parts = [str(part) for part in data["complex"].to_numpy()] if "complex" in data.coords else []
         if not {"re", "im"} <= set(parts):
-            raise InputError(f"{path}: {name} has no parts `re` and `im` along `complex`; save it with separate_complex_values")
+            raise InputError(
+                f"{path}: {name} has no parts `re` and `im` along `complex`; save it with separate_complex_values"
+            )
         field = (field.sel(complex="re", drop=True) + 1j * field.sel(complex="im", drop=True)).rename(name)
     dims = ("omega", "wave_direction", "influenced_dof")
     field = _only(path, field, dims)

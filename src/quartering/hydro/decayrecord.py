@@ -248,7 +248,8 @@ def _check_period(record: DecayRecord) -> None:
         else "; check the unit of the time"
     )
     raise InputError(
-        f"{record.source}: its swings have a period of {period:.4g} s, and that of a ship is from {shortest:g} to {longest:g} s{slip}"
+        f"{record.source}: its swings have a period of {period:.4g} s, and that of a ship is from {shortest:g} to {longest:g} s"
+        f"{slip}"
     )
 
 

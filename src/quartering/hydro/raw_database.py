@@ -91,7 +91,9 @@ def needed_rows(path: str | Path, raw: RawDatabase) -> RawDatabase:
     kept = {name: limit for name, limit in raw.limits.items() if np.isfinite(limit).all()}
     for name in raw.limits.keys() - kept.keys():
         warnings.warn(
-            f"{path}: the added mass at {name} frequency is not a number; that limit is left out", RangeWarning, stacklevel=3
+            f"{path}: the added mass at {name} frequency is not a number; that limit is left out",
+            RangeWarning,
+            stacklevel=3,
         )
     for remark in sway_phase(w, raw.direction, raw.forces):
         warnings.warn(f"{path}: {remark}", RangeWarning, stacklevel=3)

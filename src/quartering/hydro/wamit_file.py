@@ -83,14 +83,18 @@ def _rows(path: Path, lengths: tuple[int, ...]) -> Iterator[tuple[int, list[floa
 def _mode(path: Path, line: int, value: float) -> int:
     """Number of a mode; others than those of one body, up to 6, are passed over as generalised ones."""
     if not (np.isfinite(value) and value == round(value) and 1 <= value < 1e6):
-        raise InputError(f"{path}, line {line}: {value:g} is no mode; modes are 1 surge to 6 yaw, and further whole numbers")
+        raise InputError(
+            f"{path}, line {line}: {value:g} is no mode; modes are 1 surge to 6 yaw, and further whole numbers"
+        )
     return int(value)
 
 
 def _period(path: Path, line: int, value: float) -> float:
     """A period [s], or one of the two that stand for a limit: 0 and -1."""
     if not np.isfinite(value) or (value < 0 and value != -1):
-        raise InputError(f"{path}, line {line}: period {value:g} s; it is above 0, or 0 or -1 for infinite and zero frequency")
+        raise InputError(
+            f"{path}, line {line}: period {value:g} s; it is above 0, or 0 or -1 for infinite and zero frequency"
+        )
     return value
 
 
