@@ -23,7 +23,7 @@ UNITS: Final[dict[str, tuple[str, float]]] = {
 """Unit of a column -> what it measures and its factor to m, s or deg."""
 
 _BRACKETS: Final = re.compile(r"^(.*?)\s*[\[(]\s*([^\])]*?)\s*[\])]\s*$")
-_COMMA: Final = re.compile(r"^[-+]?\d*,\d+(?:[eE][-+]?\d+)?$|^[-+]?\d+,$")
+_COMMA: Final = re.compile(r"^[-+]?\d*,\d+(?:[eE][-+]?\d+)?$")
 
 
 class Table(NamedTuple):
@@ -145,7 +145,8 @@ def _parted(lines: list[str]) -> list[list[str]]:
 def _blanks_part(lines: list[str]) -> bool:
     """Do blanks part the columns, the commas being decimal ones?"""
     last = lines[-1].split()
-    return len(last) > 1 and all(_COMMA.match(word) or is_number(word) for word in last) and "," not in lines[0]
+    numbers = all(_COMMA.match(word) or is_number(word) for word in last)
+    return len(last) > 1 and numbers and len(lines[0].split()) == len(last)
 
 
 def is_number(word: str) -> bool:

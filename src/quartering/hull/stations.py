@@ -216,7 +216,9 @@ def _with_necks(
         deck = float(contours[aft if k < aft else count - fore - 1][1][-1])
         made[k] = np.append(y, [0.0, 0.0]), np.append(height, [height[-1], deck])
     names = f"{labels[ends[0]]}" + (f" to {labels[ends[-1]]}" if len(ends) > 1 else "")
-    remark = f"{len(ends)} end sections wholly under water ({names}) count in volume and centres, and are left out of the strips"
+    remark = (
+        f"{len(ends)} end sections wholly under water ({names}) count in the volume, and are left out of the strips"
+    )
     called = list(labels)
     hair = 0.5 * STEP * (x[-1] - x[0])
     for bulb, full, after in ((count - fore, count - fore - 1, count - fore), (aft - 1, aft, aft)):

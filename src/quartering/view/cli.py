@@ -92,8 +92,8 @@ def main() -> None:
     threads = os.environ.get("NUMBA_NUM_THREADS", "1")
     if not (threads.strip().isdigit() and 0 < int(threads) < _MOST_THREADS):
         sys.stderr.write(
-            f"quartering: NUMBA_NUM_THREADS={threads!r}; it is a whole number from 1 to {_MOST_THREADS - 1}; leave it out for all "
-            "processors\n"
+            f"quartering: NUMBA_NUM_THREADS={threads!r}; it is a whole number from 1 to {_MOST_THREADS - 1}; leave it out for "
+            "all processors\n"
         )
         sys.exit(BAD_INPUT)
     app()
