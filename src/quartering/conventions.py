@@ -13,7 +13,10 @@ People type and read SI units and degrees; what is integrated is in radians.
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+import copyreg
+import math
+from types import MappingProxyType
+from typing import Any, Final, NamedTuple
 
 GRAVITY: Final = 9.81
 """Acceleration of gravity [m/s2]."""
@@ -30,8 +33,32 @@ HEADING_CONVENTION: Final = "0 deg following, 90 deg beam (wave from port to sta
 REFERENCE_POINT: Final = "centre of gravity G; axes x to the bow, y to starboard, z down"
 
 
+def _read_only(content: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    return MappingProxyType(content)
+
+
+# Ships, models and coefficients hold read-only mappings; with this they go to other processes and are copied.
+copyreg.pickle(MappingProxyType, lambda mapping: (_read_only, (dict(mapping),)))
+
+
 class InputError(ValueError):
     """Bad input: the message says what was given, what is allowed and what to try."""
+
+
+def as_float(value: Any) -> Any:
+    """A whole number too large for floating point made infinite; anything else as it is.
+
+    Examples
+    --------
+    >>> as_float(10**400), as_float(3), as_float("3 m")
+    (inf, 3, '3 m')
+    """
+    if isinstance(value, int):
+        try:
+            float(value)
+        except OverflowError:
+            return math.inf if value > 0 else -math.inf
+    return value
 
 
 class RangeWarning(UserWarning):

@@ -13,7 +13,7 @@ from difflib import get_close_matches
 from numbers import Real
 from typing import Final, NamedTuple
 
-from quartering.conventions import CUBIC_MONOMIALS, InputError
+from quartering.conventions import CUBIC_MONOMIALS, InputError, as_float
 
 ROWS: Final = ("Y", "K", "N")
 LINEAR_NAMES: Final = tuple(tuple(f"{row}_{factor}" for factor in "vpr") for row in ROWS)
@@ -238,6 +238,6 @@ def checked_values(where: str, values: Mapping[str, float]) -> dict[str, float]:
             term(name)
         except InputError as error:
             raise InputError(f"{where}: {error}") from None
-        if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
-            raise InputError(f"{where}: {name} = {value!r}; a coefficient needs a finite number, such as 1.0")
+        if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(as_float(value)):
+            raise InputError(f"{where}: {name} = {as_float(value)!r}; a coefficient needs a finite number, such as 1.0")
     return {name: float(value) for name, value in values.items()}

@@ -15,7 +15,7 @@ from difflib import get_close_matches
 from inspect import Parameter, Signature
 from typing import Any, Final, Literal
 
-from quartering.conventions import SYMBOLS, WATER_DENSITY, InputError
+from quartering.conventions import SYMBOLS, WATER_DENSITY, InputError, as_float
 from quartering.units import BARE, NO_SHIP, Sizes, quantity, split_quantity, units_of
 from quartering.units import Kind as UnitKind
 
@@ -26,6 +26,8 @@ Kind = Literal[
 Place = Literal["ship", "loading", "condition"]
 Bound = float | str | None
 """A limit: a number in the option's own unit, or one in sizes of the ship, such as "2 B"; None where there is none."""
+TINY: Final = 1e-6
+"""Smallest value of what is above 0, in its own unit: less is a slip, and its square or cube is lost in rounding."""
 _NO_NUMBERS: Final = ("word", "text", "file", "group", "coefficients", "table")
 
 
@@ -215,6 +217,7 @@ def checked(of: Option, given: Any, where: str = "", sizes: Sizes = NO_SHIP) -> 
     ...
     quartering.options.Refused: roll_damping = 5; it is from 0 to 1, or ikeda or ikeda-simplified; did you mean 5 %? Try 0.05
     """
+    given = as_float(given)
     if not of.numeric:
         return _word(of, given, where) if of.kind == "word" else _text(of, given, where)
     word = given.strip() if isinstance(given, str) else ""
@@ -231,7 +234,10 @@ def checked(of: Option, given: Any, where: str = "", sizes: Sizes = NO_SHIP) -> 
     except InputError:
         raise _refused(of, given, where, sizes, _unit_words(of, given, sizes)) from None
     low, high = _resolved(of.low, of, sizes), _resolved(of.high, of, sizes)
-    if (low is not None and (value < low or (of.above and value == low))) or (high is not None and value > high):
+    least = TINY if of.above and low == 0 and of.kind != "steepness" else low
+    if (low is not None and least is not None and (value < least or (of.above and value == low))) or (
+        high is not None and value > high
+    ):
         raise _refused(of, given, where, sizes)
     return value
 
@@ -285,6 +291,11 @@ def _slip(of: Option, given: Any, sizes: Sizes) -> str:
     if unit or of.kind == "steepness" or not math.isfinite(number):
         high = _resolved(of.high, of, sizes)
         over = high is not None and unit != "" and _number(given, of, sizes) > high
+        if unit and of.kind == "density":
+            other = {"kg/m3": "t/m3", "t/m3": "kg/m3"}[unit]
+            low = _resolved(of.low, of, sizes)
+            if low is not None and high is not None and low <= _number(f"{number!r} {other}", of, sizes) <= high:
+                return f"did you mean {number:g} {other}?"
         return "is the unit right?" if over and of.kind != "steepness" else ""
     if number <= 0:
         return ""
@@ -340,7 +351,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
            axis=True, dial=(), home="hull.draught"),
     Option("depth", "length", "side of the hull from the keel to the deck; carries the lines up where they end below", low=0,
            above=True, high=100, usual="10 m", example="1.6 T"),
-    Option("datum", "word", "where the heights of the lines are counted from", default="keel", acts=False,
+    Option("datum", "word", "where the heights of the lines are counted from; found from the lines where they tell it",
            words={"keel": "up from the keel at midship", "waterline": "up from the calm water"}, example="keel"),
     # How it is loaded
     Option("gm", "length", place="loading", low=0, above=True, usual="0.05 B", default="0.05 B", axis=True,

@@ -7,7 +7,7 @@ import re
 from numbers import Real
 from typing import Final, Literal, NamedTuple
 
-from quartering.conventions import GRAVITY, InputError
+from quartering.conventions import GRAVITY, InputError, as_float
 
 Kind = Literal["length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio"]
 
@@ -114,6 +114,7 @@ def split_quantity(value: float | str, what: str = "value") -> tuple[float, str]
     >>> split_quantity("0.38 B")
     (0.38, 'B')
     """
+    value = as_float(value)
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
         raise InputError(f'{what}: {value!r} is not a value; give a number or a number with a unit, such as "4.5 m"')
     match = _PATTERN.fullmatch(value) if isinstance(value, str) else None

@@ -65,6 +65,7 @@ def changed(ship: Ship, given: Mapping[str, Any], where: str | None = None) -> S
     _check_names(wanted, where)
     case, wanted = _of_case(ship, wanted, where)
     check_twice(wanted, where)
+    check_datum(ship, wanted, where)
     floating, loading = _floating(ship, wanted, where)
     sizes = sizes_of(floating)
     wanted |= _grouped(ship, wanted, where, sizes)
@@ -125,6 +126,20 @@ def check_twice(given: Mapping[str, Any], where: str) -> None:
     for name in given:
         if name in OPTIONS and (group := OPTIONS[name].group) in given:
             raise Refused(name, f"{name} is given beside {group}, whose part it is; leave one out", where)
+
+
+def check_datum(ship: Ship, given: Mapping[str, Any], where: str) -> None:
+    """Refuse another datum for lines that are read: it acts while a file is read."""
+    if "datum" not in given:
+        return
+    wanted, has = checked(OPTIONS["datum"], given["datum"], where), ship.value("datum") or "keel"
+    if wanted != has:
+        raise Refused(
+            "datum",
+            f"datum = {wanted}; heights of these lines count from {has}; datum acts while lines of a file are read: write it "
+            "in the ship file beside `lines:` or `offsets:`",
+            where,
+        )
 
 
 def _of_case(ship: Ship, given: dict[str, Any], where: str) -> tuple[str, dict[str, Any]]:

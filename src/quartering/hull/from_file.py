@@ -9,6 +9,7 @@ import numpy as np
 
 from quartering.conventions import InputError
 from quartering.hull.contour import Outline
+from quartering.hull.datum import datum_of
 from quartering.hull.offsets import Hull, with_depth
 from quartering.hull.section import Floats
 from quartering.hull.section_files import Lines, read_offset_table, read_pdstrip_sections
@@ -23,17 +24,21 @@ FORMATS = {
     "gdf": "WAMIT panel file",
     "stl": "STL surface",
 }
-"""Format -> what it is; the ending of the file tells it, any other ending is read as PDSTRIP."""
+"""Format -> what it is; the ending of the file tells it, or its first words."""
+_ENDINGS = {"csv": "csv", "txt": "csv", "tsv": "csv", "dat": "csv", "gdf": "gdf", "stl": "stl"}
 
 
-def read_lines(path: str | Path, form: str | None = None, draught: float | None = None) -> Lines:
+def read_lines(
+    path: str | Path, form: str | None = None, draught: float | None = None, datum: str | None = None
+) -> Lines:
     """Read lines from a file of any known format.
 
     Parameters
     ----------
-    path : str or Path    .csv, .gdf, .stl, or a PDSTRIP section file (any other ending)
+    path : str or Path    .csv, .gdf, .stl, or a PDSTRIP section file
     form : str            "csv", "pdstrip", "gdf" or "stl", where the ending does not tell
-    draught : float       for a surface with heights from the baseline that is open above the waterline [m]
+    draught : float       of the lines; tells where the heights of a surface are counted from [m]
+    datum : str           "keel" or "waterline", where the heights are counted from; None: decided from the lines
 
     Returns
     -------
@@ -54,8 +59,7 @@ def read_lines(path: str | Path, form: str | None = None, draught: float | None 
     """
     if not Path(path).is_file():
         raise InputError(f"{path} is not there; give the path of a file, seen from the ship file")
-    ending = Path(path).suffix.lower().removeprefix(".")
-    kind = form or (ending if ending in FORMATS else "csv" if ending in ("txt", "tsv") else "pdstrip")
+    kind = form or _format_of(Path(path))
     if kind == "csv":
         return read_offset_table(path)
     if kind == "pdstrip":
@@ -63,10 +67,36 @@ def read_lines(path: str | Path, form: str | None = None, draught: float | None 
     from quartering.hull.mesh_files import read_gdf, read_stl  # only for those who bring a mesh
 
     if kind == "gdf":
-        return read_gdf(path)
+        return read_gdf(path, draught, datum)
     if kind == "stl":
-        return read_stl(path, draught)
-    raise InputError(f'{path}: format "{kind}" is unknown; allowed are {", ".join(FORMATS)}')
+        return read_stl(path, draught, datum)
+    raise _unknown(path, kind)
+
+
+def _format_of(path: Path) -> str:
+    """Format of a file by its ending, else by its first words; one that fits none is unknown."""
+    ending = path.suffix.lower().removeprefix(".")
+    if ending in ("csv", "tsv", "gdf", "stl"):
+        return _ENDINGS[ending]
+    with path.open("rb") as opened:
+        head = opened.read(4000)
+    if head[:5].lower() == b"solid" and b"vertex" in head:
+        return "stl"
+    words = head.replace(b",", b" ").split()[:3]
+    if len(words) > 1 and words[0].isdigit() and words[1].strip(b".").lower()[:1] in (b"t", b"f"):
+        return "pdstrip"
+    if ending in _ENDINGS:
+        return _ENDINGS[ending]
+    if words and words[0].isdigit() and b"\x00" not in head:
+        return "pdstrip"
+    raise _unknown(path, path.suffix or path.name)
+
+
+def _unknown(path: str | Path, kind: str) -> InputError:
+    return InputError(
+        f'{path}: the format "{kind}" is unknown; known are {", ".join(f"{one} ({FORMATS[one]})" for one in FORMATS)}; write '
+        "`lines: {file: .., format: ..}` where the ending does not tell, or export the lines as one of these"
+    )
 
 
 def hull_from_lines(
@@ -79,6 +109,7 @@ def hull_from_lines(
     midship: float = 0.0,
     outline: Outline = "straight",
     title: str | None = None,
+    datum: str | None = None,
 ) -> Hull:
     """Hull of lines read from a file.
 
@@ -90,6 +121,7 @@ def hull_from_lines(
     midship : float                  x of midship in the file [m]
     outline : str                    points joined "straight" or "smooth"
     title : str                      name of the hull
+    datum : str                      "keel" or "waterline"; None: what the format says, else decided from the lines
 
     Returns
     -------
@@ -98,7 +130,8 @@ def hull_from_lines(
 
     Raises
     ------
-    InputError    lines that do not fit the ship's dimensions or do not lie about midship
+    InputError    lines that do not fit the ship's dimensions or do not lie about midship; heights of which it cannot be told
+                  where they are counted from
 
     Notes
     -----
@@ -107,7 +140,7 @@ def hull_from_lines(
     Examples
     --------
     >>> side = np.array([5.0, 5.0]), np.array([-4.0, 0.0])
-    >>> lines = Lines(np.linspace(0, 60, 7), (side,) * 7, ("",) * 7, "seven stations", afloat=True)
+    >>> lines = Lines(np.linspace(0, 60, 7), (side,) * 7, ("",) * 7, "seven stations")
     >>> hull_from_lines("x.gdf", lines, length=60, beam=10, draught=4, midship=30).depth
     6.0
     """
@@ -119,10 +152,12 @@ def hull_from_lines(
             f"x is counted from midship, + forward; give `midship: {(lines.x[0] + lines.x[-1]) / 2:g}` if the file counts "
             "from another point"
         )
-    lift = draught if lines.afloat else 0.0
+    found = lines.datum or datum_of(where, lines.profile, draught, datum, still_water=lines.still_water)
+    lift, counted = (draught, "the calm water") if found == "waterline" else (0.0, "the baseline")
     contours = tuple((y, _at_water(height + lift, draught)) for y, height in lines.contours)
+    source = "; ".join([f"given: {lines.source}", f"heights from {counted}", *lines.remarks])
     hull = hull_from_offsets(
-        where, length=length, beam=beam, draught=draught, x=x, contours=contours, source=f"given: {lines.source}",
+        where, length=length, beam=beam, draught=draught, x=x, contours=contours, source=source,
         outline=outline, labels=list(lines.labels), title=title,
     )  # fmt: skip
     if hull.depth > draught * 1.001:

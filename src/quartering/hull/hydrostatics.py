@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from quartering.conventions import WATER_DENSITY
+from quartering.doors import takes
 from quartering.hull.immersed import strips
 from quartering.hull.offsets import Hull
 
@@ -49,6 +50,7 @@ class Hydrostatics:
     wetted_surface: float
 
 
+@takes(ship="Ship, Hull")
 def hydrostatics(ship: Ship | Hull) -> Hydrostatics:
     """Hydrostatic particulars of a ship, or of its bare hull.
 

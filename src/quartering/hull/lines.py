@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.hull.datum import datum_of, profile_of
 from quartering.hull.from_file import hull_from_lines, read_lines
 from quartering.hull.offsets import Contour, Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
 from quartering.hull.schema import OffsetKeys, ShipKeys, StationKeys
@@ -120,10 +121,13 @@ def _from_file(where: str, keys: ShipKeys, name: str, length: float, beam: float
             f"{where}: `lines` and `{'offsets' if keys.offsets else 'shape'}` are both given; drop one of them"
         )
     path = Path(where).parent / lines.file
-    read = read_lines(path, lines.format, draught)
+    datum = keys.value("datum")
+    if datum is not None:
+        checked(OPTIONS["datum"], datum, where)
+    read = read_lines(path, lines.format, draught, datum)
     return hull_from_lines(
         f"{where}: {path.name}", read, length=length, beam=beam, draught=draught, midship=lines.midship,
-        outline=lines.outline, title=name,
+        outline=lines.outline, title=name, datum=datum,
     )  # fmt: skip
 
 
@@ -139,12 +143,15 @@ def _from_offsets(where: str, keys: ShipKeys, name: str, length: float, beam: fl
     stations = sorted(offsets.stations, key=lambda station: station.x)
     _check_order(where, offsets, stations)
     contours = tuple(_contour(where, offsets, station, size) for station in stations)
+    x = np.array([station.x * size[0] for station in stations])
+    if datum_of(where, profile_of(x, contours), draught, keys.value("datum")) == "waterline":
+        contours = tuple((y, height + draught) for y, height in contours)
     return hull_from_offsets(
         where,
         length=length,
         beam=beam,
         draught=draught,
-        x=np.array([station.x * size[0] for station in stations]),
+        x=x,
         contours=contours,
         source=keys.provenance.get("lines", "given offsets"),
         outline=offsets.outline,

@@ -11,9 +11,10 @@ from scipy.interpolate import PchipInterpolator
 
 from quartering.conventions import InputError
 from quartering.hull.contour import along
-from quartering.hull.immersed import immersed_curve
+from quartering.hull.immersed import immersed_curve, strips
 from quartering.hull.offsets import Hull
 from quartering.hull.section import Floats
+from quartering.hull.strips import wholly_under_water
 
 POINTED_SHARE = 0.02
 """An end whose section has less than this share of the largest section area closes in a line instead of a flat."""
@@ -146,6 +147,7 @@ def hull_grid(hull: Hull, along_hull: int, around: int) -> Grid:
 
     Notes
     -----
+    Sections wholly under water, of a bulb ahead of the stem, are left out.
     Source: [Fritsch84] (curves).  Valid: as `hull_panels`.
 
     Examples
@@ -156,8 +158,10 @@ def hull_grid(hull: Hull, along_hull: int, around: int) -> Grid:
     ((9, 4), -50.0, 0.0)
     """
     fraction = np.sin(np.linspace(0.0, np.pi / 2, around + 1)) * 0.4 + np.linspace(0.0, 0.6, around + 1)
-    stations = np.array([hull.x[i] for i in hull.wet])
-    lines = [_contour(hull, i, fraction) for i in hull.wet]
+    under = wholly_under_water(strips(hull))
+    piercing = [i for i, out in zip(hull.wet, under, strict=True) if not out]
+    stations = np.array([hull.x[i] for i in piercing])
+    lines = [_contour(hull, i, fraction) for i in piercing]
     y, z = (np.stack(column) for column in zip(*lines, strict=True))
     first, last = float(stations[0]), float(stations[-1])
     if hull.shape != "offsets":  # stations are Gauss nodes, which stop short of the ends

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.hull.datum import Datum, datum_of
 from quartering.hull.section import Floats
 from quartering.hull.section_files import Lines
-from quartering.hull.surface import check_surface, joined_surface, surface_lines
+from quartering.hull.surface import Surface, check_surface, joined_surface
+from quartering.hull.surface_sections import surface_lines, surface_profile
 
 
-def read_gdf(path: str | Path) -> Lines:
+def read_gdf(path: str | Path, draught: float | None = None, datum: str | None = None) -> Lines:
     """Read a WAMIT low-order panel file.
 
     Parameters
     ----------
     path : str or Path    GDF: heading, ULEN and GRAV, ISX and ISY, number of panels, four corners each; z = 0 is the
                           calm plane
+    draught : float       compared with that of the panels [m]; None: not compared
+    datum : str           "keel" where the heights count from the baseline all the same
 
     Returns
     -------
@@ -69,18 +74,17 @@ def read_gdf(path: str | Path) -> Lines:
         panels = np.concatenate([panels, panels[:, ::-1] * [-1.0, 1.0, 1.0]])
     corners = np.concatenate([panels[:, [0, 1, 2]], panels[:, [0, 2, 3]]])
     surface = joined_surface(str(path), corners, half=bool(isy), waterline=0.0)
-    check_surface(surface)
-    return surface_lines(surface)
+    return _lines(surface, draught, datum, usual="waterline")
 
 
-def read_stl(path: str | Path, draught: float | None = None) -> Lines:
+def read_stl(path: str | Path, draught: float | None = None, datum: str | None = None) -> Lines:
     """Read an STL surface, text or binary.
 
     Parameters
     ----------
-    path : str or Path    x to the bow, z up, metres; whole, with or without a deck
-    draught : float       T of a surface with z from the baseline that is open above the waterline [m]; one that goes below
-                          z = 0 floats at z = 0
+    path : str or Path    x to the bow, z up, metres; whole, or the half on one side, with or without a deck
+    draught : float       of the lines: tells where z is counted from, and from where on the surface may be open [m]
+    datum : str           "keel" or "waterline", where z is counted from; None: decided from the surface
 
     Returns
     -------
@@ -103,7 +107,7 @@ def read_stl(path: str | Path, draught: float | None = None) -> Lines:
     ...     vertex = (f"vertex {x} {y} {z}" for x, y, z in corners.reshape(-1, 3))
     ...     _ = file.write_text("solid box\\n" + "\\n".join(vertex) + "\\nendsolid")
     ...     len(read_stl(file).x)
-    41
+    61
     """
     try:
         data = Path(path).read_bytes()
@@ -111,11 +115,27 @@ def read_stl(path: str | Path, draught: float | None = None) -> Lines:
         raise InputError(f"{path}: cannot be read: {error.strerror}; give a file you may read") from None
     text = data[:5].lower() == b"solid" and b"vertex" in data
     corners = _text_triangles(path, data) if text else _binary_triangles(path, data)
-    low = float(corners[..., 2].min()) if corners.size else 0.0
-    waterline = 0.0 if low < -1e-4 * float(np.ptp(corners[..., 2])) else draught
-    surface = joined_surface(str(path), corners, half=False, waterline=waterline)
-    check_surface(surface)
-    return surface_lines(surface)
+    y = corners[..., 1]
+    near = 1e-4 * float(np.abs(y).max()) if corners.size else 0.0
+    half = bool(corners.size) and (float(y.min()) >= -near or float(y.max()) <= near)
+    return _lines(joined_surface(str(path), corners, half=half, waterline=None), draught, datum, usual=None)
+
+
+def _lines(surface: Surface, draught: float | None, datum: str | None, usual: Datum | None) -> Lines:
+    """Sections of a surface, its datum found and the surface checked as far as it lies in the water."""
+    found, calm = usual, 0.0 if usual == "waterline" else None
+    if draught is not None:
+        found = datum_of(surface.name, surface_profile(surface), draught, datum, usual=usual)
+        calm = 0.0 if found == "waterline" else draught
+    elif usual is None:  # as far as a surface without a draught tells it
+        keel, top = surface_profile(surface).middle
+        calm = 0.0 if keel < -0.25 * (top - keel) else None
+    if surface.half:  # a face on the centreplane is no part of the hull
+        flat = np.abs(surface.points[surface.triangles][:, :, 1]) < 1e-6 * np.ptp(surface.points[:, 1])
+        surface = replace(surface, triangles=surface.triangles[~flat.all(axis=1)])
+    surface = replace(surface, waterline=calm)
+    remark = check_surface(surface)
+    return surface_lines(surface, datum=found, calm=calm, remarks=(remark,) if remark else ())
 
 
 def _text_triangles(path: str | Path, data: bytes) -> Floats:

@@ -37,7 +37,7 @@ class ShipOptions(TypedDict, total=False):
     depth: float | str | None
     """Side of the hull from the keel to the deck; carries the lines up where they end below [m, L, B, T]."""
     datum: Datum | None
-    """Where the heights of the lines are counted from: keel (up from the keel at midship), waterline (up from the cal ..."""
+    """Where the heights of the lines are counted from; found from the lines where they tell it: keel (up from the kee ..."""
     gm: float | str | None
     """Transverse metacentric height [m, L, B, T]."""
     kg: float | str | None

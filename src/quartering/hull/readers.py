@@ -152,6 +152,9 @@ def _made(where: str, keys: ShipKeys) -> Ship:
     given |= {"roll_damping": entries["roll_damping"].value}
     if keys.value("depth") is not None:
         given["depth"] = dimension(where, keys, "depth", hull.length, hull.beam, hull.design_draught)
+    if keys.lines is not None or keys.offsets is not None:  # it acted while they were read
+        datum = given.pop("datum", None)
+        start = start if datum is None else replace(start, particulars={**start.particulars, "datum": datum})
     made = changed(start, given, where)
     made = replace(made, provenance={**_notes(keys, base, entries, made), **keys.provenance})
     return changed(made, {"loading_case": keys.value("loading_case")}, where)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError, RangeWarning
+from quartering.doors import takes
 from quartering.hull.heeled import cross_curve, deck_angle
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
@@ -50,6 +51,7 @@ class RightingFit:
         return np.asarray(phi * (self.gm + phi**2 * (self.gz3 + phi**2 * (self.gz5 + phi**2 * self.gz7))))
 
 
+@takes(ship="Ship")
 def righting_arm(ship: Ship, angles_deg: ArrayLike) -> Floats:
     """Righting arm of a ship heeled in calm water at constant displacement.
 

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.hull.datum import Datum, Profile, profile_of
 from quartering.hull.offsets import Contour
 from quartering.hull.section import Floats
 from quartering.hull.stations import check_contour
+from quartering.table_text import Columns, columns_of, read_any_text, read_table
+
+STEP = 1e-6
+"""Half distance of two stations at one place, of the extent of the lines."""
+MOST = 100_000
+"""Most sections of a file, and points of a section."""
+PRISM_STATIONS = 11
+"""Stations laid through a hull that is the same all along and given by two or three."""
 
 
 class Lines(NamedTuple):
@@ -23,14 +31,31 @@ class Lines(NamedTuple):
     contours : tuple of (y, height)  starboard half, keel to deck; heights as in the file [m]
     labels : tuple of str            what the stations are called in messages
     source : str                     what was read
-    afloat : bool                    heights are counted from the calm plane, not from the baseline
+    datum : str or None              where the heights are counted from, where the format or the surface tells
+    still_water : float or None      height of the calm plane, where the file says it [m]
+    remarks : tuple of str           what was done to the lines
     """
 
     x: Floats
     contours: tuple[Contour, ...]
     labels: tuple[str, ...]
     source: str
-    afloat: bool = False
+    datum: Datum | None = None
+    still_water: float | None = None
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def profile(self) -> Profile:
+        """Lowest and highest points."""
+        return profile_of(self.x, self.contours)
+
+    @property
+    def afloat(self) -> bool:
+        """Do the heights count from the calm plane, as far as lines without a draught tell it?"""
+        if self.datum is not None:
+            return self.datum == "waterline"
+        keel, top = self.profile.middle
+        return keel < -0.25 * (top - keel)
 
 
 def read_offset_table(path: str | Path) -> Lines:
@@ -40,7 +65,8 @@ def read_offset_table(path: str | Path) -> Lines:
     ----------
     path : str or Path    header ``x, 0, 0.5, 1.0`` (waterline heights; a first column ``station`` is allowed), one station a
                           row, half breadths, blank where there is no hull; or header ``x, y, z``, points of each station
-                          from keel to deck; comma, semicolon or tab; ``#`` starts a comment; metres
+                          from keel to deck; comma, semicolon, tab or blanks; ``#`` starts a comment; metres, or the unit
+                          in the header, "x [mm]", or in a row below it. Two stations at one x are a step
 
     Returns
     -------
@@ -63,33 +89,21 @@ def read_offset_table(path: str | Path) -> Lines:
     ...     read_offset_table(file).contours[0][0].tolist()
     [5.0, 5.0]
     """
-    rows = _cells(Path(path))
-    header = [cell.strip().lower() for cell in rows[0]]
+    rows = read_table(path).rows
+    if len(rows) < 2:
+        raise InputError(f"{path}: no offsets in it; write a header and one row for each station")
+    columns = columns_of(rows)
+    header, body = columns.names, rows[columns.rows :]
     if header[:3] == ["x", "y", "z"] and len(header) == 3:
-        return _ascending(path, *_from_points(path, rows[1:]), f"offsets x, y, z of {Path(path).name}")
+        return _in_order(path, *_from_points(path, body, columns), f"offsets x, y, z of {Path(path).name}", columns)
     first = 1 if header[0] == "station" else 0
     if len(header) < first + 3 or header[first] != "x":
         raise InputError(
             f"{path}: the header is {', '.join(rows[0])!r}; write `x, y, z`, or `x` and the heights of two or more "
             "waterlines in metres"
         )
-    heights = np.array(
-        [_number(f"{path}: header, waterline {k + 1}", cell) for k, cell in enumerate(header[first + 1 :])]
-    )
-    return _ascending(path, *_from_table(path, rows[1:], heights, first), f"offset table {Path(path).name}")
-
-
-def _cells(path: Path) -> list[list[str]]:
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read as text ({type(error).__name__}); give a CSV file in UTF-8") from None
-    lines = [line.split("#")[0].rstrip() for line in text.splitlines()]
-    lines = [line for line in lines if line.strip(" ,;\t")]
-    if len(lines) < 2:
-        raise InputError(f"{path}: no offsets in it; write a header and one row for each station")
-    delimiter = next((mark for mark in ";\t" if mark in lines[0]), ",")
-    return [[cell.strip() for cell in row] for row in csv.reader(lines, delimiter=delimiter)]
+    found = _from_table(path, body, columns, first)
+    return _in_order(path, *found, f"offset table {Path(path).name}", columns)
 
 
 def _number(where: str, cell: str) -> float:
@@ -103,16 +117,24 @@ def _number(where: str, cell: str) -> float:
 
 
 def _from_table(
-    path: str | Path, rows: list[list[str]], heights: Floats, first: int
+    path: str | Path, rows: list[list[str]], columns: Columns, first: int
 ) -> tuple[list[float], list[Contour], list[str]]:
     """Stations of a table, one a row."""
+    unit = [columns.factor(k, "length", str(path)) for k in range(first, len(columns.names))]
+    heights = np.array([
+        _number(f"{path}: header, waterline {k + 1}", cell) * (unit[k + 1] if columns.units[first + 1 + k] else unit[0])
+        for k, cell in enumerate(columns.names[first + 1 :])
+    ])  # fmt: skip
     x, contours, labels = [], [], []
     for row in rows:
         cells = row + [""] * (first + 1 + heights.size - len(row))
-        x.append(_number(f"{path}: station {row[0]}, x", cells[first]))
+        x.append(_number(f"{path}: station {row[0]}, x", cells[first]) * unit[0])
         name = f"station {row[0]} (x = {x[-1]:g} m)" if first else f"station {len(x)} (x = {x[-1]:g} m)"
-        if len(cells) > first + 1 + heights.size:
-            raise InputError(f"{path}: {name}: {len(cells) - first - 1} half breadths for {heights.size} waterlines")
+        if any(cells[first + 1 + heights.size :]):
+            raise InputError(
+                f"{path}: {name}: {len(cells) - first - 1} half breadths for {heights.size} waterlines; decimal commas need "
+                "a semicolon or a tab between the columns"
+            )
         given = [k for k, cell in enumerate(cells[first + 1 :]) if cell]
         if len(given) < 2 or given != list(range(given[0], given[-1] + 1)):
             raise InputError(
@@ -120,18 +142,22 @@ def _from_table(
                 "are needed"
             )
         y = np.array([_number(f"{path}: {name}, waterline {k + 1}", cells[first + 1 + k]) for k in given])
+        y *= np.array([unit[k + 1] if columns.units[first + 1 + k] else unit[0] for k in given])
         check_contour(f"{path}: {name}", y, heights[given], first=given[0] + 1)
         contours.append((y, heights[given]))
         labels.append(name)
     return x, contours, labels
 
 
-def _from_points(path: str | Path, rows: list[list[str]]) -> tuple[list[float], list[Contour], list[str]]:
-    """Stations of a list of points: neighbouring rows of one x, keel to deck."""
+def _from_points(
+    path: str | Path, rows: list[list[str]], columns: Columns
+) -> tuple[list[float], list[Contour], list[str]]:
+    """Stations of a list of points: neighbouring rows of one x, keel to deck; two stations of one x follow each other."""
     points = np.array([
         [_number(f"{path}: point {k + 1}, {axis}", cell) for axis, cell in zip("xyz", [*row, "", "", ""][:3], strict=False)]
         for k, row in enumerate(rows)
-    ])  # fmt: skip
+    ]).reshape(-1, 3)  # fmt: skip
+    points = points * [columns.factor(k, "length", str(path)) for k in range(3)]
     breaks = np.flatnonzero(np.diff(points[:, 0]) != 0) + 1
     x, contours, labels = [], [], []
     for group in np.split(points, breaks):
@@ -139,26 +165,76 @@ def _from_points(path: str | Path, rows: list[list[str]]) -> tuple[list[float], 
             raise InputError(
                 f"{path}: points at x = {group[0, 0]:g} m stand in two places; keep the points of a station together"
             )
-        x.append(float(group[0, 0]))
-        labels.append(f"station {len(x)} (x = {x[-1]:g} m)")
-        check_contour(f"{path}: {labels[-1]}", group[:, 1], group[:, 2])
-        contours.append((group[:, 1], group[:, 2]))
+        for one in _stations_at_one_place(group):
+            x.append(float(one[0, 0]))
+            labels.append(f"station {len(x)} (x = {x[-1]:g} m)")
+            check_contour(f"{path}: {labels[-1]}", one[:, 1], one[:, 2])
+            contours.append((one[:, 1], one[:, 2]))
     return x, contours, labels
 
 
-def _ascending(path: str | Path, x: list[float], contours: list[Contour], labels: list[str], source: str) -> Lines:
-    """Lines with x ascending; a file may run from fore to aft."""
-    steps = np.diff(x)
-    if len(x) < 4 or not ((steps > 0).all() or (steps < 0).all()):
-        at = 0 if len(x) < 4 else int(np.argmax(steps * steps[0] <= 0)) + 1
-        raise InputError(
-            f"{path}: {labels[at]}: at least 4 stations are needed, running one way, from aft to fore or from fore to aft, "
-            "each once"
-        )
-    order = slice(None) if steps[0] > 0 else slice(None, None, -1)
-    return Lines(
-        np.array(x[order]), tuple(contours[order]), tuple(labels[order]), source, min(h[0] for _, h in contours) < 0
+def _stations_at_one_place(group: Floats) -> list[Floats]:
+    """Points of one x, parted where a second contour begins at the keel again: a step in the lines."""
+    z = group[:, 2]
+    falls = np.flatnonzero(np.diff(z) < -0.5 * np.ptp(z)) + 1
+    parts = np.split(group, falls)
+    return (
+        parts if len(falls) and all(len(part) > 1 and (np.diff(part[:, 2]) >= 0).all() for part in parts) else [group]
     )
+
+
+def _in_order(
+    path: str | Path,
+    x: list[float],
+    contours: list[Contour],
+    labels: list[str],
+    source: str,
+    columns: Columns | None = None,
+    still_water: float | None = None,
+) -> Lines:
+    """Lines with x ascending; a file may run from fore to aft, and have two stations where the lines have a step."""
+    steps = np.diff(x)
+    way = np.sign(x[-1] - x[0]) if len(x) > 1 else 0.0
+    if len(x) < 2 or way == 0 or not (steps * way >= 0).all():
+        at = 0 if len(x) < 2 else int(np.argmax(steps * way <= 0)) + 1
+        raise InputError(
+            f"{path}: {labels[at] if labels else 'no station'}: stations run one way, from aft to fore or from fore to aft, "
+            "and there are at least 4 of them, or 2 of a hull that is the same all along"
+        )
+    order = slice(None) if way > 0 else slice(None, None, -1)
+    found, names = list(contours[order]), list(labels[order])
+    at_x, steps_at = _stepped(path, np.array(x[order]), names)
+    remarks = [f"two stations at x = {', '.join(f'{one:g}' for one in steps_at)} m (a step)"] if steps_at else []
+    if len(at_x) < 4:
+        at_x, found, names = _prism(path, at_x, found, names)
+        remarks.append("the same all along")
+    units = sorted({unit for unit in columns.units if unit} - {"m"}) if columns else []
+    remarks += [f"given in {', '.join(units)}"] if units else []
+    return Lines(at_x, tuple(found), tuple(names), source, None, still_water, tuple(remarks))
+
+
+def _stepped(path: str | Path, x: Floats, labels: list[str]) -> tuple[Floats, list[float]]:
+    """Stations with two at one place set a hair apart, and the places."""
+    same = np.flatnonzero(np.diff(x) == 0)
+    if (np.diff(same) == 1).any():
+        raise InputError(f"{path}: {labels[same[0]]}: more than two stations at x = {x[same[0]]:g} m; a step has two")
+    apart, hair = x.copy(), STEP * float(x[-1] - x[0])
+    apart[same] -= hair
+    apart[same + 1] += hair
+    return apart, [float(one) for one in x[same]]
+
+
+def _prism(
+    path: str | Path, x: Floats, contours: list[Contour], labels: list[str]
+) -> tuple[Floats, list[Contour], list[str]]:
+    """More stations of a hull given by two or three that are all the same."""
+    y, z = contours[0]
+    if not all(one.shape == y.shape and np.allclose(one, y) and np.allclose(h, z) for one, h in contours):
+        raise InputError(
+            f"{path}: {len(x)} stations that differ; at least 4 stations are needed, or 2 of a hull that is the same all along"
+        )
+    more = np.linspace(x[0], x[-1], PRISM_STATIONS)
+    return more, [contours[0]] * len(more), [f"{labels[0]}, the same at x = {one:g} m" for one in more]
 
 
 def read_pdstrip_sections(path: str | Path) -> Lines:
@@ -191,10 +267,7 @@ def read_pdstrip_sections(path: str | Path) -> Lines:
     ...     read_pdstrip_sections(file).x.tolist()
     [-30.0, -10.0, 10.0, 30.0]
     """
-    try:
-        words = Path(path).read_text(encoding="utf-8", errors="replace").replace(",", " ").split()
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}; give a file you may read") from None
+    words = read_any_text(path).replace(",", " ").split()
     position = 0
 
     def take(what: str) -> str:
@@ -204,17 +277,25 @@ def read_pdstrip_sections(path: str | Path) -> Lines:
         position += 1
         return words[position - 1]
 
-    count, symmetric = int(_number(f"{path}: number of sections", take("number of sections"))), take("symmetry")
+    def whole(what: str) -> int:
+        value = _number(f"{path}: {what}", take(what))
+        if value != round(value) or not 0 <= value <= MOST:
+            raise InputError(f"{path}: {what} = {value:g}; it is a whole number from 0 to {MOST}")
+        return int(value)
+
+    count, symmetric = whole("number of sections"), take("symmetry")
     if symmetric.strip(".").lower()[:1] not in ("t", "f"):
         raise InputError(
             f"{path}: {symmetric!r} stands where t (symmetric) or f is expected; is it a PDSTRIP section file?"
         )
-    take("draught")
+    if count < 2:
+        raise InputError(f"{path}: {count} sections; a hull has at least 4, or 2 where it is the same all along")
+    still_water = _number(f"{path}: draught", take("draught"))
     x, contours, labels = [], [], []
     for k in range(count):
         name = f"section {k + 1}"
         x.append(_number(f"{path}: {name}, x", take(f"{name}, x")))
-        points, gaps = (int(_number(f"{path}: {name}, {what}", take(f"{name}, {what}"))) for what in ("points", "gaps"))
+        points, gaps = whole(f"{name}, points"), whole(f"{name}, gaps")
         for _ in range(gaps):
             take(f"{name}, gap")
         y, z = (
@@ -225,7 +306,7 @@ def read_pdstrip_sections(path: str | Path) -> Lines:
         )
         labels.append(f"station {k + 1} (x = {x[-1]:g} m)")
         contours.append(_starboard(f"{path}: {labels[-1]}", y, z))
-    return _ascending(path, x, contours, labels, f"PDSTRIP sections of {Path(path).name}")
+    return _in_order(path, x, contours, labels, f"PDSTRIP sections of {Path(path).name}", still_water=still_water)
 
 
 def _starboard(where: str, y: Floats, z: Floats) -> Contour:
@@ -236,6 +317,11 @@ def _starboard(where: str, y: Floats, z: Floats) -> Contour:
         keel = (y.size - 1) // 2 if y.size % 2 else y.size // 2
         y, z = np.abs(y[keel:]), z[keel:]
     y = np.abs(y)
+    if z.size > 2 and y.min() > 0.05 * y.max() and z.argmin() not in (0, z.size - 1) and z[0] > z.min() < z[-1]:
+        raise InputError(
+            f"{where}: the section lies apart from the centreplane, y from {y.min():g} to {y.max():g} m: half of a catamaran; "
+            "only hulls in one piece about the centreplane are treated here; give one hull with y from its own middle"
+        )
     if z.size > 1 and z[0] > z[-1]:
         y, z = y[::-1], z[::-1]
     check_contour(where, y, z)

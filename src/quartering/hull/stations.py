@@ -9,6 +9,12 @@ from quartering.hull.contour import Outline
 from quartering.hull.offsets import Contour, Hull, frozen
 from quartering.hull.quadrature import station_weights
 from quartering.hull.section import Floats
+from quartering.hull.sense import check_breadths, check_coefficients, check_decks, waterline_breadth
+
+STEP = 3e-5
+"""Distance of two stations that are a step of the lines, of the extent of the hull."""
+BLUNT = 0.1
+"""Half breadth at the waterline, of half the beam, from which on a section ends the hull in a flat."""
 
 
 def hull_from_offsets(
@@ -62,19 +68,23 @@ def hull_from_offsets(
     called = labels or [f"station {i + 1} (x = {position:g} m)" for i, position in enumerate(stations)]
     _check_stations(name, stations, contours, called)
     _check_size(name, float(length), float(beam), float(draught), stations, contours)
-    _check_freeboard(name, float(draught), contours, called)
+    check_breadths(name, float(beam), float(draught), contours, called)
+    stations, contours, called, bulbs = _with_necks(name, float(draught), float(beam), stations, contours, called)
+    check_decks(name, float(length), float(draught), contours, called)
     closed = tuple(_closed(np.asarray(y, dtype=float), np.asarray(h, dtype=float)) for y, h in contours)
+    weight = _weights(stations)
+    check_coefficients(name, float(length), float(beam), float(draught), stations, weight, closed)
     return Hull(
         name=title or name,
         length=float(length),
         beam=float(beam),
         draught=float(draught),
         x=frozen(stations),
-        weight=frozen(station_weights(stations)),
+        weight=frozen(weight),
         contours=closed,
         x_aft=float(stations[0]),
         x_fore=float(stations[-1]),
-        source=source,
+        source=f"{source}; {bulbs}" if bulbs else source,
         shape="offsets",
         design_draught=float(draught),
         outline=outline,
@@ -170,14 +180,55 @@ def _check_size(
         )
 
 
-def _check_freeboard(name: str, draught: float, contours: tuple[Contour, ...], labels: list[str]) -> None:
-    """Refuse a contour that ends below the waterline."""
-    for label, (_, height) in zip(labels, contours, strict=True):
-        if height[-1] < draught:
-            raise InputError(
-                f"{name}: {label} ends at height {height[-1]:g} m, below the draught of {draught:g} m; "
-                "every contour goes up to the waterline or above it; add points up to the deck, or give a smaller draught"
-            )
+def _weights(x: Floats) -> Floats:
+    """Weights of stations, each run between steps of the lines by itself."""
+    steps = np.flatnonzero(np.diff(x) < STEP * (x[-1] - x[0])) + 1
+    runs = np.split(x, steps)
+    return np.concatenate([station_weights(run) if len(run) > 1 else np.zeros(1) for run in runs])
+
+
+def _with_necks(
+    name: str, draught: float, beam: float, x: Floats, contours: tuple[Contour, ...], labels: list[str]
+) -> tuple[Floats, tuple[Contour, ...], list[str], str]:
+    """Contours that all reach over the water, and what to say of those that did not.
+
+    End sections wholly under water, of a bulb ahead of the stem, get a neck without breadth up to the deck of their
+    neighbours: their area counts, the waterplane does not gain by them, and the strips pass them over.  Ahead of a blunt end
+    the bulb reaches back to it, as a step.  Elsewhere a contour that ends below the waterline is refused.
+    """
+    under = [label_height[-1] < draught for _, label_height in contours]
+    if not any(under):
+        return x, contours, labels, ""
+    count = len(contours)
+    aft = next((k for k in range(count) if not under[k]), count)
+    fore = next((k for k in range(count) if not under[count - 1 - k]), count)
+    if aft + fore >= count or sum(under) > aft + fore:
+        at = next((k for k in range(aft, count) if under[k]), 0)
+        raise InputError(
+            f"{name}: {labels[at]} ends at height {contours[at][1][-1]:g} m, below the draught of {draught:g} m; "
+            "every contour but those of a bulb at the ends goes up to the waterline or above it; add points up to the deck, or "
+            "give a smaller draught"
+        )
+    made = list(contours)
+    ends = [*range(aft), *range(count - fore, count)]
+    for k in ends:
+        y, height = contours[k]
+        deck = float(contours[aft if k < aft else count - fore - 1][1][-1])
+        made[k] = np.append(y, [0.0, 0.0]), np.append(height, [height[-1], deck])
+    names = f"{labels[ends[0]]}" + (f" to {labels[ends[-1]]}" if len(ends) > 1 else "")
+    remark = (
+        f"{len(ends)} end sections wholly under water ({names}) count in the volume, and are left out of the strips"
+    )
+    called = list(labels)
+    hair = 0.5 * STEP * (x[-1] - x[0])
+    for bulb, full, after in ((count - fore, count - fore - 1, count - fore), (aft - 1, aft, aft)):
+        if not (0 <= bulb < count and under[bulb]) or abs(x[bulb] - x[full]) < 2 * hair:
+            continue
+        if waterline_breadth(*contours[full], draught) > BLUNT * beam / 2:
+            x = np.insert(x, after, x[full] + np.sign(x[bulb] - x[full]) * hair)
+            made.insert(after, made[bulb])
+            called.insert(after, f"{labels[bulb]}, carried on to {labels[full]}")
+    return x, tuple(made), called, remark
 
 
 def _closed(y: Floats, height: Floats) -> Contour:

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from quartering.hull.section import Floats
 
 TRANSOM_SHARE = 0.05
 """A ship has a transom when its aftmost section carries at least this share of the largest section area."""
+
+NECK = 0.01
+"""Half breadth at the waterline, of the largest under it, below which a section is one wholly under water."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +43,27 @@ class Strips:
     half_breadth: Floats
     draught: Floats
     area: Floats
+
+
+def wholly_under_water(immersed: Strips) -> NDArray[np.bool_]:
+    """Which sections are of a bulb ahead of the stem, with no more than a neck up to the waterline.
+
+    Parameters
+    ----------
+    immersed : Strips
+
+    Returns
+    -------
+    (s,) bool    their volume counts; the flow round such a section alone is not that of the bulb, so it is left out
+
+    Examples
+    --------
+    >>> from quartering.hull.immersed import strips
+    >>> from quartering.hull.offsets import wigley_hull
+    >>> bool(wholly_under_water(strips(wigley_hull(100.0, 10.0, 6.0, 9.0))).any())
+    False
+    """
+    return np.asarray(immersed.half_breadth < NECK * immersed.y.max(axis=1))
 
 
 def has_transom(immersed: Strips) -> bool:

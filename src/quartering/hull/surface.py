@@ -1,26 +1,22 @@
-"""A triangulated hull surface from a file: is it whole and the right way out, and what are its sections."""
+"""A triangulated hull surface from a file: its points and triangles, and whether it is whole and the right way out."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import pairwise
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
 from quartering.conventions import InputError
-from quartering.hull.offsets import Contour
 from quartering.hull.section import Floats
-from quartering.hull.section_files import Lines
-from quartering.hull.stations import check_contour
 
-STATIONS = 41
-"""Stations cut through a surface whose points do not lie on stations of their own."""
-
-_OWN_STATIONS = 80
-_MERGE = 1e-6
-
-Node = tuple[int, int]
+LEAK: Final = 1e-3
+"""Difference of the volumes by x, y and z, of the volume, from which on a surface leaks."""
+_HOLE: Final = 0.02  # area of a gap over the square of its edge: a triangle has 0.05, a crack between rows far less
+_MERGE: Final = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,21 +80,26 @@ def joined_surface(name: str, corners: Floats, *, half: bool, waterline: float |
     return Surface(name, loose[first], triangles[(a != b) & (b != c) & (c != a)], half, waterline)
 
 
-def check_surface(surface: Surface) -> None:
+def check_surface(surface: Surface) -> str:
     """Refuse a surface with holes, with panels turned against their neighbours, or inside out.
 
     Parameters
     ----------
     surface : Surface
 
+    Returns
+    -------
+    str    "", or what to say of panels that meet in part of their points
+
     Raises
     ------
-    InputError    the first of these that is found: where it is, and what to do
+    InputError    the first of these that is found: where it is, how much volume it leaks, and what to do
 
     Notes
     -----
-    Every edge belongs to two triangles that run it opposite ways, but on the centreplane of a half and above the calm
-    plane. The volume int y n_y dA is positive.  Source: Gauss's theorem.
+    Panels of neighbouring rows need no common corners: an edge of one may be covered by several of the other.  Of a whole
+    surface int x n_x dA, int y n_y dA and int z n_z dA under the calm plane are one volume; where they differ it leaks.
+    Source: Gauss's theorem.
 
     Examples
     --------
@@ -118,25 +119,53 @@ def check_surface(surface: Surface) -> None:
             f"{surface.name}: near {_place(at)} neighbouring panels are turned opposite ways (or lie double); give all of "
             "them their corners anticlockwise as seen from the water"
         )
-    loose = points[edges[~np.isin(forward, backward)]]
-    allowed = _may_be_open(surface, loose)
-    if not allowed.all():
-        a, b = loose[~allowed][0]
+    pairs = edges[~np.isin(forward, backward)]
+    pairs = pairs[~_may_be_open(surface, points[pairs])]
+    volumes = _volumes(surface)
+    remark = _checked_gaps(surface, pairs, volumes) if len(pairs) else ""
+    if volumes[1] <= 0:
         raise InputError(
-            f"{surface.name}: the surface is open along {int((~allowed).sum())} edges, the first from {_place(a)} to "
-            f"{_place(b)} m; it may only be open above the waterline and, for a half, on the centreplane; close the holes"
-        )
-    sides = _side_volumes(surface)
-    if sum(sides) <= 0:
-        raise InputError(
-            f"{surface.name}: the surface is inside out (its volume comes out as {sum(sides):.4g} m3); reverse the order "
+            f"{surface.name}: the surface is inside out (its volume comes out as {volumes[1]:.4g} m3); reverse the order "
             "of the corners of every panel, so that they run anticlockwise as seen from the water"
         )
+    sides = _side_volumes(surface)
     if not surface.half and abs(sides[0] - sides[1]) > 0.01 * sum(sides):
         raise InputError(
             f"{surface.name}: port and starboard differ ({sides[0]:.5g} and {sides[1]:.5g} m3 either side of y = 0); only "
             "symmetric hulls with y from the centreplane are treated here"
         )
+    return remark
+
+
+def _checked_gaps(surface: Surface, pairs: NDArray[np.intp], volumes: Floats) -> str:
+    """Refuse loose edges that are of a hole; else say how many there are and how well the volumes agree."""
+    volume = float(np.abs(volumes).max()) or 1.0
+    leak = float(np.ptp(volumes)) / volume
+    if leak > LEAK or _holes(surface.points, pairs):
+        a, b = surface.points[pairs[0]]
+        x, y, z = volumes * (2.0 if surface.half else 1.0)
+        raise InputError(
+            f"{surface.name}: the surface is open along {len(pairs)} edges, the first from {_place(a)} to {_place(b)} m, and "
+            f"leaks: its volume is {x:.5g} m3 by x, {y:.5g} by y, {z:.5g} by z, {100 * leak:.2g} % apart; it may only be open "
+            "above the waterline and, for a half, on the centreplane; close the holes"
+        )
+    return f"panels meet in part along {len(pairs)} edges, volumes by x, y, z agree within {100 * leak:.1g} %"
+
+
+def _holes(points: Floats, pairs: NDArray[np.intp]) -> bool:
+    """Does one of the gaps that loose edges bound have area? Edges that cover each other bound none."""
+    _, index = np.unique(pairs, return_inverse=True)
+    index = index.reshape(-1, 2)
+    graph = coo_array((np.ones(len(index)), (index[:, 0], index[:, 1])), shape=(index.max() + 1,) * 2)
+    group = connected_components(graph, directed=False)[1][index[:, 0]]
+    a, b = points[pairs[:, 0]], points[pairs[:, 1]]
+    for one in np.unique(group):
+        own = group == one
+        start = a[own][0]
+        area = np.linalg.norm(0.5 * np.cross(a[own] - start, b[own] - start).sum(axis=0))
+        if area > _HOLE * np.linalg.norm(b[own] - a[own], axis=1).sum() ** 2:
+            return True
+    return False
 
 
 def _may_be_open(surface: Surface, edges: Floats) -> NDArray[np.bool_]:
@@ -154,125 +183,42 @@ def _place(point: Floats) -> str:
     return f"({', '.join(f'{value:.5g}' for value in point)})"
 
 
+def _volumes(surface: Surface) -> Floats:
+    """Volume under the calm plane by the x, y and z components [m3]; of a half as it stands."""
+    corners = surface.points[surface.triangles]
+    if surface.waterline is not None:
+        corners = below(corners, surface.waterline) - [0.0, 0.0, surface.waterline]
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    area = np.cross(b - a, c - a) / 2
+    return np.asarray(((a + b + c) / 3 * area).sum(axis=0))
+
+
+def below(corners: Floats, height: float) -> Floats:
+    """The parts of triangles (t, 3, 3) under a height, corners in the same order.
+
+    Examples
+    --------
+    >>> below(np.array([[[0.0, 0, 0], [1, 0, 0], [0, 0, 2]]]), 1.0)[:, :, 2].max()
+    np.float64(1.0)
+    """
+    over = corners[:, :, 2] > height
+    count = over.sum(axis=1)
+    found = [corners[count == 0]]
+    for cut, lone_over in ((count == 1, True), (count == 2, False)):
+        lone = np.argmax(over[cut] == lone_over, axis=1)
+        rows = np.arange(len(lone))
+        p, q, r = (corners[cut][rows, (lone + k) % 3] for k in range(3))
+        to_q, to_r = (p + ((height - p[:, 2]) / (end[:, 2] - p[:, 2]))[:, None] * (end - p) for end in (q, r))
+        if lone_over:
+            found += [np.stack([to_q, q, r], axis=1), np.stack([to_q, r, to_r], axis=1)]
+        else:
+            found.append(np.stack([p, to_q, to_r], axis=1))
+    return np.concatenate(found)
+
+
 def _side_volumes(surface: Surface) -> tuple[float, float]:
     """int y n_y dA over the triangles on either side of y = 0 [m3]."""
     a, b, c = (surface.points[surface.triangles[:, k]] for k in range(3))
     share = (a + b + c)[:, 1] / 3 * np.cross(b - a, c - a)[:, 1] / 2
     left = (a + b + c)[:, 1] < 0
     return float(share[left].sum()), float(share[~left].sum())
-
-
-def surface_lines(surface: Surface, stations: int = STATIONS) -> Lines:
-    """Sections of a surface as lines.
-
-    Parameters
-    ----------
-    surface : Surface    checked
-    stations : int       how many to cut when the surface has no stations of its own
-
-    Returns
-    -------
-    Lines    aft to fore
-
-    Raises
-    ------
-    InputError    a section in several pieces, or one whose outline goes down again on its way up: named by station
-
-    Notes
-    -----
-    Cut at the rows of points when they lie on 8 to 80 stations, else at even distances; plane cuts of the triangles.
-    Source: geometry.  Valid: sections in one piece.
-
-    Examples
-    --------
-    >>> from quartering.hull.mesh_files import box_triangles
-    >>> box = joined_surface("box", box_triangles(60.0, 10.0, 6.0), half=False, waterline=None)
-    >>> lines = surface_lines(box)
-    >>> len(lines.x), lines.contours[5][0].max().round(6)
-    (41, np.float64(5.0))
-    """
-    x = surface.points[:, 0]
-    low, high = float(x.min()), float(x.max())
-    step = 1e-5 * (high - low)
-    rows = np.unique(np.round(x / step)) * step
-    at = rows if 8 <= len(rows) <= _OWN_STATIONS else np.linspace(low, high, stations)
-    at = np.clip(at - np.sign(at - (low + high) / 2) * step, low + step, high - step)
-    labels = tuple(f"station {k + 1} (x = {one:.5g} m)" for k, one in enumerate(at))
-    contours = tuple(_section(surface, float(one), label) for one, label in zip(at, labels, strict=True))
-    return Lines(at, contours, labels, f"sections of the surface {surface.name}", surface.waterline == 0.0)
-
-
-def _section(surface: Surface, x: float, label: str) -> Contour:
-    """Starboard half of the cut at x, keel to deck."""
-    where = f"{surface.name}: {label}"
-    y, z = _cut(surface, x, where).T
-    if surface.half:
-        y = np.abs(y)
-    else:
-        y, z = _positive_side(y, z)
-    if z[0] > z[-1]:
-        y, z = y[::-1], z[::-1]
-    while len(y) > 2 and y[-1] < y[-2] and abs(z[-1] - z[-2]) < 0.1 * (y[-2] - y[-1]):  # the deck
-        y, z = y[:-1], z[:-1]
-    rise = np.maximum.accumulate(z)
-    z = np.where(rise - z < 1e-4 * np.ptp(z), rise, z)
-    y = np.where(y < 1e-6 * max(float(y.max()), 1e-9), 0.0, y)
-    check_contour(where, y, z)
-    return y, z
-
-
-def _cut(surface: Surface, x: float, where: str) -> Floats:
-    """Points (n, 2) of the cut in order, from one end to the other; a closed one starts on the far side of y = 0."""
-    neighbours = _crossed_edges(surface, x)
-    if not neighbours:
-        raise InputError(f"{where}: the surface has no section here")
-    place = {node: _crossing(surface, node, x) for node in neighbours}
-    tips = [node for node, others in neighbours.items() if len(others) == 1]
-    start = tips[0] if tips else min(neighbours, key=lambda node: float(place[node][0]))
-    order = [start]
-    previous: Node | None = None
-    while len(order) <= len(neighbours):
-        ahead = [node for node in neighbours[order[-1]] if node not in (previous, start)]
-        if not ahead:
-            break
-        previous = order[-1]
-        order.append(ahead[0])
-    if len(order) < len(neighbours):
-        raise InputError(
-            f"{where}: the section is in several pieces (a bulb or an appendage apart from the hull); cut it off"
-        )
-    return np.array([place[node] for node in order])
-
-
-def _crossed_edges(surface: Surface, x: float) -> dict[Node, list[Node]]:
-    """Edges that cross the plane, each with the edges it shares a triangle with."""
-    side = surface.points[:, 0] > x
-    crossed = surface.triangles[(side[surface.triangles].sum(axis=1) % 3) != 0]
-    neighbours: dict[Node, list[Node]] = {}
-    for a, b, c in crossed.tolist():
-        one, other = ((min(p, q), max(p, q)) for p, q in ((a, b), (b, c), (c, a)) if side[p] != side[q])
-        neighbours.setdefault(one, []).append(other)
-        neighbours.setdefault(other, []).append(one)
-    return neighbours
-
-
-def _crossing(surface: Surface, edge: Node, x: float) -> Floats:
-    """The point (y, z) at which an edge crosses the plane."""
-    a, b = surface.points[edge[0]], surface.points[edge[1]]
-    share = (x - a[0]) / (b[0] - a[0])
-    cut: Floats = a[1:] + share * (b[1:] - a[1:])
-    return cut
-
-
-def _positive_side(y: Floats, z: Floats) -> Contour:
-    """The run of a section with y >= 0, its ends on the centreline where it crosses it."""
-    points: list[tuple[float, float]] = [(float(y[0]), float(z[0]))] if y[0] >= 0 else []
-    closed = list(zip([*y.tolist(), float(y[0])], [*z.tolist(), float(z[0])], strict=True))
-    last = len(y) if y[0] < 0 and y[-1] > 0 else len(y) - 1
-    for (y0, z0), (y1, z1) in pairwise(closed[: last + 1]):
-        if y0 * y1 < 0:
-            points.append((0.0, z0 + (z1 - z0) * y0 / (y0 - y1)))
-        if y1 >= 0:
-            points.append((y1, z1))
-    kept = np.array(points)
-    return kept[:, 0], kept[:, 1]

@@ -11,6 +11,7 @@ from quartering.conventions import InputError
 
 _FAST: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _DEEPEST = 100  # levels; no file of ours has more than four, and a library's own limit lies far above
+_MOST_REPEATED = 10_000  # values that aliases may stand for in all
 _TOO_DEEP = "nested too deeply; such a file has four levels at most"
 
 
@@ -130,7 +131,8 @@ def parsed(text: str, path: Path) -> Any:
 
     Raises
     ------
-    InputError    no YAML, nested too deeply, or a key given twice: with the line
+    InputError    no YAML, nested too deeply, aliases that stand for too much or for themselves, a key given twice: with the
+                  line
 
     Notes
     -----
@@ -179,13 +181,42 @@ def key_lines(text: str) -> dict[tuple[str, ...], int]:
 
 def _walk(text: str, path: Path, opened: list[Any]) -> None:
     """Go through the text without recursion; `opened` holds the lists and mappings open at its end or first error."""
+    sizes: list[int] = [0]  # values in each open list or mapping, aliases counted as what they stand for
+    named: dict[str, int] = {}
+    repeated = 0
     for event in yaml.parse(text, Loader=_FAST):
         if isinstance(event, yaml.CollectionStartEvent):
             opened.append(event)
+            sizes.append(0)
         elif isinstance(event, yaml.CollectionEndEvent):
-            opened.pop()
+            size, anchor = sizes.pop() + 1, opened.pop().anchor
+            sizes[-1] += size
+            if anchor is not None:
+                named[anchor] = size
+        elif isinstance(event, yaml.AliasEvent):
+            line, name = _line_of(event), str(event.anchor)
+            if any(one.anchor == event.anchor for one in opened):
+                raise InputError(
+                    f"{path}, line {line}: `*{event.anchor}` stands inside what it names; write the values out"
+                )
+            repeated += named.get(name, 1)
+            sizes[-1] += named.get(name, 1)
+            if repeated > _MOST_REPEATED:
+                raise InputError(
+                    f"{path}, line {line}: `*{event.anchor}` and the aliases above it stand for more than {_MOST_REPEATED:,} "
+                    "values; write the values out"
+                )
+        elif isinstance(event, yaml.ScalarEvent):
+            sizes[-1] += 1
+            if event.anchor is not None:
+                named[event.anchor] = 1
         if len(opened) > _DEEPEST:
             raise InputError(f"{path}, line {opened[-1].start_mark.line + 1}: {_TOO_DEEP}")
+
+
+def _line_of(event: Any) -> int:
+    """The line an event begins in, counted from 1."""
+    return int(event.start_mark.line) + 1
 
 
 # The library says what is wrong in words that change with its releases. Its kind of error and the two places it

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline
@@ -49,6 +50,7 @@ SOURCES: Final[tuple[Source, ...]] = (
 """Sources of coefficients, added up by name."""
 
 
+@takes(ship="Ship")
 def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coefficients:
     """Inertia, linear, restoring and cubic coefficients of a ship at n conditions, about G.
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quartering.conventions import MODES
 from quartering.hull.section import Floats
@@ -143,3 +145,54 @@ def likeness(added_mass: Floats, of_strips: Floats, draught: float) -> list[str]
                 "`moments_about` those of the file?"
             )
     return found
+
+
+def sway_phase(frequency: Floats, direction: Floats, forces: Mapping[str, NDArray[np.complex128]]) -> list[str]:
+    """Have the forces the phases of the other time factor?
+
+    Parameters
+    ----------
+    frequency : (f,) float     ascending [rad/s]
+    direction : (h,) float     the wave runs towards, from x to y of the file [deg]
+    forces : mapping           (f, h, 3) phasors of e^{+i omega t} per metre of wave amplitude, file axes
+
+    Returns
+    -------
+    list of str    nothing, or which forces have it
+
+    Notes
+    -----
+    In long waves the sway force is the acceleration of the water times masses above zero: with the elevation cos(omega t)
+    of a wave that runs towards +y, v_y = omega a cos(omega t), so that the phasor of the force is +i times a positive
+    number, and -i times it where imaginary parts have the other sign.  Looked for in the three longest waves, from the
+    direction nearest the beam.  Source: Morison's inertia force; waves on deep water.
+
+    Examples
+    --------
+    >>> force = np.zeros((4, 1, 3), dtype=complex)
+    >>> force[:, 0, 0] = 1j
+    >>> w, beam = np.linspace(0.3, 0.6, 4), np.array([90.0])
+    >>> sway_phase(w, beam, {"total": force}), sway_phase(w, beam, {"total": -force})[0][:22]
+    ([], 'total forces have the ')
+    """
+    if not direction.size or frequency.size < 3:  # too few to tell it from one odd value
+        return []
+    sine = np.sin(np.radians(direction))
+    beam = int(np.argmax(np.abs(sine)))
+    if abs(sine[beam]) < _OBLIQUE:
+        return []
+    turned = []
+    for name, values in forces.items():
+        sway = values[:3, beam, 0] * np.sign(sine[beam])
+        if sway.imag.sum() < -0.5 * np.abs(sway).sum() < 0:
+            turned.append(name)
+    if not turned:
+        return []
+    return [
+        f"{' and '.join(turned)} forces have the phases of the other time factor: in long waves the sway force leads the "
+        "elevation by 90 deg, and here it lags; reverse the sign of the imaginary parts, or of y"
+    ]
+
+
+_OBLIQUE: Final = 0.3
+"""Sine of the direction from which on a sway force tells its phase."""

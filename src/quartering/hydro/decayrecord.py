@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +13,8 @@ from scipy.signal import find_peaks
 
 from quartering.conventions import InputError
 from quartering.hull.section import Floats
+from quartering.options import OPTIONS
+from quartering.table_text import UNITS, columns_of, is_number, read_table
 
 AngleUnit = Literal["deg", "rad"]
 FEWEST_EXTREMES: Final = 6
@@ -24,9 +25,6 @@ SMALLEST_SWING: Final = 0.04
 
 IRREGULAR: Final = 0.3
 """Share by which a half period may differ from the median of the first six; the decay ends where one differs more."""
-
-
-_DECIMAL_COMMA: Final = re.compile(r"[-+]?\d+,\d+")
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,8 +127,9 @@ def read_decay(
 
     Parameters
     ----------
-    path : str or Path         columns parted by comma, semicolon, tab or blanks, with decimal points; lines that start with #
-                               are passed over, and one line of column names may stand first
+    path : str or Path         columns parted by comma, semicolon, tab or blanks; decimals with a point, or with a comma where
+                               it does not part columns; ``#`` starts a comment; a line of column names may stand first, with
+                               units, "time [ms]", or a line of units below it
     unit : str                 of the angle, "deg" or "rad"; left out, the name of its column must tell: roll_deg, phi [rad]
     columns : tuple of int     which columns hold time [s] and angle, counted from 0; left out, the file has two
     time_factor : float        from model to full scale, sqrt(scale); 1 keeps the time as it is [1]
@@ -141,8 +140,9 @@ def read_decay(
 
     Raises
     ------
-    InputError    no such file, no unit of the angle, a time in other units than seconds, more than two columns and no word on
-                  which, decimal commas, a row that has not its numbers (with its line), and what `decay_record` refuses
+    InputError    no such file, no unit of the angle, times that are no seconds (a period beyond 120 s), more than two columns
+                  and no word on which, decimal commas between commas, a row that has not its numbers (with its line), and what
+                  `decay_record` refuses
 
     Notes
     -----
@@ -160,47 +160,30 @@ def read_decay(
         raise InputError(f"time factor {time_factor:g} must be a number above 0; for a model of 1:68 it is sqrt(68)")
     names, lines = _cells(Path(path))
     chosen = _chosen(path, columns, names, len(lines[0][1]) if lines else len(names))
-    _check_seconds(path, names[chosen[0]] if names else "")
+    seconds = _to_seconds(path, names[chosen[0]] if names else "")
     unit = unit or _unit_of(path, names[chosen[1]] if names else "")
     values = np.array([_numbers(path, number, fields, chosen) for number, fields in lines]).reshape(-1, 2)
-    return decay_record(values[:, 0] * time_factor, values[:, 1], unit=unit, source=str(path))
+    made = decay_record(values[:, 0] * seconds * time_factor, values[:, 1], unit=unit, source=str(path))
+    _check_period(made)
+    return made
 
 
 def _cells(path: Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
-    """Column names, if there are any, and the cells of each row with its line in the file."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read ({error.strerror}); give the record as a text file") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path}: cannot be read as a text file; save the record as text in UTF-8 first") from None
-    lines = [
-        (number, line)
-        for number, line in enumerate(text.splitlines(), start=1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
-    if not lines:
+    """Column names with their units, if there are any, and the cells of each row with its line in the file."""
+    table = read_table(path)
+    if not table.rows:
         raise InputError(f"{path}: holds no samples; a decay is one line of time and angle per sample")
-    rows = [(number, _split(line)) for number, line in lines]
-    if any(_DECIMAL_COMMA.fullmatch(cell) for _, cells in rows for cell in cells):
-        raise InputError(f"{path}: has decimal commas; write its numbers with decimal points (0.5, not 0,5)")
-    if any(_is_number(cell) for cell in rows[0][1]):
+    rows = list(zip(table.lines, table.rows, strict=True))
+    if any(is_number(cell) for cell in table.rows[0]):
         return [], rows
-    names = rows[0][1]
-    if len(rows) > 1 and len(rows[1][1]) == 2 * len(names):
+    columns = columns_of(table.rows)
+    names, rows = columns.names, rows[columns.rows :]
+    if rows and len(rows[0][1]) == 2 * len(names):
         raise InputError(
-            f"{path}: line {rows[1][0]} has {len(rows[1][1])} numbers under {len(names)} names; are they decimal commas? "
-            "write its numbers with decimal points (0.5, not 0,5)"
+            f"{path}: line {rows[0][0]} has {len(rows[0][1])} numbers under {len(names)} names; are they decimal commas? "
+            "Part the columns by a semicolon or a tab then, or write decimal points (0.5, not 0,5)"
         )
-    return names, rows[1:]
-
-
-def _split(line: str) -> list[str]:
-    """Cells of a line: parted by tabs, semicolons, commas or blanks, the first of these it has."""
-    mark = next((mark for mark in "\t;," if mark in line), None)
-    if mark is None or (mark == "," and re.search(r"\d,\d+\s+[-+]?\d", line)):  # blanks between decimal commas
-        return line.split()
-    return [cell.strip() for cell in next(csv.reader([line], delimiter=mark))]
+    return [f"{name} [{unit}]" if unit else name for name, unit in zip(names, columns.units, strict=True)], rows
 
 
 def _chosen(path: str | Path, columns: tuple[int, int] | None, names: list[str], count: int) -> tuple[int, int]:
@@ -225,14 +208,6 @@ def _numbers(path: str | Path, line: int, fields: list[str], columns: tuple[int,
         ) from None
 
 
-def _is_number(cell: str) -> bool:
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True
-
-
 def _words_of(name: str) -> set[str]:
     """Words of a column's name: "roll_deg" and "phi [rad]" tell their unit."""
     return set(re.findall(r"[a-z]+|°", name.lower()))
@@ -249,10 +224,33 @@ def _unit_of(path: str | Path, name: str) -> AngleUnit:
     return "deg" if degrees else "rad"
 
 
-def _check_seconds(path: str | Path, name: str) -> None:
-    other = _words_of(name) & {"ms", "msec", "milliseconds", "min", "minutes", "h", "hours"}
-    if other:
-        raise InputError(f'{path}: the time column is "{name}"; time is taken in seconds, convert it first')
+def _to_seconds(path: str | Path, name: str) -> float:
+    """Factor to seconds from the name of the time column."""
+    units = {word: factor for word, (kind, factor) in UNITS.items() if kind == "time"}
+    units |= {"milliseconds": 1e-3, "minutes": 60.0, "h": 3600.0, "hours": 3600.0}
+    said = _words_of(name) & (units.keys() - {"s"}) or _words_of(name) & {"s"}
+    if len(said) > 1:
+        raise InputError(f'{path}: the time column is "{name}"; name one unit in it, such as "time [s]"')
+    return units[said.pop()] if said else 1.0
+
+
+def _check_period(record: DecayRecord) -> None:
+    """Refuse times that are no seconds: the swings would take longer than a ship's."""
+    phi = record.angle - np.median(record.angle)
+    crossings = int(np.count_nonzero(np.diff(np.sign(phi[phi != 0.0]))))
+    period = 2.0 * float(record.time[-1] - record.time[0]) / max(crossings, 1)
+    shortest, longest = (float(bound) for bound in (OPTIONS["roll_period"].low, OPTIONS["roll_period"].high))  # type: ignore[arg-type]
+    if crossings < 3 or period <= longest:
+        return
+    slip = (
+        f'; is the time in ms? Name its column "time [ms]", or give a time factor of 0.001 (period {period / 1000:.3g} s)'
+        if shortest <= period / 1000 <= longest
+        else "; check the unit of the time"
+    )
+    raise InputError(
+        f"{record.source}: its swings have a period of {period:.4g} s, and that of a ship is from {shortest:g} to {longest:g} s"
+        f"{slip}"
+    )
 
 
 def extremes(record: DecayRecord, *, skip: int = 0) -> Extremes:

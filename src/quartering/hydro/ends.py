@@ -34,7 +34,7 @@ from quartering.digest import fingerprint, source_digest
 from quartering.hull.mesh import Grid, hull_grid
 from quartering.hull.offsets import STEM_HALF_THICKNESS, Hull
 from quartering.hull.section import Floats
-from quartering.hull.strips import Strips
+from quartering.hull.strips import Strips, wholly_under_water
 from quartering.hydro.double_body import double_body
 from quartering.hydro.table import SectionTable
 
@@ -154,9 +154,11 @@ def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect, draught:
     >>> ratio[[0, 20]].round(1).tolist()  # the stem, and amidships
     [0.0, 1.0]
     """
-    m = np.interp(immersed.x, effect.x, effect.memory)[:, None]
+    own = ~wholly_under_water(immersed)[:, None]
+    m = own * np.interp(immersed.x, effect.x, effect.memory)[:, None]
     short = 2.0 * draught * table.frequency**2 / GRAVITY
-    change = ((1.0 + short) * np.exp(-short))[:, None, None, None] * _on_contours(table, immersed, effect)
+    fading = ((1.0 + short) * np.exp(-short))[:, None, None, None]
+    change = fading * (own[..., None] * _on_contours(table, immersed, effect))
     normal = np.stack([table.ny, table.y * table.nz - table.z * table.ny], axis=-1)
     mass = -2.0 * table.density * np.einsum("fsni,snj->fsij", change, normal)
     added = np.stack([mass[..., 0, 0], 0.5 * (mass[..., 0, 1] + mass[..., 1, 0]), mass[..., 1, 1]], axis=-1)

@@ -10,6 +10,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import WATER_DENSITY, InputError, RangeWarning
+from quartering.doors import takes
 from quartering.hull.option_types import Sections
 from quartering.hull.section import Floats, Section
 from quartering.hydro.closefit import close_fit
@@ -32,6 +33,7 @@ _VARIABLES: Final = {
 }
 
 
+@takes(section="Section")
 def section_coefficients(
     section: Section,
     frequency: ArrayLike,

@@ -9,6 +9,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
@@ -30,6 +31,7 @@ Terms = Literal["cap", "drop"]
 Sections = tuple[Floats, Floats]
 
 
+@takes(ship="Ship")
 def hydrodynamics6(
     ship: Ship,
     frequency: ArrayLike,

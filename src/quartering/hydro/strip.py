@@ -20,6 +20,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import GRAVITY, MODES, REFERENCE_POINT, InputError
+from quartering.doors import takes
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
@@ -177,6 +178,7 @@ def frequency_floor(beam: float) -> float:
     return float(FREQUENCY_FLOOR * np.sqrt(GRAVITY / beam))
 
 
+@takes(ship="Ship")
 def hydrodynamics(
     ship: Ship, frequency: ArrayLike, speed: float | str = 0.0, *, low_frequency: LowFrequency = "cap"
 ) -> xr.Dataset:

@@ -14,7 +14,7 @@ from quartering.conventions import GRAVITY, InputError
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.option_types import Sections
 from quartering.hull.section import Floats
-from quartering.hull.strips import Strips
+from quartering.hull.strips import Strips, wholly_under_water
 from quartering.hydro.closefit import close_fit, close_fit_limits
 from quartering.hydro.lewis import (
     LewisForms,
@@ -108,6 +108,7 @@ def radiation_table(
     At w = 0 the damping is zero and the potentials are those under a rigid lid. Close-fit coefficients are those of twice
     as many panels as the contour has points; the potentials integrate to them within 1e-3 (5e-3 on offsets with kinks).
     Source: [Tasai61] sections in sway and roll by [Lewis29] forms; [Frank67] on their own contours.
+    Sections wholly under water, of a bulb ahead of the stem, are left out: their coefficients are zero.
     Valid: deep water, nu B/2 < 20.
 
     Examples
@@ -128,7 +129,15 @@ def radiation_table(
         raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Sections))}")
     found = dict(_found(strips, w, density, points, "lewis" if method == "lewis" else "close-fit"))
     names = [f"section {i + 1} (x = {x:g} m)" for i, x in enumerate(strips.x)]
-    warn_of_mismatch(found.pop("mismatch"), names, stacklevel=2)
+    under = wholly_under_water(strips)
+    mismatch = found.pop("mismatch")
+    warn_of_mismatch(np.where(under, 0.0, mismatch), names, stacklevel=2)
+    if under.any():
+        found = {name: np.array(values) for name, values in found.items()}
+        for name in ("a", "b", "psi"):
+            found[name][:, under] = 0.0
+        for name in ("a_zero", "a_infinite"):
+            found[name][under] = 0.0
     return _table(found, density)
 
 

@@ -80,6 +80,24 @@ def _rows(path: Path, lengths: tuple[int, ...]) -> Iterator[tuple[int, list[floa
         yield number, values
 
 
+def _mode(path: Path, line: int, value: float) -> int:
+    """Number of a mode; others than those of one body, up to 6, are passed over as generalised ones."""
+    if not (np.isfinite(value) and value == round(value) and 1 <= value < 1e6):
+        raise InputError(
+            f"{path}, line {line}: {value:g} is no mode; modes are 1 surge to 6 yaw, and further whole numbers"
+        )
+    return int(value)
+
+
+def _period(path: Path, line: int, value: float) -> float:
+    """A period [s], or one of the two that stand for a limit: 0 and -1."""
+    if not np.isfinite(value) or (value < 0 and value != -1):
+        raise InputError(
+            f"{path}, line {line}: period {value:g} s; it is above 0, or 0 or -1 for infinite and zero frequency"
+        )
+    return value
+
+
 def _is_number(word: str) -> bool:
     try:
         float(word)
@@ -94,7 +112,7 @@ def _radiation(path: Path, scale: Floats) -> tuple[dict[float, tuple[Floats, Flo
     limits: dict[str, Floats] = {}
     diagonal: dict[float, set[int]] = {}
     for number, values in _rows(path, (4, 5)):
-        period, i, j = values[0], int(values[1]), int(values[2])
+        period, i, j = _period(path, number, values[0]), _mode(path, number, values[1]), _mode(path, number, values[2])
         diagonal.setdefault(period, set())
         if i not in MODES or j not in MODES:
             continue
@@ -120,7 +138,11 @@ def _radiation(path: Path, scale: Floats) -> tuple[dict[float, tuple[Floats, Flo
 
 def _excitation(path: Path, frequency: Floats, scale: Floats) -> tuple[Floats, NDArray[np.complex128]]:
     """Directions, and forces (f, h, 3) at the frequencies of the .1 file; nan is never left."""
-    rows = [values for _, values in _rows(path, (7,)) if int(values[2]) in MODES and values[0] > 0]
+    rows = [
+        values
+        for number, values in _rows(path, (7,))
+        if _mode(path, number, values[2]) in MODES and _period(path, number, values[0]) > 0
+    ]
     direction = np.unique([values[1] for values in rows])
     total = np.full((frequency.size, direction.size, 3), np.nan, dtype=complex)
     for period, beta, mode, _, _, real, imaginary in rows:

@@ -16,6 +16,7 @@ from quartering.conventions import (
     SYMBOLS,
     InputError,
 )
+from quartering.doors import takes
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.source import wave_source
@@ -153,6 +154,7 @@ def relative_phasors(
     return ship_lift_phasors(ship, coefficients(ship, omega, U), k, U, mu)
 
 
+@takes(ship="Ship", wave="Wave")
 def wave_forces(
     ship: Ship, wave: Wave, speed: ArrayLike = 0.0, heading: ArrayLike = 90.0, form: Form = "stf"
 ) -> xr.Dataset:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import kernel
 from quartering.conventions import STATE, InputError
+from quartering.doors import takes
 from quartering.motion.equations import Floats, Model
 from quartering.motion.march import alike, room_to_march, step_sum
 from quartering.motion.rates import WIDTH
@@ -71,6 +72,7 @@ def _march(first, last, equations, forcing, between, h, begin, limit, states, pe
                     capsize[row, l] = begin + (n + 1) * h
 
 
+@takes(model="Model")
 def irregular(
     model: Model,
     frequency: ArrayLike,

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY, InputError
+from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
@@ -228,6 +229,7 @@ def ship_system(
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
 
 
+@takes(ship="Ship", wave="Wave")
 def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, form: Form = "stf") -> Model:
     """Equations of motion of a ship in one regular wave.
 

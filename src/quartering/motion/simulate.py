@@ -10,6 +10,7 @@ import numpy as np
 
 from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.autopilot import Autopilot
 from quartering.motion.equations import Floats, Model
 from quartering.motion.rates import enter_inputs, fill, forces, room_for, row_of_lanes
@@ -126,6 +127,7 @@ def _rudder_angle(autopilot: Autopilot, states: Floats) -> Floats:
     return np.asarray(-autopilot.gain * states[:, HEADING] - autopilot.rate_gain * states[:, 3])
 
 
+@takes(model="Model")
 def simulate(
     model: Model,
     duration: float | str,

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning
+from quartering.doors import takes
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import checked_harmonics, harmonic_balance, orders_for
 from quartering.motion.status import Status
@@ -257,6 +258,7 @@ def motion_record(
     )
 
 
+@takes(model="Model")
 def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") -> Motion:
     """The steady periodic motion that grows out of the linear solution.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering.doors import takes
 from quartering.motion.equations import Floats, Model
 from quartering.motion.steady import Motion
 from quartering.motion.subharmonic import slowed
@@ -74,6 +75,7 @@ class Verdict:
     without_autopilot: float = float("nan")
 
 
+@takes(model="Model", motion="Motion")
 def stability(model: Model, motion: Motion) -> Verdict:
     """Judge one motion by first-order theory and by Floquet multipliers, which decide.
 

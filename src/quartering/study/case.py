@@ -163,7 +163,9 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     )  # a misspelt key, before a missing one
     path = tuple(str(part) for part in problem["loc"])
     keys: tuple[str, ...] = tuple(
-        part for part in path if part in _allowed_everywhere() or part in content or part in content.get("loading", {})
+        part
+        for part in path
+        if part in _allowed_everywhere() or part in content or part in (content.get("loading") or {})
     )
     if path == ("coefficients",):
         raise place.says(path, COEFFICIENTS)

@@ -10,6 +10,7 @@ import numpy as np
 from scipy.optimize import brentq
 
 from quartering.conventions import InputError, RangeWarning, in_unit, written
+from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.loads.waves import Wave
@@ -56,6 +57,7 @@ class Cure:
         return f"{abs(self.needed - self.now):.3g}{unit} {more} {name} ({self.now:.3g} -> {self.needed:.3g}{unit})"
 
 
+@takes(ship="Ship", wave="Wave")
 def cures(
     ship: Ship,
     wave: Wave,

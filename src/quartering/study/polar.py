@@ -9,6 +9,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
@@ -18,6 +19,7 @@ from quartering.study.dataset import labelled
 from quartering.study.grid import axis
 
 
+@takes(ship="Ship")
 def polar(
     ship: Ship,
     wave: Wave | Sequence[Wave],

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.loads.lift import ship_water_velocity
@@ -53,6 +54,7 @@ class Row(NamedTuple):
     method: str
 
 
+@takes(ship="Ship", wave="Wave")
 def sensitivity(ship: Ship, wave: Wave, speed: float | str, heading: float | str, *, harmonics: int = 3) -> xr.Dataset:
     """Derivatives of amplitudes, K2, index and leading Floquet exponent by every coefficient and design value.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from typing import Annotated
 
 from quartering.view.interrupts import quiet_start
@@ -11,12 +12,14 @@ with quiet_start():
     import typer
 
     from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
+    from quartering.view.outcome import BAD_INPUT
     from quartering.view.ship_options import takes_ship_options
 
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
 os.environ.setdefault("NUMBA_OPT", "1")
 
 INTERRUPTED = 130
+_MOST_THREADS = 10_000
 
 app = typer.Typer(
     name="quartering",
@@ -84,6 +87,19 @@ for _command in _COMMANDS:
 
 def main() -> None:
     """Entry point of the ``quartering`` command."""
+    if sys.stdout is None or sys.stderr is None:  # closed by the shell: nothing could be told
+        if sys.stderr is not None:
+            sys.stderr.write(
+                "quartering: standard output is closed; leave it open, or send it to a file or /dev/null\n"
+            )
+        sys.exit(BAD_INPUT)
+    threads = os.environ.get("NUMBA_NUM_THREADS", "1")
+    if not (threads.strip().isdigit() and 0 < int(threads) < _MOST_THREADS):
+        sys.stderr.write(
+            f"quartering: NUMBA_NUM_THREADS={threads!r}; it is a whole number from 1 to {_MOST_THREADS - 1}; leave it out for "
+            "all processors\n"
+        )
+        sys.exit(BAD_INPUT)
     try:
         app()
     except KeyboardInterrupt:  # between the imports and the command

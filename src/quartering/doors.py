@@ -1,0 +1,71 @@
+"""Public functions that refuse an argument of another kind in one message."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from inspect import signature
+from typing import Any, Final, ParamSpec, TypeVar
+
+from quartering.conventions import InputError
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+_ADVICE: Final = {
+    "Ship": 'quartering.ship("wigley")',
+    "Hull": 'quartering.ship("wigley").hull',
+    "Wave": "quartering.Wave(100.0, 2.0)",
+    "Model": "quartering.equations(ship, wave, speed, heading)",
+    "Motion": "quartering.steady_motion(model)",
+    "Section": "quartering.Section(y=[0, 5, 5], z=[4, 4, 0])",
+}
+"""Kind -> how one is made."""
+
+
+def takes(**kinds: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Refuse arguments that are not of the kinds named.
+
+    Parameters
+    ----------
+    **kinds : str    argument -> name of its class, or of several, "Ship, Hull"; so no room is imported for it
+
+    Returns
+    -------
+    callable    a decorator; the function raises `InputError` before anything else
+
+    Examples
+    --------
+    >>> @takes(ship="Ship")
+    ... def length(ship):
+    ...     return ship.hull.length
+    >>> length([1, 2])
+    Traceback (most recent call last):
+    ...
+    quartering.conventions.InputError: ship = [1, 2] is no Ship; give one, such as quartering.ship("wigley")
+    """
+
+    def checked(function: Callable[P, R]) -> Callable[P, R]:
+        places = {name: k for k, name in enumerate(signature(function).parameters) if name in kinds}
+
+        @wraps(function)
+        def call(*args: P.args, **given: P.kwargs) -> R:
+            for name, place in places.items():
+                if place < len(args):
+                    _of_kind(name, args[place], kinds[name])
+                elif name in given:
+                    _of_kind(name, given[name], kinds[name])
+            return function(*args, **given)
+
+        return call
+
+    return checked
+
+
+def _of_kind(name: str, given: Any, kinds: str) -> None:
+    allowed = kinds.split(", ")
+    if any(one.__name__ in allowed for one in type(given).__mro__):
+        return
+    said = repr(given)
+    said = said if len(said) <= 60 else f"{said[:57]}..."
+    raise InputError(f"{name} = {said} is no {' or '.join(allowed)}; give one, such as {_ADVICE[allowed[0]]}")
