@@ -16,7 +16,7 @@ from quartering.study.paper.model import TABLE_I, feeding_model, modified_model,
 from quartering.study.paper.motions import disturbance, integration_check, time_check
 from quartering.study.paper.sets import roll_rate
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute")
+SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
 SPEED = speed_of(SHIP)
 
 

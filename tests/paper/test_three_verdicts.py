@@ -5,7 +5,7 @@ import pytest
 
 import quartering as qt
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute")
+SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
 LENGTH = SHIP.hull.length
 SPEED = 0.25 * np.sqrt(9.81 * LENGTH)
 WAVE = qt.Wave(length=LENGTH, height=LENGTH / 30)

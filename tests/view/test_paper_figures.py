@@ -17,7 +17,7 @@ from quartering.view.plots.paper_curves import loading_picture, response_picture
 from quartering.view.plots.paper_figures import FIGURES, draw_figure
 from quartering.view.plots.paper_points import panels
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute")
+SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
 HEADINGS = np.arange(0.0, 181.0, 20.0)
 
 
