@@ -17,7 +17,7 @@ def run(*words):
     return CliRunner().invoke(app, ["new", *words])
 
 
-@pytest.mark.parametrize(("text", "name"), zip(FILES, ["barge.csv", "points.csv", "geomet.out"], strict=True))
+@pytest.mark.parametrize(("text", "name"), list(zip(FILES, ["barge.csv", "points.csv", "geomet.out"], strict=True)))
 def test_every_file_of_the_page_runs(tmp_path, monkeypatch, text, name):
     """Authority: closed form of the prism, 80 12 3 m3; of the table the trapezium at most."""
     monkeypatch.chdir(tmp_path)
