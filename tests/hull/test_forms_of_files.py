@@ -155,8 +155,9 @@ def test_half_a_surface_is_read_as_a_half(tmp_path, side):
 
 def test_half_a_catamaran_is_told_as_such(tmp_path):
     one = box_triangles(80.0, 4.0, 5.0, keel=0.0)
-    stl(tmp_path / "half.stl", [*one, 0.0, 4.0, 0.0])
-    stl(tmp_path / "whole.stl", np.concatenate([[*one, 0.0, 4.0, 0.0], one - [0.0, 4.0, 0.0]]))
+    port, starboard = np.subtract(one, [0.0, 4.0, 0.0]), np.add(one, [0.0, 4.0, 0.0])
+    stl(tmp_path / "half.stl", starboard)
+    stl(tmp_path / "whole.stl", np.concatenate([starboard, port]))
     for name in ("half.stl", "whole.stl"):
         assert "half of a catamaran" in refused(tmp_path, name)
     text = "".join(f"\n{x} 4 0\n2 2 6 6\n5 0 0 5" for x in X)

@@ -129,10 +129,7 @@ def _decided(where: str, profile: Profile, draught: float, usual: Datum | None, 
     if still_water == 0.0 and deepest < 0:
         return "waterline"
     if not fits and 0 <= keel <= top < 0.98 * draught:
-        raise InputError(
-            f"{where}: the sections end at height {top:.4g} m, below the draught of {draught:g} m; every contour goes up to "
-            "the waterline or above it; add points up to the deck, or give a smaller draught"
-        )
+        return "keel"  # of another size than told, which is refused in its own words
     if deepest < 0 and top < 0.98 * draught:
         return "waterline"
     both = "fits both" if fits else "fits neither"

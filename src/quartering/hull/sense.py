@@ -96,8 +96,8 @@ def check_coefficients(
     if not BLOCK[0] <= block <= BLOCK[1]:
         raise InputError(
             f"{name}: the volume is {volume:.4g} m3, a block coefficient of {block:.4g} on length {length:g} m, beam {beam:g} "
-            f"m and draught {draught:g} m{extent}; a ship has from {BLOCK[0]:g} to 1; check these three, the unit of the lines, "
-            "and where their heights count from (`datum:`)"
+            f"m and draught {draught:g} m{extent}; a ship has from {BLOCK[0]:g} to 1; check these three, the unit of the "
+            "lines, and where their heights count from (`datum:`)"
         )
     if not PLANE[0] <= fullness <= PLANE[1]:
         raise InputError(

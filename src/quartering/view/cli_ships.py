@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from quartering.conventions import InputError
 from quartering.view.arguments import Changes, Json, Picture, Ship, Speed
 from quartering.view.outcome import answering
 
@@ -19,15 +20,32 @@ def ships(json: Json = False) -> None:
 
 
 def new(
-    ship: Annotated[str, typer.Argument(help="Built-in ship to start from.")],
-    file: Annotated[str, typer.Argument(help="Ship file to write, such as my.yaml.")],
+    ship: Annotated[
+        str | None, typer.Argument(help="Built-in ship to start from; with --offsets, the ship file to write.")
+    ] = None,
+    file: Annotated[str | None, typer.Argument(help="Ship file to write, such as my.yaml.")] = None,
     case: Annotated[
         bool, typer.Option("--case", help="Write the case file of a study with this ship instead.")
     ] = False,
+    offsets: Annotated[
+        str | None, typer.Option("--offsets", help="Lines of your own (CSV, PDSTRIP, GDF, STL) to start from instead.")
+    ] = None,
+    draught: Annotated[str | None, typer.Option(help="Draught of the lines, with --offsets [m].")] = None,
+    length: Annotated[str | None, typer.Option(help="Between perpendiculars, with --offsets [m].")] = None,
+    beam: Annotated[str | None, typer.Option(help="Moulded, with --offsets [m].")] = None,
     json: Json = False,
 ) -> None:
-    """Write a commented ship file that starts from a built-in ship, or the case file of a study."""
+    """Write a commented ship file that starts from a built-in ship or from your own lines, or the case file of a study."""
     with answering():
+        if offsets is not None:
+            from quartering.view.commands.ships import new_from_offsets
+
+            new_from_offsets(offsets, file or ship, {"draught": draught, "length": length, "beam": beam}, json)
+            return
+        if ship is None or file is None:
+            raise InputError(
+                "new: give a built-in ship and the file to write, `new wigley my.yaml`, or `new --offsets my.csv`"
+            )
         if case:
             from quartering.view.commands.sweep import new_case
 

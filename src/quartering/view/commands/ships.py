@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+import warnings
+from collections.abc import Mapping
 from pathlib import Path
 
+import numpy as np
+
+from quartering.conventions import InputError, RangeWarning
+from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.readers import available_ships
+from quartering.hull.righting import righting_arm, righting_polynomial
 from quartering.hull.starting_file import write_ship
+from quartering.hull.starting_offsets import write_offsets_ship
 from quartering.view.output import claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
 
@@ -18,6 +26,39 @@ def list_ships(as_json: bool) -> None:
         return
     show(table("Built-in ships", ("name", "what it is"), entries))
     show(next_steps("quartering hull series60-cb60", "quartering new series60-cb60 my.yaml"))
+
+
+def new_from_offsets(lines: str, path: str | None, sizes: Mapping[str, str | None], as_json: bool) -> None:
+    """Write the ship file of one's own lines with what was found, and draw them."""
+    target = Path(path or Path(lines).with_suffix(".yaml").name)
+    if target.suffix not in (".yaml", ".yml"):
+        raise InputError(f'"{target}": its name must end in .yaml; try "{target.with_suffix(".yaml")}"')
+    made = write_offsets_ship(lines, target, **sizes)
+    picture = target.with_suffix(".png")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RangeWarning)  # the deck edge of the arm drawn
+        angles = np.linspace(0.0, 60.0, 61)
+        arms, fit = righting_arm(made, angles), righting_polynomial(made)
+    from quartering.view.plots import style
+    from quartering.view.plots.hull import hull_picture
+
+    write((picture, lambda part: style.save(hull_picture(made, angles, arms, fit), part)))
+    floats = hydrostatics(made)
+    if as_json:
+        show_json(
+            {
+                "file": str(target),
+                "picture": str(picture),
+                "volume": floats.volume,
+                "cb": floats.cb,
+                "lines": made.hull.source,
+            }
+        )
+        return
+    show(target.read_text(encoding="utf-8").rstrip())
+    show(f"Volume {floats.volume:.5g} m3, CB {floats.cb:.3f}, KM {floats.km:.4g} m. {made.hull.source}.")
+    show(f"Wrote {target} and {picture}: check both against your plan.")
+    show(next_steps(f"quartering hull {target}", f"quartering polar {target}"))
 
 
 def new_file(name: str, path: str, as_json: bool) -> None:

@@ -1,0 +1,112 @@
+"""Whatever is given to the public functions: one message; and ships, models and results go to other processes."""
+
+import copy
+import os
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import quartering as qt
+from quartering.hull.yaml_text import read_yaml
+
+SHIP, WAVE = qt.ship("wigley"), qt.Wave(80.0, 2.0)
+MODEL = qt.equations(SHIP, WAVE, 5.0, 60.0)
+MOTION = qt.steady_motion(MODEL)
+RECORDS = {
+    "ship": SHIP, "model": MODEL, "coefficients": qt.coefficients(SHIP, 0.8, 5.0), "motion": MOTION,
+    "verdict": qt.stability(MODEL, MOTION),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "way", [copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))], ids=["deepcopy", "pickle"]
+)
+@pytest.mark.parametrize("name", RECORDS)
+def test_a_record_is_the_same_after_a_copy(name, way):
+    other = way(RECORDS[name])
+    assert type(other) is type(RECORDS[name])
+    assert repr(other) == repr(RECORDS[name])
+    if name == "ship":
+        assert qt.hydrostatics(other) == qt.hydrostatics(SHIP)
+        with pytest.raises(TypeError):
+            other.overrides["K_ppp"] = 1.0
+
+
+CALLS = {
+    "equations": lambda one: qt.equations(one, WAVE, 5.0, 60.0),
+    "wave": lambda one: qt.equations(SHIP, one, 5.0, 60.0),
+    "steady_motion": lambda one: qt.steady_motion(one),
+    "simulate": lambda one: qt.simulate(one, 10.0),
+    "irregular": lambda one: qt.irregular(one, 10.0),
+    "stability": lambda one: qt.stability(MODEL, one),
+    "stability of": lambda one: qt.stability(one, MOTION),
+    "hydrostatics": lambda one: qt.hydrostatics(one),
+    "righting_arm": lambda one: qt.righting_arm(one, [10.0]),
+    "coefficients": lambda one: qt.coefficients(one, 0.8, 5.0),
+    "hydrodynamics": lambda one: qt.hydrodynamics(one, [0.5]),
+    "section_coefficients": lambda one: qt.section_coefficients(one, [0.5]),
+    "wave_forces": lambda one: qt.wave_forces(SHIP, one),
+    "ship": lambda one: qt.ship(one),
+}
+
+
+@pytest.mark.parametrize("given", [None, [1, 2], 3.0, "x", {}], ids=repr)
+@pytest.mark.parametrize("name", CALLS)
+def test_an_argument_of_another_kind_is_refused_in_one_message(name, given):
+    with pytest.raises(qt.InputError):
+        CALLS[name](given)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: SHIP.with_(gm=10**400),
+        lambda: SHIP.with_(gm=1e-308),
+        lambda: SHIP.with_(roll_damping="100.1 %"),
+        lambda: SHIP.with_(water_density=1),
+        lambda: SHIP.with_(values={"K_ppp": 10**400}),
+        lambda: qt.Wave(10**400, 2.0),
+        lambda: qt.equations(SHIP, WAVE, 10**400, 60.0),
+        lambda: qt.equations(SHIP, WAVE, 5.0, 1e300),
+        lambda: qt.equations(SHIP, WAVE, 5.0, 400.0),
+        lambda: qt.equations(SHIP, WAVE, np.nan, 60.0),
+    ],
+)
+def test_a_number_without_sense_is_refused(call):
+    with pytest.raises(qt.InputError):
+        call()
+
+
+def test_aliases_of_aliases_are_refused_before_they_grow(tmp_path):
+    """9 to the power of 11 values; nothing is expanded."""
+    lines = ["a0: &a0 {x: 1}"]
+    lines += [f"a{k}: &a{k} [{', '.join([f'*a{k - 1}'] * 9)}]" for k in range(1, 12)]
+    path = tmp_path / "a.yaml"
+    path.write_text("\n".join(lines))
+    with pytest.raises(qt.InputError, match="stand for more than"):
+        read_yaml(path)
+    path.write_text("a: &a [*a]")
+    with pytest.raises(qt.InputError, match="stands inside what it names"):
+        read_yaml(path)
+    path.write_text("a: &a {x: 1}\nb: *a\nc: {<<: *a, y: 2}\n")
+    assert read_yaml(path)["c"] == {"x": 1, "y": 2}
+
+
+def command(*words, **environment):
+    code = "from quartering.view.cli import main; main()"
+    line = f'"{sys.executable}" -c "{code}" {" ".join(words)}'
+    return subprocess.run(
+        line, shell=True, capture_output=True, text=True, env={**os.environ, **environment}, check=False
+    )
+
+
+def test_a_closed_output_and_a_number_of_threads_that_is_none_are_one_line():
+    closed = command("ships", ">&-")
+    assert (closed.returncode, closed.stderr.count("\n")) == (2, 1)
+    assert "standard output is closed" in closed.stderr
+    threads = command("ships", NUMBA_NUM_THREADS="abc")
+    assert (threads.returncode, threads.stdout) == (2, "")
+    assert "NUMBA_NUM_THREADS='abc'" in threads.stderr

@@ -1,0 +1,52 @@
+"""`quartering new --offsets`, and that every file of the page *Your own ship* runs."""
+
+import re
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+import quartering as qt
+from quartering.view.cli import app
+
+PAGE = (Path(__file__).parents[2] / "docs" / "your_own_ship.md").read_text(encoding="utf-8")
+FILES = re.findall(r"```text\n(.*?)```", PAGE, re.DOTALL)
+
+
+def run(*words):
+    return CliRunner().invoke(app, ["new", *words])
+
+
+@pytest.mark.parametrize(("text", "name"), list(zip(FILES, ["barge.csv", "points.csv", "geomet.out"], strict=True)))
+def test_every_file_of_the_page_runs(tmp_path, monkeypatch, text, name):
+    """Authority: closed form of the prism, 80 12 3 m3; of the table the trapezium at most."""
+    monkeypatch.chdir(tmp_path)
+    Path(name).write_text(text)
+    result = run("--offsets", name, "my.yaml", "--draught", "3")
+    assert result.exit_code == 0, result.output
+    assert "datum: keel" in result.output
+    assert (tmp_path / "my.png").stat().st_size > 5_000
+    volume = qt.hydrostatics(qt.ship("my.yaml")).volume
+    assert 0.6 * 2880 < volume < 2880 if name == "barge.csv" else volume == pytest.approx(2880.0)
+
+
+def test_a_draught_that_is_missing_is_asked_for_and_nothing_is_left(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("a.csv").write_text(FILES[0])
+    result = run("--offsets", "a.csv")
+    assert (result.exit_code, [path.name for path in tmp_path.iterdir()]) == (2, ["a.csv"])
+    assert "--draught" in result.stderr
+
+
+def test_lines_from_the_calm_water_have_their_own_draught(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("a.csv").write_text("x,-3,2\n-40,6,6\n40,6,6")
+    result = run("--offsets", "a.csv", "--json")
+    assert result.exit_code == 0, result.output
+    assert qt.ship("a.yaml").value("datum") == "waterline"
+    assert qt.hydrostatics(qt.ship("a.yaml")).volume == pytest.approx(2880.0)
+
+
+def test_new_without_a_ship_says_what_to_give(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert "--offsets" in run().stderr
