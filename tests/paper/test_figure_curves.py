@@ -67,7 +67,9 @@ def test_response_is_the_fundamental_of_the_integrated_motion(heading):
 @pytest.mark.parametrize("name", ["series60-cb60", "series60-cb70"])
 def test_roll_peaks_in_quartering_seas_near_encounter_resonance(name):
     """The paper's second peak; the stiffening righting arm moves it to higher frequency, so to a larger heading."""
-    ds = response_curves(qt.ship(name).with_(velocities="absolute", ends="strips"), [0.75, 1.0, 1.5], np.arange(0.0, 181.0, 3.0))
+    ds = response_curves(
+        qt.ship(name).with_(velocities="absolute", ends="strips"), [0.75, 1.0, 1.5], np.arange(0.0, 181.0, 3.0)
+    )
     for one in (ds.isel(wave_length=i) for i in range(3)):
         (resonance,) = resonances(one)
         peak = float(one["heading"][np.argmax(one["roll"].values)])
