@@ -240,3 +240,11 @@ def test_a_caller_who_never_says_what_it_wants_is_cut_off(patient, head):
     with socket.create_connection(("127.0.0.1", patient), timeout=60) as sent:
         sent.sendall(head)
         assert _read(sent, 0, 1) == 0
+
+
+def test_what_is_no_request_is_refused_in_the_shape_of_all(patient):
+    with socket.create_connection(("127.0.0.1", patient), timeout=60) as sent:
+        sent.sendall(b"\x16\x03\x01\x02\x00 hello\r\n\r\n")
+        head, _, content = sent.recv(65536).partition(b"\r\n\r\n")
+    assert head.startswith(b"HTTP/1.1 400")
+    assert list(json.loads(content)) == ["error"]

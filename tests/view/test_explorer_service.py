@@ -141,7 +141,7 @@ def test_cures_are_sought_by_post_alone(explorer):
         ("GET", "/api/verdict", {}, None, 422),
         ("POST", "/api/verdict", {"content-type": "application/json"}, b"{", 422),
         ("POST", "/api/verdict", {"content-type": "application/json"}, b"\xff\x02", 400),
-        ("BREW", "/api/verdict", {}, None, 405),
+        ("PROPFIND", "/api/verdict", {}, None, 405),
         ("GET", "/_nicegui_ws/socket.io/?EIO=4&transport=polling", {"origin": "http://other.example"}, None, 403),
     ],
 )

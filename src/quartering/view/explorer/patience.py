@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 from typing import Any, Final
 
 from uvicorn.protocols.http.auto import AutoHTTPProtocol
@@ -35,6 +36,13 @@ class Patient(AutoHTTPProtocol):  # type: ignore[misc, valid-type]
             self._head = None
         elif self._head is None and self._idle():
             self._await_head()
+
+    def send_400_response(self, msg: str) -> None:
+        """Answer what is no request in the shape of all refusals."""
+        content = json.dumps({"error": f"this is no HTTP request: {msg}"}).encode()
+        head = f"HTTP/1.1 400 \r\ncontent-type: application/json\r\ncontent-length: {len(content)}\r\nconnection: close\r\n\r\n"
+        self.transport.write(head.encode() + content)
+        self.transport.close()
 
     def pause_writing(self) -> None:
         """The reader is behind: look later whether it takes anything."""
