@@ -55,7 +55,8 @@ def contracted(one: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
     >>> contracted(np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([1.0, 10.0])).tolist()
     [21.0, 43.0]
     """
-    total = one[..., 0] * other[..., 0]
-    for j in range(1, one.shape[-1]):
-        total = total + one[..., j] * other[..., j]
+    with np.errstate(invalid="ignore", over="ignore"):  # a row without an answer is not finite, and says so itself
+        total = one[..., 0] * other[..., 0]
+        for j in range(1, one.shape[-1]):
+            total = total + one[..., j] * other[..., j]
     return np.asarray(total)

@@ -208,7 +208,9 @@ def test_anthineas_from_particulars_offsets_and_decay():
     assert found.damped.ratio == pytest.approx(linear.value, rel=1e-9)
     assert found.damped.equivalent(np.radians(5.0)) == pytest.approx(0.034, rel=0.05)
     total = -found.quadratic + found.bare.drag * found.bare.inertia
-    assert total == pytest.approx(1450000.0, rel=0.12)  # d spans 0.649 to 0.79 between the ways and the analysts
+    assert total == pytest.approx(
+        1450000.0, rel=0.13
+    )  # d spans 0.649 to 0.79 between the ways and the analysts, and the inertia 3 %
     assert found.provenance[QUADRATIC].startswith("measured: decay record anthineas_roll_decay.csv")
 
 

@@ -5,7 +5,7 @@ import pytest
 import quartering as qt
 from quartering.study.cure import cures
 
-SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0})
+SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0}, velocities="absolute", ends="strips")
 WAVE, SPEED, HEADING = qt.Wave(121.92, 4.0), 8.6, 30.0
 
 

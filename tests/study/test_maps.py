@@ -97,7 +97,7 @@ def test_keeping_pace_with_the_wave_is_a_status_with_advice():
 
 def test_roll_beyond_the_fitted_arm_is_warned_of():
     with pytest.warns(qt.RangeWarning, match="40 deg"):
-        qt.sweep(SHIP, 0.0, 90.0, 2.4 * LENGTH, [LENGTH / 10])
+        qt.sweep(SHIP.with_(velocities="absolute", ends="strips"), 0.0, 90.0, 2.4 * LENGTH, [LENGTH / 10])
 
 
 def test_dataset_is_labelled_and_survives_the_disk(small_map, tmp_path):
@@ -140,7 +140,7 @@ def test_bad_axes_are_refused_with_one_message(changes, message):
 
 def test_calm_water_course_instability_is_told_from_the_waves_doing():
     """A full hull is course-unstable by regression: its cells must say so, and its calm exponent be positive."""
-    ship = qt.ship("box")
+    ship = qt.ship("box").with_(ends="strips")
     length = ship.hull.length
     ds = qt.polar(ship, qt.Wave(length, length / 100), [0.25 * np.sqrt(9.81 * length)], [20.0])
     if float(ds["calm_exponent"].squeeze()) > 0:

@@ -10,7 +10,7 @@ from quartering.stability.kind import Kind
 from quartering.study.cure import cures
 from quartering.study.vary import refined_flips
 
-SHIP = qt.ship("series60-cb60")
+SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
 LENGTH = SHIP.hull.length
 SPEED, HEADING = 0.25 * np.sqrt(9.81 * LENGTH), 30.0
 WAVE = qt.Wave(LENGTH, LENGTH / 30)

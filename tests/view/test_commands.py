@@ -139,7 +139,7 @@ def test_verdict_with_an_autopilot_is_that_of_the_library(run):
 
 def test_unstable_verdict_offers_cures(run, tmp_path):
     file = tmp_path / "restless.yaml"
-    file.write_text("base: series60-cb60\nname: restless\nmultipliers: {K_prr: -60}\n")
+    file.write_text("base: series60-cb60\nname: restless\nmultipliers: {K_prr: -60}\nvelocities: absolute\n")
     words = " ".join(
         run(
             "verdict", file, "--heading", "30", "--speed", "8.6", "--wave-length", "1L", "--wave-height", "4"

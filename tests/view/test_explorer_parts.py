@@ -29,7 +29,7 @@ BARGE = "x,0,4,6\n" + "\n".join(f"{x},5,5,5" for x in (-30, -10, 10, 30))
 
 
 def lengths(low, high):
-    return st.none() | st.floats(low, high, exclude_min=True)
+    return st.none() | st.floats(max(low, 1e-3), high)  # below, a length is no length
 
 
 @given(
@@ -92,7 +92,7 @@ def test_an_uploaded_barge_has_the_volume_of_a_box():
         ("hull.csv", bytes(range(256)) * 40, "text"),
         ("hull.stl", b"\x00" * 200, "STL"),
         ("hull.gdf", b"\xff\xfe" * 300, "GDF"),
-        ("hull.csv", b"x,0,4\n0,5,5\n", "at least 4 stations"),
+        ("hull.csv", b"x,0,4\n0,5,5\n", "at least 4 of them"),
         ("hull.csv", b"", "empty"),
         ("hull.csv", b"x" * (LARGEST + 1), "MB"),
         ("hull.out", b"4 t 4.0", "."),

@@ -13,7 +13,7 @@ from quartering.view.cli import app
 from quartering.view.plots.tornado import tornado_picture
 from quartering.view.plots.vary import vary_picture
 
-SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0})
+SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0}, velocities="absolute", ends="strips")
 LENGTH = SHIP.hull.length
 AT = (qt.Wave(LENGTH, LENGTH / 30), 0.25 * np.sqrt(9.81 * LENGTH), 30.0)
 
@@ -43,7 +43,7 @@ def test_a_range_alone_is_enough(run, tmp_path):
 
 def test_json_holds_the_curves_and_the_flips(run):
     condition = ("--heading", "30", "--speed", "0.25Fn", "--wave-height", f"{LENGTH / 30}m")
-    facts = json.loads(run("--coefficient", "K_prr=-60:0:7", *condition, "--json").stdout)
+    facts = json.loads(run("--coefficient", "K_prr=-60:0:7", *condition, "--velocities", "absolute", "--json").stdout)
     assert len(facts["roll"]) == len(facts["exponent"]) == 7
     (flip,) = facts["flips"]
     assert flip["below"] == "roll"

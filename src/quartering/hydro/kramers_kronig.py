@@ -95,7 +95,7 @@ def kramers_kronig(data: xr.Dataset | SectionTable, *, added_mass_infinite: Arra
     --------
     >>> from quartering.hull.ship import ship
     >>> from quartering.hydro.moments import section_table
-    >>> kramers_kronig(section_table(ship("wigley").hull, 1025.0)).consistent
+    >>> kramers_kronig(section_table(ship("wigley").with_(ends="strips").hull, 1025.0)).consistent
     True
     """
     given = _table_pair(data) if isinstance(data, SectionTable) else _dataset_pair(data)

@@ -36,7 +36,7 @@ def strip_source(ship: Ship) -> Hydrodynamics:
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> strip_source(ship("wigley")).words
+    >>> strip_source(ship("wigley").with_(ends="strips")).words
     'the strips'
     """
     hull, ends = ship.hull, end_method(ship.hull)

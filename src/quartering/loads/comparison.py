@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Final, get_args
 
 import numpy as np
@@ -117,10 +118,8 @@ def _add_lift(force: dict[str, Phasors], ship: Ship, length: Floats, mu: Floats,
     """Add the force of lift and measured added mass in moving water to every form but the paper's."""
     k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
     u = np.full(k.size, float(speed))
-    lift = np.full((k.size, 3), np.nan + 0j)
-    held = conditions_held(ship, k, u, heading, "paper-corrected")
-    if held.any():
-        lift[held] = relative_phasors(ship, k[held], u[held], heading[held])
+    # lift is what the potential flow lacks: the ship's own database has no part in it, and need not hold the condition
+    lift = relative_phasors(replace(ship, database=None), k, u, heading)
     for form in set(force) - {PRESSURE_ALONE, "paper"}:
         force[form] = force[form] + lift.reshape(length.size, mu.size, 3)
 

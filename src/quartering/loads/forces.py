@@ -64,7 +64,7 @@ def form_words(ship: Ship, form: Form) -> str:
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> form_words(ship("box"), "stf") == FORMS["stf"]
+    >>> form_words(ship("box").with_(ends="strips", velocities="absolute"), "stf") == FORMS["stf"]
     True
     """
     words = wave_source(ship, form).words

@@ -72,7 +72,7 @@ def wave_source(ship: Ship, form: Form = "stf", by: str | None = None) -> WaveFo
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> wave_source(ship("box")).words == FORMS["stf"]
+    >>> wave_source(ship("box").with_(ends="strips")).words == FORMS["stf"]
     True
     """
     own = source_of(ship, by)

@@ -96,7 +96,7 @@ def cures(
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> restless = ship("series60-cb60").with_(factors={"K_prr": -60})
+    >>> restless = ship("series60-cb60").with_(factors={"K_prr": -60}, velocities="absolute")
     >>> found = cures(restless, Wave(121.92, 4.0), 8.6, 30.0, parameters=["K_prr", "roll_damping"])
     >>> [one.parameter for one in found]
     ['K_prr', 'roll_damping']

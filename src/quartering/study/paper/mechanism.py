@@ -143,8 +143,8 @@ def onset(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
-    >>> found = onset(ship("series60-cb60"), {"K_prr": 0.0}, Wave(121.92, 4.0), 8.6, [30.0], most=40.0)
+    >>> from quartering.study.paper.model import paper_ship
+    >>> found = onset(paper_ship(), {"K_prr": 0.0}, Wave(121.92, 4.0), 8.6, [30.0], most=40.0)
     >>> found.kind, 26 < found.strength < 29
     ('roll', True)
     """
@@ -207,8 +207,8 @@ def smallest_change(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
-    >>> found = smallest_change(ship("series60-cb60"), Wave(121.92, 4.0), 8.6, 30.0, ["K_prr", "K_pvv"])
+    >>> from quartering.study.paper.model import paper_ship
+    >>> found = smallest_change(paper_ship(), Wave(121.92, 4.0), 8.6, 30.0, ["K_prr", "K_pvv"])
     >>> found["K_prr"] < -5, found["K_pvv"] < -5
     (True, True)
     """
