@@ -20,6 +20,8 @@ LINEAR_NAMES: Final = tuple(tuple(f"{row}_{factor}" for factor in "vpr") for row
 INERTIA_NAMES: Final = tuple(tuple(f"{row}_{factor}dot" for factor in "vpr") for row in ROWS)
 CUBIC_NAMES: Final = tuple(tuple(f"{row}_{monomial}" for monomial in CUBIC_MONOMIALS) for row in ROWS)
 RUDDER_NAMES: Final = tuple(f"{row}_delta" for row in ROWS)
+DRAG_NAME: Final = "C_D"
+"""Drag coefficient of the sections, where the drag acts strip by strip and has no cubic coefficients."""
 RESTORING_POWERS: Final = (1, 3, 5, 7)
 RESTORING_NAMES: Final = tuple(tuple(f"{row}_{phi}" for phi in ("phi", "phiphiphi", "phi5", "phi7")) for row in ROWS)
 
@@ -178,6 +180,8 @@ def unit(name: str) -> str:
     >>> unit("Y_vdot"), unit("K_r"), unit("Y_vvv"), unit("K_phi")
     ('kg', 'kg m2/s', 'kg s/m2', 'kg m2/s2')
     """
+    if name == DRAG_NAME:
+        return "1"
     powers = dict(zip(("kg", "m", "s"), dimension(name), strict=True))
     above = " ".join(f"{base}{power if power > 1 else ''}" for base, power in powers.items() if power > 0)
     below = " ".join(f"{base}{-power if power < -1 else ''}" for base, power in powers.items() if power < 0)

@@ -32,6 +32,7 @@ def test_page_quotes_the_four_statements(steepness):
 
 
 @pytest.mark.parametrize("heading", [15.0, 30.0, 45.0, 60.0])
+@pytest.mark.soak
 def test_page_quotes_the_factor_each_coefficient_needs(heading):
     assert quoted(f"{heading:g}", *(made.needed(name, heading) for name in made.ALONE))
 

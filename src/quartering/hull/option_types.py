@@ -18,7 +18,7 @@ Velocities = Literal["relative", "absolute"]
 Righting = Literal["polynomial", "spline"]
 Sections = Literal["auto", "lewis", "close-fit"]
 Ends = Literal["strips", "three-dimensional"]
-Drag = Literal["cubic", "strips"]
+Drag = Literal["strips", "cubic"]
 
 
 class ShipOptions(TypedDict, total=False):
@@ -69,9 +69,9 @@ class ShipOptions(TypedDict, total=False):
     ends: Ends | None
     """Water round stem and stern: strips (none), three-dimensional (the water finds its way round them)."""
     drag_coefficient: float | str | None
-    """Cross-flow drag of the sections; gives the cubic coefficients [1, %]."""
+    """Cross-flow drag of the sections [1, %]."""
     drag: Drag | None
-    """Form of the cross-flow drag: cubic (ten cubic coefficients, one reference velocity), strips (|q| q strip by str ..."""
+    """Form of the cross-flow drag: strips (|q| q strip by strip), cubic (ten cubic coefficients, one reference veloci ..."""
     velocity_scale: float | str | None
     """Velocity at which the cross-flow drag is made cubic [m/s, kn, km/h, Fn]."""
     measured: str | Path | None
@@ -144,7 +144,7 @@ class StudyAxes(TypedDict, total=False):
     velocities: ArrayLike | str | Sequence[float | str]
     """Velocity that lift acts on: relative (to the water, which the wave moves), absolute (over ground, as in the pap ..."""
     drag: ArrayLike | str | Sequence[float | str]
-    """Form of the cross-flow drag: cubic (ten cubic coefficients, one reference velocity), strips (|q| q strip by str ..."""
+    """Form of the cross-flow drag: strips (|q| q strip by strip), cubic (ten cubic coefficients, one reference veloci ..."""
     bilge_keel_length: ArrayLike | str | Sequence[float | str]
     """Length of one bilge keel of the pair [m, L, B, T]."""
     bilge_keel_breadth: ArrayLike | str | Sequence[float | str]

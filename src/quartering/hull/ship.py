@@ -52,7 +52,7 @@ class Ship:
     roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
     bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
     database : Database or None              own coefficients and wave forces in place of strip theory
-    drag : str                               of the cross-flow: "cubic" coefficients, or "strips"
+    drag : str                               of the cross-flow: "strips", or "cubic" coefficients
     velocities : str                         lift acts on the velocity "relative" to the water, or "absolute", as in the paper
     particulars : mapping of str to value    what else is known of it, by option: depth, openings, windage, ..
     """
@@ -74,7 +74,7 @@ class Ship:
     bilge_keels: BilgeKeels | None = None
     database: Database | None = None
     velocities: Velocities = "relative"
-    drag: Drag = "cubic"
+    drag: Drag = "strips"
     particulars: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

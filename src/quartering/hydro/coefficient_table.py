@@ -12,7 +12,7 @@ import numpy as np
 from quartering.hull.section import Floats
 from quartering.hull.spline import OddSpline
 from quartering.hydro.terms import ESTIMATES, Kind, Term
-from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES, unit
+from quartering.names import CUBIC_NAMES, DRAG_NAME, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES, unit
 
 BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
 """Rigid-body entries of the table."""
@@ -21,8 +21,9 @@ BODY_NAMES = ("m", "I_x", "I_z", "I_xz")
 STANDARD: tuple[str, ...] = (
     *BODY_NAMES,
     *(name for names in (INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, CUBIC_NAMES) for row in names for name in row),
+    DRAG_NAME,
 )
-"""The coefficients every ship has, in the order of the table."""
+"""The order of the table, without further terms and the rudder's."""
 _BY_FREQUENCY = {*BODY_NAMES, *(name for names in (INERTIA_NAMES, LINEAR_NAMES) for row in names for name in row)}
 
 
@@ -53,7 +54,7 @@ class Coefficients:
     frequency : (n,) float           encounter frequency, folded to >= 0 [rad/s]
     speed : (n,) float               U [m/s]
     terms : mapping of str to Term   every coefficient by name: "m" .. "I_xz"; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r
-                                     without its -m U); restoring; cubic; further terms; rudder, beside an autopilot
+                                     without its -m U); restoring; cubic, or C_D of drag by strips; further terms; rudder, beside an autopilot
     roll_frequency : float           n2 of small free roll as loaded, before overrides and multipliers [rad/s]
     references : tuple of str        keys of the papers behind the numbers
     righting : OddSpline or None     moment K over phi beyond K_phi phi of a ship whose righting curve is a spline [N m]
@@ -98,7 +99,7 @@ class Coefficients:
     @cached_property
     def nonlinear(self) -> dict[str, Floats]:
         """Terms on the right beside inertia and `linear`, (n,) each: restoring, cubic and further ones that are not zero."""
-        others = (name for name in self.terms if name not in _BY_FREQUENCY and name not in RUDDER_NAMES)
+        others = (name for name in self.terms if name not in (*_BY_FREQUENCY, *RUDDER_NAMES, DRAG_NAME))
         return {name: self.terms[name].value for name in others if self.terms[name].value.any()}
 
     def table(self, condition: int = 0) -> tuple[Entry, ...]:

@@ -35,7 +35,7 @@ from quartering.hydro.given import given_names, with_given, with_given_alone
 from quartering.hydro.measured_ship import measured_parts
 from quartering.hydro.ship_source import source_of
 from quartering.hydro.terms import Term, added
-from quartering.names import INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES
+from quartering.names import CUBIC_NAMES, DRAG_NAME, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES
 
 SOURCES: Final[tuple[Source, ...]] = (
     rigid_body,
@@ -102,7 +102,9 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     source.check(np.append(omega, roll.frequency))
     at = Conditions(ship, omega, u, source, roll, None if ship.measured is None else measured_parts(ship, u))
     parts = [one(at) for one in SOURCES]
-    terms = in_order(with_given(ship, added(parts), omega.size))
+    found = added(parts)
+    _check_cubics(ship, found)
+    terms = in_order(with_given(ship, found, omega.size))
     linear, mass = at.potential
     papers = (key for part in parts for term in part.values() for key in term.references)
     return Coefficients(
@@ -117,6 +119,18 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
         relative_mass=mass - matrix(terms, INERTIA_NAMES),
         relative_heel=_relative_heel(at, terms),
     )
+
+
+def _check_cubics(ship: Ship, terms: Mapping[str, Term]) -> None:
+    """Drag by strips holds every cubic of the velocities: one given or multiplied beside it would be counted twice."""
+    if DRAG_NAME not in terms or not terms[DRAG_NAME].value.any():
+        return
+    beside = sorted({name for row in CUBIC_NAMES for name in row} & given_names(ship) - set(terms))
+    if beside:
+        raise InputError(
+            f"{ship.name}: {beside[0]} is given beside drag by strips, which has no cubic coefficients; change"
+            ' drag_coefficient, or take drag="cubic"'
+        )
 
 
 def _relative_heel(at: Conditions, terms: Mapping[str, Term]) -> Floats:

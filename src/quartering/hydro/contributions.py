@@ -30,7 +30,7 @@ from quartering.hydro.ship_damping import damping_method
 from quartering.hydro.source import Hydrodynamics
 from quartering.hydro.strip import derivatives_from_moments, frequency_floor
 from quartering.hydro.terms import Term, Terms, named
-from quartering.names import CUBIC_NAMES, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
+from quartering.names import CUBIC_NAMES, DRAG_NAME, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
 
 Lift = Literal["regression", "measured", "none"]
 
@@ -195,9 +195,14 @@ def _spline(ship: Ship) -> OddSpline | None:
 
 
 def cross_flow(at: Conditions) -> Terms:
-    """The ten cubics of cross-flow drag at half the draught of each section; none beside measured ones, or drag by strips."""
-    if (at.measured is not None and at.measured.drag) or at.ship.drag == "strips":
+    """Cross-flow drag at half the draught of each section: its ten cubics, or C_D of the strips; none beside measured cubics."""
+    if at.measured is not None and at.measured.drag:
         return {}
+    if at.ship.drag == "strips":
+        given = at.all(at.ship.drag_coefficient)
+        return {
+            DRAG_NAME: Term(given, "cross-flow", "estimated: |q| q strip by strip, at half draught", ("Hoerner65",))
+        }
     ship, immersed = at.ship, strips(at.ship.hull)
     hull, loading = ship.hull, ship.loading
     lever = loading.kg - hull.draught + immersed.draught / 2

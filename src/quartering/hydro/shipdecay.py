@@ -245,9 +245,10 @@ def _without_added(ship: Ship) -> Ship:
             f"{ship.name}: K_p ({none['K_p'].source}) does not take what is added as it is, and the decay holds that damping "
             "too; leave out what is given or multiplied of K_p, or take `measured: none`"
         )
-    if none["K_ppp"].kind != "cross-flow" and none["K_ppp"].value:
+    cubic = none.get("K_ppp")
+    if cubic is not None and cubic.kind != "cross-flow" and cubic.value:
         raise InputError(
-            f"{ship.name}: K_ppp ({none['K_ppp'].source}) is damping that the decay holds too; leave it out, or take "
+            f"{ship.name}: K_ppp ({cubic.source}) is damping that the decay holds too; leave it out, or take "
             "`measured: none`, so that the drag of the sections stands in its place"
         )
     return bare

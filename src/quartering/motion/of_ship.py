@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -16,14 +16,16 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
+from quartering.hydro.crossflow import reference_velocity
 from quartering.loads.forces import Form, ship_force_phasors
 from quartering.loads.lift import ship_lift_phasors, ship_water_velocity
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, encounter_frequency, folded, heading_components, least_encounter_frequency
 from quartering.motion.equations import Floats, Model, System, canonical
+from quartering.motion.matched import Matching
 from quartering.motion.terms import TermTable, term_table
 from quartering.motion.water import Strips
-from quartering.names import LINEAR_NAMES, RUDDER_NAMES
+from quartering.names import CUBIC_NAMES, DRAG_NAME, LINEAR_NAMES, RUDDER_NAMES
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +39,7 @@ class ShipSystem:
     slow : (m,) bool                 the ship keeps pace with the wave: no periodic motion
     outside : (m,) bool              the ship's own database does not hold the condition: its equations are NaN
     coefficients : Coefficients      with their sources
+    matching : Matching, optional    of cubic drag whose reference velocity follows the motion
     """
 
     system: System
@@ -44,6 +47,7 @@ class ShipSystem:
     slow: NDArray[np.bool_]
     outside: NDArray[np.bool_]
     coefficients: Coefficients
+    matching: Matching | None = None
 
     def at_amplitude(self, amplitude: Floats) -> System:
         """Equations at given wave amplitudes.
@@ -58,7 +62,8 @@ class ShipSystem:
         """
         count = amplitude.shape[1]
         spread = self.system.each(lambda array: np.repeat(array, count, axis=0)) if count > 1 else self.system
-        return spread.raised(amplitude.reshape(-1))
+        raised = spread.raised(amplitude.reshape(-1))
+        return raised if self.matching is None else self.matching.at_motion(raised, amplitude.reshape(-1))
 
 
 def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
@@ -163,14 +168,42 @@ def drag_strips(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) 
     )
 
 
-def _moving(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) -> dict[str, Any]:
+def _moving(
+    ship: Ship, c: Coefficients, wavenumber: Floats, speed: Floats, heading: Floats, form: Form
+) -> dict[str, Any]:
     """What of the equations feels the water move, per metre of wave amplitude: cubics, and drag by strips."""
-    still = ship.velocities == "absolute"
+    still = ship.velocities == "absolute" or form == "paper"
     moving: dict[str, Any] = {} if still else {"water": ship_water_velocity(ship, wavenumber, speed, heading)}
-    if ship.drag == "strips":
+    if DRAG_NAME in c.terms:
         found = drag_strips(ship, wavenumber, speed, heading)
         moving["strips"] = Strips(found.x, found.lever, found.c, 0.0 * found.water) if still else found
     return moving
+
+
+def _matching(ship: Ship, c: Coefficients, frequency: Floats, *waves: Floats) -> Matching | None:
+    """What matches the cubic drag at the motion; None where the drag is no cubic, is given, or acts at a velocity told."""
+    if ship.velocities == "absolute" or ship.velocity_scale is not None:
+        return None
+    own = {name: float(c.terms[name].value[0]) for row in CUBIC_NAMES for name in row if name in c.terms}
+    own = {name: value for name, value in own.items() if value and c.terms[name].kind == "cross-flow"}
+    if not own:
+        return None
+    still = np.zeros(3)
+    water = ship_water_velocity(ship, *waves)
+    return Matching(
+        cubics=canonical(c.inertia, term_table(own), frequency, still, still, water=water),
+        strips=canonical(c.inertia, term_table({}), frequency, still, still, strips=drag_strips(ship, *waves)),
+        scale=reference_velocity(ship.hull.length),
+    )
+
+
+def _matched(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form, amplitude: float) -> Ship:
+    """The ship with the reference velocity of its cubic drag, matched at its motion in one wave."""
+    at = ship_system(ship, wavenumber, speed, heading, form)
+    if at.matching is None or at.slow[0]:
+        return ship
+    found = at.matching.velocity(at.system.raised(np.array([amplitude])), np.array([amplitude]))[0]
+    return replace(ship, velocity_scale=float(found)) if found > 0 else ship
 
 
 def ship_system(
@@ -217,7 +250,7 @@ def ship_system(
     c = coefficients(ship, omega, speed)
     if form != "paper":
         force = force + ship_lift_phasors(ship, c, wavenumber, speed, heading)
-    moving = {} if form == "paper" else _moving(ship, wavenumber, speed, heading)
+    moving = _moving(ship, c, wavenumber, speed, heading, form)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
     table = _term_table(c)
@@ -226,7 +259,8 @@ def ship_system(
     given: dict[str, Any] = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
     given |= {"linear": linear, "restoring": c.righting, **moving}
     system = canonical(c.inertia, table, frequency, force.real, -force.imag, **given)
-    return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c)
+    matching = None if form == "paper" else _matching(ship, c, frequency, wavenumber, speed, heading)
+    return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c, matching)
 
 
 @takes(ship="Ship", wave="Wave")
@@ -268,6 +302,7 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
     speed, heading = condition(ship, speed, heading)
     warn_of_conditions(ship, speed, wave.length)
     one = (np.array([wave.wavenumber]), np.array([float(speed)]), np.array([float(heading)]))
+    ship = _matched(ship, *one, form, wave.amplitude)
     at = ship_system(ship, *one, form=form)
     if at.slow[0]:
         raise InputError(
@@ -292,7 +327,7 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
         references=tuple(dict.fromkeys(("H71", "STF70", *c.references))),
         autopilot=ship.autopilot,
         restoring=c.righting,
-        **_at_height(_moving(ship, *one) if form != "paper" else {}, wave.amplitude),
+        **_at_height(_moving(ship, c, *one, form), wave.amplitude),
     )
 
 

@@ -66,8 +66,7 @@ def assess(
     """
     phasors, along = variation_along(system, u, orders)
     first = 1 if orders[0] == 0 else 0
-    amplitude = np.hypot(u[:, :, first], u[:, :, first + 1])
-    indices = first_order(system, phasors, amplitude, detail)
+    indices = first_order(system, phasors, u[:, :, first] - 1j * u[:, :, first + 1], detail)
     trace = system.linear[:, 3, RUDDER] if system.states > RUDDER else np.zeros(system.count)
     trace = trace + phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
     rate = fastest_rate(phasors, indices.mean_jacobian)

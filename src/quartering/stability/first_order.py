@@ -11,13 +11,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.change import of_states
 from quartering.motion.equations import Floats, System
-from quartering.motion.program import PLAIN
 from quartering.motion.steering import HEADING, RUDDER, feedback, state_matrix
 from quartering.rowwise import contracted
 from quartering.stability.course import combination_rate, course_matrix, course_rates
 from quartering.stability.eigenvalues import eigenvalues
+from quartering.stability.short_index import short_index, through_water
 
 Complex = NDArray[np.complex128]
 Detail = Literal["full", "map"]
@@ -35,7 +34,9 @@ class FirstOrder:
     ----------
     n2 : (n,)                natural roll frequency about the motion [rad/s]; NaN when the mean stiffness is negative
     rho : (n, 3)             shape (sway [m/rad], roll, yaw) of the free roll mode
-    k2, k2_rho, k2_paper : (n,)    index [1/s2]: full; from I1, I2, I3 with the ship's rho; with the paper's 0.3 and 0.1
+    k2, k2_rho, k2_paper : (n,)    index [1/s2]: full; from I1, I2, I3 with the ship's rho and amplitudes through the water;
+                             with the paper's 0.3 and 0.1 and amplitudes over ground
+    through_water : (n, 3)   amplitudes P1, P2, P3 relative to the water: sway [m], roll, yaw [rad]
     roll_rate : (n,)         growth rate of the roll mode away from resonance, K2/(2 n2) [1/s]
     q_paper, q : (n, 3)      largest growth rate at the resonances m = 2, 4, 6 [1/s]: restoring modulation alone; complete
     slow : (n, 2)            growth rates of the sway-yaw modes averaged over the wave [1/s], the larger first; with an
@@ -50,6 +51,7 @@ class FirstOrder:
     k2: Floats
     k2_rho: Floats
     k2_paper: Floats
+    through_water: Floats
     roll_rate: Floats
     q_paper: Floats
     q: Floats
@@ -73,50 +75,6 @@ class FirstOrder:
             [self.roll_rate, self.averaged.real.max(axis=1), self.slow.max(axis=1), self.combination]
         )
         return np.asarray(rates.max(axis=1))
-
-
-def roll_cubic(system: System, factors: str) -> Floats:
-    """Coefficient (n,) of one velocity cubic in the canonical roll equation.
-
-    Parameters
-    ----------
-    system : System
-    factors : str    such as "ppp" or "prr"
-
-    Returns
-    -------
-    (n,) float    zero when the system has no such term
-
-    Notes
-    -----
-    Source: [H71] eq. (3).
-
-    Examples
-    --------
-    >>> from quartering.motion.equations import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_prr": 0.3, "N_r": -1.0}
-    >>> roll_cubic(Model(np.eye(3), terms, 1.0, (0, 0, 0), (0, 0, 0)).system, "prr").tolist()
-    [0.3]
-    """
-    powers = [factors.count("v"), 0, factors.count("p"), factors.count("r")]
-    alone = system.powers[:, PLAIN:][:, system.extra < 0].any(axis=1)
-    own = system.powers @ of_states(system).astype(np.int64)  # v - w0 counts as v
-    column = (own == powers).all(axis=1) & ~alone & (system.modulus == 0)
-    return np.asarray(system.coefficients[:, 1, column].sum(axis=1))
-
-
-def _index_from_amplitudes(
-    system: System, amplitude: Floats, n2: Floats, linear: Floats, roll_axis: Floats | None
-) -> Floats:
-    """K2 = n2 w^2/2 (I1 P1^2 + I2 P2^2 + I3 P3^2) + n2 sum_j rho_j e_2j; the paper's numbers when no roll axis is given."""
-    c = {name: roll_cubic(system, name) for name in ("vvv", "pvv", "vpp", "ppp", "vrr", "prr")}
-    three, one = (3 * roll_axis, roll_axis) if roll_axis is not None else (0.3, 0.1)
-    i1 = three * c["vvv"] + c["pvv"]
-    i2 = one * c["vpp"] + 3 * c["ppp"]
-    i3 = one * c["vrr"] + c["prr"]
-    p1, p2, p3 = amplitude.T
-    w = system.frequency
-    return np.asarray(0.5 * n2 * w**2 * (i1 * p1**2 + i2 * p2**2 + i3 * p3**2) + n2 * linear)
 
 
 def _averaged_roll_pair(system: System, phasors: Complex, detail: Detail) -> Complex:
@@ -200,14 +158,14 @@ def roll_mode(rows: Any, linear: Any) -> tuple[Any, Any, Any]:
     return n2, rho, rate
 
 
-def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Detail = "full") -> FirstOrder:
+def first_order(system: System, phasors: Complex, displacement: Complex, detail: Detail = "full") -> FirstOrder:
     """First-order stability of periodic motions from the harmonics of their variational matrix.
 
     Parameters
     ----------
     system : System              n conditions
     phasors : (n, 4, 3, 4)       from `variational_harmonics`
-    amplitude : (n, 3) float     of the fundamental: sway [m], roll, yaw [rad]
+    displacement : (n, 3) complex    fundamental of sway [m], roll, yaw [rad]: phasors of e^{i w t}
     detail : str                 "full", or what a "map" needs: mean_jacobian stays NaN
 
     Returns
@@ -230,7 +188,8 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
     >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
     >>> motion = steady_motion(model)
     >>> phasors = variational_harmonics(model.system, motion.coefficients[None], motion.orders)
-    >>> round(float(first_order(model.system, phasors, motion.amplitude[None]).k2[0]), 6)
+    >>> fundamental = np.array([[0, -0.014j, 0]])
+    >>> round(float(first_order(model.system, phasors, fundamental).k2[0]), 6)
     -0.1
     """
     finite = np.isfinite(phasors).reshape(system.count, -1).all(axis=1) & system.finite
@@ -256,9 +215,9 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
     if detail == "full" or system.states > HEADING:
         spectrum[:] = eigenvalues(state_matrix(phasors[:, 0].real, own))
     linear = contracted(rho, system.linear[:, 1][:, _VELOCITIES])
-    amplitudes = np.where(finite[:, None], amplitude, 0.0)
-    by_rho = _index_from_amplitudes(system, amplitudes, n2, linear, rho[:, 0])
-    literal = _index_from_amplitudes(system, amplitudes, n2, linear, None)
+    moved = np.where(finite[:, None], displacement, 0.0)
+    by_rho = short_index(system, moved, n2, linear, rho[:, 0], moving=True)
+    literal = short_index(system, moved, n2, linear, None, moving=False)
 
     def known(values: Any, where: Any = oscillates) -> Any:
         return np.where(where.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
@@ -269,6 +228,7 @@ def first_order(system: System, phasors: Complex, amplitude: Floats, detail: Det
         k2=known(2 * n2 * rate),
         k2_rho=known(by_rho),
         k2_paper=known(literal),
+        through_water=known(np.abs(through_water(system, moved)), finite),
         roll_rate=known(rate),
         q_paper=known(growth(kappa)),
         q=known(growth(kappa - 1j * n2[:, None] * damping)),

@@ -31,7 +31,9 @@ class Verdict:
     kind : str                 "stable", "roll", "fold", "symmetry-breaking", "course", "course-in-calm-water",
                                "combination", "period-doubling" or "no-answer"
     sentence : str             the verdict in words, with the mechanism and the coefficient most to blame
-    k2, k2_rho, k2_paper : float    index [1/s2]: full; the I1, I2, I3 form with this ship's rho; with the paper's 0.3, 0.1
+    k2, k2_rho, k2_paper : float    index [1/s2]: full; from I1, I2, I3 with this ship's rho and the amplitudes through the
+                               water; with the paper's 0.3, 0.1 and the amplitudes over ground
+    through_water : (3,)       amplitudes of sway [m], roll, yaw [rad] relative to the water; over ground where it is still
     index : float              S = -K2/(2 n2) [1/s], positive is stable
     n2 : float                 natural roll frequency about the motion [rad/s]
     q : dict                   m -> (paper, full) growth rate at the resonance n2 = m omega/2 [1/s]
@@ -57,6 +59,7 @@ class Verdict:
     k2: float
     k2_rho: float
     k2_paper: float
+    through_water: Floats
     index: float
     n2: float
     q: dict[int, tuple[float, float]]
@@ -122,6 +125,7 @@ def stability(model: Model, motion: Motion) -> Verdict:
         k2=float(f.k2[0]),
         k2_rho=float(f.k2_rho[0]),
         k2_paper=float(f.k2_paper[0]),
+        through_water=f.through_water[0],
         index=float(f.index[0]),
         n2=float(f.n2[0]),
         q={s: (float(f.q_paper[0, i]), float(f.q[0, i])) for i, s in enumerate(RESONANCES)},

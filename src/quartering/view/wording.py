@@ -17,6 +17,7 @@ from quartering.hydro.terms import estimates
 from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
 from quartering.references import REFERENCES
+from quartering.names import DRAG_NAME
 from quartering.stability.kind import Kind
 from quartering.study.loadings import CHOICE_AXES
 from quartering.units import quantity
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 MOST_ROWS = 16
 """Values of a tornado that are shown, those with the largest effect; its dataset has all."""
 _ESTIMATED = {"regression": "velocity derivatives ", "cross-flow drag": "cubic damping "}
-"""Method of estimate -> what it estimates; another method's coefficients are named alone."""
+"""Method of estimate -> what it estimates; another method's coefficients, and one drag coefficient, are named alone."""
 
 _LOADING = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
 
@@ -111,10 +112,15 @@ def estimated_words(estimated: Mapping[str, Sequence[str]], provenance: Mapping[
     --------
     >>> estimated_words({"regression": ["Y_v", "N_r"], "cross-flow drag": ["K_ppp"]}, {"gm": "assumed: 0.05 B"})
     'Estimated: velocity derivatives Y_v, N_r (regression); cubic damping K_ppp (cross-flow drag). Assumed: GM.'
+    >>> estimated_words({"cross-flow drag": ["C_D"]}, {})
+    'Estimated: C_D (cross-flow drag).'
     >>> estimated_words({"eddies of a heeled hull": ["K_pphiphi"]}, {})
     'Estimated: K_pphiphi (eddies of a heeled hull).'
     """
-    parts = [f"{_ESTIMATED.get(method, '')}{_names(group)} ({method})" for method, group in estimated.items()]
+    parts = [
+        f"{'' if DRAG_NAME in group else _ESTIMATED.get(method, '')}{_names(group)} ({method})"
+        for method, group in estimated.items()
+    ]
     assumed = [written(key) for key in _LOADING if provenance.get(key, "").startswith("assumed")]
     lines = [
         f"Estimated: {'; '.join(parts)}." if parts else "No coefficient rests on regression or on cross-flow drag."

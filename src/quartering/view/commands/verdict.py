@@ -83,7 +83,7 @@ def judge(
     if healing:
         show("Each of these alone restores stability: " + "; ".join(cure.sentence for cure in healing) + ".")
     if found.motion.status.ok:
-        show(_motion_table(one, wave, found.model, found.motion))
+        show(_motion_table(one, wave, found))
         show(_stability_table(found.verdict, calm_water_exponents(one, speed)))
     show(estimated_words(estimated(found), one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
@@ -113,17 +113,26 @@ def _within(limit: float, motion: Motion) -> Motion:
     return replace(motion, cos=nothing, sin=nothing, status=Status.BEYOND_VANISHING_ANGLE)
 
 
-def _motion_table(one: Ship, wave: Wave, model: Model, motion: Motion) -> Table:
+def _motion_table(one: Ship, wave: Wave, found: Examined) -> Table:
+    model, motion = found.model, found.motion
+    past = found.verdict.through_water
+    still = one.velocities == "absolute"
     slope = wave.amplitude * wave.wavenumber
     sway, roll, yaw = motion.amplitude
 
     def share(part: float, whole: float, words: str) -> str:
         return f"{part / whole:.3g} of the wave {words}" if whole > 0 else "no wave"
 
+    def through(mode: int, unit: str) -> str:
+        """The same motion against the water that moves past the ship."""
+        return (
+            "" if still else f"; {past[mode] if unit == 'm' else math.degrees(past[mode]):.3g} {unit} through the water"
+        )
+
     rows = [
-        ("sway amplitude", f"{sway:.3g} m", share(sway, wave.amplitude, "amplitude")),
+        ("sway amplitude", f"{sway:.3g} m", share(sway, wave.amplitude, "amplitude") + through(0, "m")),
         ("roll amplitude", f"{math.degrees(roll):.3g} deg", share(roll, slope, "slope")),
-        ("yaw amplitude", f"{math.degrees(yaw):.3g} deg", share(yaw, slope, "slope")),
+        ("yaw amplitude", f"{math.degrees(yaw):.3g} deg", share(yaw, slope, "slope") + through(2, "deg")),
         ("largest roll", f"{math.degrees(motion.peak[1]):.3g} deg", "over a cycle"),
         ("encounter frequency", f"{model.frequency:.3g} rad/s", f"period {2 * math.pi / model.frequency:.3g} s"),
         ("natural roll frequency", f"{coefficients(one, 0.0, 0.0).roll_frequency:.3g} rad/s", "small roll, alone"),
@@ -139,7 +148,7 @@ def _stability_table(v: Verdict, calm: np.ndarray) -> Table:
         (
             "K2 [1/s2]",
             f"{v.k2:.3g}",
-            f"with rho alone {v.k2_rho:.3g}; paper's 0.3 and 0.1 {v.k2_paper:.3g}; below 0 is stable",
+            f"from I1, I2, I3 with rho {v.k2_rho:.3g}; paper's 0.3 and 0.1 {v.k2_paper:.3g}; below 0 is stable",
         ),
         ("S = -K2/(2 n2) [1/s]", f"{v.index:.3g}", f"n2 {v.n2:.3g} rad/s about the motion; above 0 is stable"),
         *(
@@ -173,7 +182,8 @@ def facts(found: Examined, healing: list[Cure] | None) -> dict[str, object]:
         "sentence": v.sentence, "stable": v.stable, "kind": v.kind, "status": motion.status.name.lower(),
         "sway": sway, "roll_deg": math.degrees(roll), "yaw_deg": math.degrees(yaw),
         "roll_peak_deg": math.degrees(motion.peak[1]), "encounter_frequency": model.frequency,
-        "k2": v.k2, "k2_rho": v.k2_rho, "k2_paper": v.k2_paper, "index": v.index, "n2": v.n2, "q": v.q, "slow": v.slow,
+        "k2": v.k2, "k2_rho": v.k2_rho, "k2_paper": v.k2_paper, "through_water": v.through_water,
+        "index": v.index, "n2": v.n2, "q": v.q, "slow": v.slow,
         "averaged": v.averaged, "combination": v.combination, "multipliers": v.multipliers, "exponents": v.exponents,
         "calm_water": v.calm_water, "without_autopilot": v.without_autopilot, "heading_off_course": motion.heading,
         "autopilot": None if model.autopilot is None else asdict(model.autopilot), "first_order_stable": v.first_order_stable,

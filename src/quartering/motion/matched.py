@@ -1,0 +1,85 @@
+"""Cubic cross-flow drag whose reference velocity is matched at the motion.
+
+The cubic ``-c kappa q^3/u0`` of a strip, kappa = 32/(9 pi), loses in a cycle of amplitude q the energy of ``-c |q| q`` when
+u0 = q. One u0 for hull and cycle loses that of all strips together, sum c (4/3 pi) q^3 = (kappa/u0) sum c (3/8) q^4, when
+
+    u0 = sum c q^4 / sum c q^3 ,    q = |v + x r - h p - w| of each strip at the motion.
+
+The motion is that of |q| q itself, by its fundamental. About it a strip matched at its own velocity would damp a disturbance by
+(16/3 pi) q where the law has (4/pi) q, 4/3 of it; with one u0 for the hull, and the water as the line w0 + w1 x, less or more.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.equations import Floats, System
+from quartering.motion.harmonic import harmonic_balance
+
+
+@dataclass(frozen=True, eq=False)
+class Matching:
+    """What of a ship's equations is cubic drag, and the law it stands for, per metre of wave amplitude.
+
+    Parameters
+    ----------
+    cubics : System     with the cubic drag alone among its products
+    strips : System     with the law alone: its strips and their push
+    scale : float       reference velocity u0 that the cubics were made with [m/s]
+    """
+
+    cubics: System
+    strips: System
+    scale: float
+
+    def at_motion(self, system: System, amplitude: Floats) -> System:
+        """Equations with u0 matched at the motion that |q| q gives.
+
+        Parameters
+        ----------
+        system : System           m h conditions, the h heights of one of the m conditions beside each other
+        amplitude : (m h,) float  of the wave [m]
+
+        Returns
+        -------
+        System                    where no motion is found, with u0 as it was
+        """
+        found, share = self.velocity(system, amplitude), self._share(system)
+        more = np.where(found > 0, self.scale / np.where(found > 0, found, 1.0) - 1.0, 0.0)
+        return replace(system, coefficients=system.coefficients + share * more[:, None, None])
+
+    def velocity(self, system: System, amplitude: Floats) -> Floats:
+        """The matched u0 (m h,) [m/s]; NaN where no motion is found. Parameters as of `at_motion`."""
+        count = system.count // self.strips.count
+        law = self.strips.each(lambda array: np.repeat(array, count, axis=0)).raised(amplitude)
+        coefficients = system.coefficients - self._share(system)
+        of_law = replace(system, coefficients=coefficients, strips=law.strips, push=law.push)
+        return matched_velocity(of_law, harmonic_balance(of_law, (1,), from_rest=True)[0])
+
+    def _share(self, system: System) -> Floats:
+        """The part of the coefficients (m h, 3, t) of a system that is cubic drag."""
+        own = np.repeat(self.cubics.coefficients, system.count // self.cubics.count, axis=0)
+        share = np.zeros_like(system.coefficients)
+        for column, powers in enumerate(self.cubics.powers):
+            alike = (system.powers == powers).all(axis=1) & (system.modulus == 0)
+            share[:, :, alike] += own[:, :, [column]]
+        return share
+
+
+def relative_amplitudes(system: System, displacement: NDArray[np.complex128]) -> Floats:
+    """Amplitude (n, z) of the velocity q of each strip at fundamentals (n, 3) of sway, roll, yaw [m/s]."""
+    velocity = 1j * system.frequency[:, None] * displacement
+    water = system.strips[:, :, 3] - 1j * system.strips[:, :, 4]
+    of_strip = np.einsum("nzj,nj->nz", system.strips[:, :, :3], velocity) - water
+    root = system.strips[:, :, 0]  # c^(1/3), which stands before every part
+    return np.abs(of_strip) / np.where(root > 0, root, 1.0)
+
+
+def matched_velocity(system: System, u: Floats) -> Floats:
+    """Reference velocity u0 (n,) of equal energy at motions (n, 3, 2) of the fundamental [m/s]; NaN where none is known."""
+    q, c = relative_amplitudes(system, u[:, :, 0] - 1j * u[:, :, 1]), system.strips[:, :, 0] ** 3
+    cube = (c * q**3).sum(axis=1)
+    return np.asarray((c * q**4).sum(axis=1) / np.where(cube > 0, cube, np.nan))

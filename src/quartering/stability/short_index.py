@@ -1,0 +1,116 @@
+"""The paper's short index: K2 from I1, I2, I3 and the amplitudes of sway, roll and yaw.
+
+``K2 = n2 w^2/2 (I1 P1^2 + I2 P2^2 + I3 P3^2) + n2 sum_j rho_j e_2j``. Where the water moves, drag feels the ship's velocity
+through it: P1 and P3 are then the amplitudes of ``(v - w0)/w`` and ``(r - w1)/w``, in place of those over ground. Drag by strips
+has no cubics; those matched at the motion (`motion.matched`) stand for it, which damp the variation by 4/3 of what it does.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.motion.change import of_states
+from quartering.motion.equations import Floats, System
+from quartering.motion.matched import relative_amplitudes
+from quartering.motion.program import PLAIN
+from quartering.motion.water import SWAY, YAW
+
+Complex = NDArray[np.complex128]
+_KAPPA = 32 / (9 * np.pi)
+
+
+def roll_cubic(system: System, factors: str) -> Floats:
+    """Coefficient (n,) of one velocity cubic in the canonical roll equation.
+
+    Parameters
+    ----------
+    system : System
+    factors : str    such as "ppp" or "prr"
+
+    Returns
+    -------
+    (n,) float    zero when the system has no such term
+
+    Notes
+    -----
+    Source: [H71] eq. (3).
+
+    Examples
+    --------
+    >>> from quartering.motion.equations import Model
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_prr": 0.3, "N_r": -1.0}
+    >>> roll_cubic(Model(np.eye(3), terms, 1.0, (0, 0, 0), (0, 0, 0)).system, "prr").tolist()
+    [0.3]
+    """
+    powers = [factors.count("v"), 0, factors.count("p"), factors.count("r")]
+    alone = system.powers[:, PLAIN:][:, system.extra < 0].any(axis=1)
+    own = system.powers @ of_states(system).astype(np.int64)  # v - w0 counts as v
+    column = (own == powers).all(axis=1) & ~alone & (system.modulus == 0)
+    return np.asarray(system.coefficients[:, 1, column].sum(axis=1))
+
+
+def through_water(system: System, displacement: Complex) -> Complex:
+    """Phasors (n, 3) of sway, roll, yaw relative to the water, from those over ground."""
+    relative = np.array(displacement)
+    for state, mode in ((SWAY, 0), (YAW, 2)):
+        for one in np.flatnonzero(system.extra == state):
+            inputs = system.inputs[:, one]  # -w0 or -w1
+            relative[:, mode] += (inputs[:, 1] - 1j * inputs[:, 2]) / (1j * system.frequency)
+    return relative
+
+
+def short_index(
+    system: System, displacement: Complex, n2: Floats, linear: Floats, roll_axis: Floats | None, *, moving: bool
+) -> Floats:
+    """K2 (n,) of the paper's form [1/s2].
+
+    Parameters
+    ----------
+    system : System               n conditions
+    displacement : (n, 3) complex    fundamental of sway [m], roll, yaw: phasors of e^{i w t}
+    n2 : (n,) float               [rad/s]
+    linear : (n,) float           sum_j rho_j e_2j [1/s]
+    roll_axis : (n,) float        rho_1 [m/rad]; None for the paper's 0.3 and 0.1
+    moving : bool                 with amplitudes through the water, in place of those over ground
+
+    Returns
+    -------
+    (n,) float
+
+    Notes
+    -----
+    Source: [H71] eq. (13).
+    """
+    of_drag = _cubics_of_strips(system, displacement)
+    c = {name: roll_cubic(system, name) + of_drag.get(name, 0.0) for name in ("vvv", "pvv", "vpp", "ppp", "vrr", "prr")}
+    three, one = (3 * roll_axis, roll_axis) if roll_axis is not None else (0.3, 0.1)
+    i1 = three * c["vvv"] + c["pvv"]
+    i2 = one * c["vpp"] + 3 * c["ppp"]
+    i3 = one * c["vrr"] + c["prr"]
+    p1, p2, p3 = np.abs(through_water(system, displacement) if moving else displacement).T
+    w = system.frequency
+    return np.asarray(0.5 * n2 * w**2 * (i1 * p1**2 + i2 * p2**2 + i3 * p3**2) + n2 * linear)
+
+
+def _cubics_of_strips(system: System, displacement: Complex) -> dict[str, Floats]:
+    """Cubics (n,) of the roll equation that lose the energy of |q| q at the motion: kappa sum c (e of roll) e^3/u0."""
+    if not system.has_drag:
+        return {}
+    root = system.strips[:, :, 0]  # c^(1/3), which stands before 1, -h, x and the water
+    known = np.where(root > 0, root, 1.0)
+    ones, levers, places = np.moveaxis(system.strips[:, :, :3], 2, 0) / known
+    q, c = relative_amplitudes(system, displacement), root**3
+    cube, fourth = (c * q**3).sum(axis=1), (c * q**4).sum(axis=1)
+    per_scale = np.where(fourth > 0, cube / np.where(fourth > 0, fourth, 1.0), 0.0)  # 1/u0
+    push = system.push[:, 1, 0, None] + system.push[:, 1, 1, None] * levers + system.push[:, 1, 2, None] * places
+    strength = _KAPPA * per_scale[:, None] * c * push
+    products = {
+        "vvv": ones,
+        "pvv": 3 * levers,
+        "vpp": 3 * levers**2,
+        "ppp": levers**3,
+        "vrr": 3 * places**2,
+        "prr": 3 * levers * places**2,
+    }
+    return {name: (strength * product).sum(axis=1) for name, product in products.items()}
