@@ -54,7 +54,8 @@ class Coefficients:
     frequency : (n,) float           encounter frequency, folded to >= 0 [rad/s]
     speed : (n,) float               U [m/s]
     terms : mapping of str to Term   every coefficient by name: "m" .. "I_xz"; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r
-                                     without its -m U); restoring; cubic, or C_D of drag by strips; further terms; rudder, beside an autopilot
+                                     without its -m U); restoring; cubic, or C_D of drag by strips; further terms;
+                                     rudder, beside an autopilot
     roll_frequency : float           n2 of small free roll as loaded, before overrides and multipliers [rad/s]
     references : tuple of str        keys of the papers behind the numbers
     righting : OddSpline or None     moment K over phi beyond K_phi phi of a ship whose righting curve is a spline [N m]

@@ -195,7 +195,7 @@ def _spline(ship: Ship) -> OddSpline | None:
 
 
 def cross_flow(at: Conditions) -> Terms:
-    """Cross-flow drag at half the draught of each section: its ten cubics, or C_D of the strips; none beside measured cubics."""
+    """Cross-flow drag at half the draught of each section: ten cubics, or C_D of the strips; none beside measured cubics."""
     if at.measured is not None and at.measured.drag:
         return {}
     if at.ship.drag == "strips":

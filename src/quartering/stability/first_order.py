@@ -216,8 +216,8 @@ def first_order(system: System, phasors: Complex, displacement: Complex, detail:
         spectrum[:] = eigenvalues(state_matrix(phasors[:, 0].real, own))
     linear = contracted(rho, system.linear[:, 1][:, _VELOCITIES])
     moved = np.where(finite[:, None], displacement, 0.0)
-    by_rho = short_index(system, moved, n2, linear, rho[:, 0], moving=True)
-    literal = short_index(system, moved, n2, linear, None, moving=False)
+    by_rho = short_index(system, moved, n2, rho[:, 0], moving=True).sum(axis=1) + n2 * linear
+    literal = short_index(system, moved, n2, None, moving=False).sum(axis=1) + n2 * linear
 
     def known(values: Any, where: Any = oscillates) -> Any:
         return np.where(where.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)

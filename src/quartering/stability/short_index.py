@@ -1,8 +1,8 @@
 """The paper's short index: K2 from I1, I2, I3 and the amplitudes of sway, roll and yaw.
 
 ``K2 = n2 w^2/2 (I1 P1^2 + I2 P2^2 + I3 P3^2) + n2 sum_j rho_j e_2j``. Where the water moves, drag feels the ship's velocity
-through it: P1 and P3 are then the amplitudes of ``(v - w0)/w`` and ``(r - w1)/w``, in place of those over ground. Drag by strips
-has no cubics; those matched at the motion (`motion.matched`) stand for it, which damp the variation by 4/3 of what it does.
+through it: P1 and P3 are then the amplitudes of ``(v - w0)/w`` and ``(r - w1)/w``, in place of those over ground. Drag by
+strips has no cubics; those matched at the motion stand for it (`motion.matched`).
 """
 
 from __future__ import annotations
@@ -60,23 +60,20 @@ def through_water(system: System, displacement: Complex) -> Complex:
     return relative
 
 
-def short_index(
-    system: System, displacement: Complex, n2: Floats, linear: Floats, roll_axis: Floats | None, *, moving: bool
-) -> Floats:
-    """K2 (n,) of the paper's form [1/s2].
+def short_index(system: System, displacement: Complex, n2: Floats, roll_axis: Floats | None, *, moving: bool) -> Floats:
+    """What the amplitudes of sway, roll and yaw add to K2 in the paper's form [1/s2].
 
     Parameters
     ----------
     system : System               n conditions
     displacement : (n, 3) complex    fundamental of sway [m], roll, yaw: phasors of e^{i w t}
     n2 : (n,) float               [rad/s]
-    linear : (n,) float           sum_j rho_j e_2j [1/s]
     roll_axis : (n,) float        rho_1 [m/rad]; None for the paper's 0.3 and 0.1
     moving : bool                 with amplitudes through the water, in place of those over ground
 
     Returns
     -------
-    (n,) float
+    (n, 3) float    n2 w^2/2 times I1 P1^2, I2 P2^2 and I3 P3^2; K2 is their sum and n2 sum_j rho_j e_2j
 
     Notes
     -----
@@ -88,9 +85,9 @@ def short_index(
     i1 = three * c["vvv"] + c["pvv"]
     i2 = one * c["vpp"] + 3 * c["ppp"]
     i3 = one * c["vrr"] + c["prr"]
-    p1, p2, p3 = np.abs(through_water(system, displacement) if moving else displacement).T
-    w = system.frequency
-    return np.asarray(0.5 * n2 * w**2 * (i1 * p1**2 + i2 * p2**2 + i3 * p3**2) + n2 * linear)
+    amplitude = np.abs(through_water(system, displacement) if moving else displacement)
+    strength = 0.5 * n2 * system.frequency**2
+    return np.asarray(strength[:, None] * np.stack([i1, i2, i3], axis=1) * amplitude**2)
 
 
 def _cubics_of_strips(system: System, displacement: Complex) -> dict[str, Floats]:

@@ -16,8 +16,8 @@ from quartering.hydro.freedamping import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
-from quartering.references import REFERENCES
 from quartering.names import DRAG_NAME
+from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
 from quartering.study.loadings import CHOICE_AXES
 from quartering.units import quantity
