@@ -14,6 +14,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
+from quartering.hydro.capsize import vanishing_of_equations
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import Form, ship_force_phasors
@@ -292,6 +293,8 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
         references=tuple(dict.fromkeys(("H71", "STF70", *c.references))),
         autopilot=ship.autopilot,
         restoring=c.righting,
+        told_vanishing=vanishing_of_equations(ship),
+        openings=ship.value("openings"),
         **_at_height(_moving(ship, *one) if form != "paper" else {}, wave.amplitude),
     )
 
