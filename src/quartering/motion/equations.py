@@ -110,7 +110,17 @@ class System:
     @property
     def has_modulus(self) -> bool:
         """Is some term not smooth? A restoring moment from a table is not: its third derivative jumps."""
-        return bool(self.modulus.any()) or self.knots.shape[1] > 0
+        return self.has_kinked_slopes or self.has_table
+
+    @property
+    def has_kinked_slopes(self) -> bool:
+        """Has the derivative of some term a jump, that of a product with a modulus?"""
+        return bool(self.modulus.any())
+
+    @property
+    def has_table(self) -> bool:
+        """Is there a table of the restoring moment, whose derivative is smooth but for jumps of its curvature?"""
+        return self.knots.shape[1] > 0
 
     @property
     def has_drag(self) -> bool:
