@@ -147,8 +147,8 @@ def simulate(
     -------
     xarray.Dataset         sway_velocity [m/s], roll [deg], roll_rate, yaw_rate [deg/s] over time [s], with an
                            autopilot heading and rudder [deg] off course and amidships; NaN after a capsize,
-                           whose time, to a sample, is in the attribute ``capsize_time`` [s], its angle in ``capsize_angle`` [deg] and
-                           which limit that is in ``capsize_reason``
+                           whose time, to a sample, is in the attribute ``capsize_time`` [s]; ``capsize_angle`` [deg]
+                           and ``capsize_reason`` say which limit it passed
 
     Raises
     ------
