@@ -24,10 +24,10 @@ SHIPS = [entry.name for entry in available_ships()]
 STATIONS = ("offsets", "stations")
 
 
-def test_the_library_holds_the_eleven_ships_each_with_one_line_about_it() -> None:
+def test_the_library_holds_the_thirteen_ships_each_with_one_line_about_it() -> None:
     assert {entry.name for entry in available_ships()} == {
         "series60-cb60", "series60-cb65", "series60-cb70", "series60-cb75", "series60-cb80", "s175", "wigley", "box",
-        "dtmb5415", "dtc", "mariner",
+        "dtmb5415", "dtc", "mariner", "coaster-90m", "fishing-30m",
     }  # fmt: skip
     assert all(10 < len(entry.description) < 90 for entry in available_ships())
 
@@ -36,8 +36,25 @@ def test_the_library_holds_the_eleven_ships_each_with_one_line_about_it() -> Non
 def test_every_value_of_a_built_in_ship_says_where_it_comes_from(name: str) -> None:
     notes = ship(name).provenance
     for key in ("lines", "gyradius_roll", "gyradius_yaw", "roll_damping", "water_density", "drag_coefficient"):
-        assert notes[key].split(":")[0] in ("published", "derived", "assumed"), key
+        assert notes[key].split(":")[0] in ("published", "derived", "assumed", "estimated"), key
     assert {notes["gm"].split(":")[0], notes["kg"].split(":")[0]} in ({"assumed", "derived"}, {"published", "derived"})
+
+
+@pytest.mark.parametrize(("name", "volume"), [("coaster-90m", 5647.0), ("fishing-30m", None)])
+def test_invented_ships_say_so_and_have_the_particulars_they_were_invented_with(
+    name: str, volume: float | None
+) -> None:
+    """Authority: the particulars that came with the lines (volume to 1 m3; none came with the fishing vessel)."""
+    made = ship(name)
+    entry = next(entry for entry in available_ships() if entry.name == name)
+    assert "nvented" in entry.description
+    assert "no real ship" in entry.description
+    assert "invented" in made.name
+    assert made.provenance["lines"].startswith("assumed: invented")
+    assert LIBRARY.joinpath(f"{name}.yaml").read_text().splitlines()[0].count("INVENTED") == 1
+    if volume is not None:
+        assert hydrostatics(made).volume == pytest.approx(volume, abs=1.0)
+        assert made.loading.gm == pytest.approx(0.64, abs=0.005)
 
 
 @pytest.mark.parametrize("name", SHIPS)

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -180,17 +181,20 @@ def test_simulate_settles_on_the_steady_motion(run, tmp_path):
 
 def test_a_start_beyond_the_vanishing_angle_is_a_capsize_though_the_polynomial_rights_the_ship(run):
     """The righting arm of the lines vanishes at 72 deg; the fitted polynomial is positive there."""
-    ship = qt.ship("series60-cb60")
+    ship = qt.ship("series60-cb60").with_(righting="polynomial")
     with pytest.warns(RangeWarning, match="deck"):
         assert qt.righting_arm(ship, [75.0])[0] < 0
     model = qt.equations(ship, qt.Wave(ship.hull.length, 4.0), speed=8.0, heading=60.0)
-    assert "capsize_time" not in qt.simulate(model, 60.0, (0.0, np.radians(80.0), 0.0, 0.0)).attrs
+    assert qt.simulate(model, 60.0, (0.0, np.radians(80.0), 0.0, 0.0)).attrs["capsize_time"] == 0.0
+    unlimited = replace(model, told_vanishing=np.inf)
+    assert "capsize_time" not in qt.simulate(unlimited, 60.0, (0.0, np.radians(80.0), 0.0, 0.0)).attrs
     wave = ("--heading", "60", "--speed", "8", "--wave-length", "1L", "--wave-height", "4")
+    wave = (*wave, "--righting", "polynomial")
     facts = json.loads(run("simulate", "series60-cb60", *wave, "--roll", "80", "--json").stdout)
     assert facts["capsize_time"] == 0.0
     assert facts["capsize_angle_deg"] == pytest.approx(vanishing_angle(ship))
     said = run("simulate", "series60-cb60", *wave, "--roll", "80").stdout
-    assert "Capsizes after 0 s" in said
+    assert "Capsizes after 0 s (roll past 72 deg, where the righting arm vanishes)" in said
     assert "the steady motion" not in said
 
 

@@ -162,7 +162,7 @@ def test_failure_event_is_roll_beyond_the_least_angle(heights):
     roll = heights["roll_peak"]
     assert bool(failed.where(roll > 22.0, True).all())
     assert not bool(failed.where(roll <= 22.0, False).any())
-    beyond = heights["status"] == 6  # BEYOND_VANISHING_ANGLE, where roll is NaN
+    beyond = heights["status"] == 6  # BEYOND_CAPSIZE_LIMIT, where roll is NaN
     assert bool(failed.where(beyond, True).all())
     assert int(failed.sum()) == int((roll > 22.0).sum()) + int(beyond.sum())
 

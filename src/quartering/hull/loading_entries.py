@@ -98,8 +98,10 @@ def _over(entries: dict[str, Entry], own: dict[str, Entry]) -> dict[str, Entry]:
 
 def _proportional(entry: Entry, ratio: float) -> Entry:
     """Entry in metres of a ship scaled by a ratio; one in L, B or T, or at full size, is left as it is."""
+    if ratio == 1.0:
+        return entry  # a word, such as a method of roll damping, too
     number, unit = split_quantity(entry.value)
-    if ratio == 1.0 or unit in ("L", "B", "T"):
+    if unit in ("L", "B", "T"):
         return entry
     return Entry(
         value=f"{number * ratio:.6g} {unit}".strip(), status="derived", source=f"{entry.source}; scaled with the hull"

@@ -101,7 +101,7 @@ class ShipOptions(TypedDict, total=False):
     bilge_keel_area: float | str | None
     """Total area of the bilge keels, where their length and breadth are not given [m2]; recorded."""
     openings: float | str | None
-    """Heel at which unprotected openings go under [deg, rad]; recorded."""
+    """Heel at which unprotected openings go under: a capsize [deg, rad]."""
     highest_position: Mapping[str, float | str] | str | None
     """Where people are highest; recorded."""
     highest_position_x: float | str | None

@@ -11,13 +11,14 @@ from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
+from quartering.hull.capsize import first_vanishing
 from quartering.hull.heeled import cross_curve, deck_angle
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline, odd_spline
 
-SPLINE_STEP = 4.0
-"""Between the angles a righting spline goes through [deg]."""
+SPLINE_STEP, SPLINE_END = 4.0, 96.0
+"""Between the angles a righting spline goes through, and the last of them, beyond every capsize limit [deg]."""
 WARNED_MISS = 0.05
 """Miss of the polynomial within a motion, as a fraction of the largest |GZ| there, that is warned of."""
 MISS = 0.02
@@ -157,7 +158,7 @@ def righting_polynomial(ship: Ship, max_angle: float = 40.0) -> RightingFit:
 
 @lru_cache(maxsize=16)
 def righting_spline(ship: Ship) -> OddSpline:
-    """Spline through the righting arm of the lines every 4 degrees to 84, past the deck edge and the vanishing angle.
+    """Spline through the righting arm of the lines every 4 degrees to 96, past the vanishing angle and 90 deg.
 
     Parameters
     ----------
@@ -178,7 +179,7 @@ def righting_spline(ship: Ship) -> OddSpline:
     >>> round(righting_spline(ship("box")).slope, 3)
     1.0
     """
-    angles = np.arange(SPLINE_STEP, 85.0, SPLINE_STEP)
+    angles = np.arange(SPLINE_STEP, SPLINE_END + 1.0, SPLINE_STEP)
     return odd_spline(angles, _arm(ship, np.radians(angles))[0])
 
 
@@ -261,9 +262,9 @@ def fitted_to(ship: Ship) -> float:
 _ALL_ANGLES = np.arange(2.5, 90.0, 2.5)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def vanishing_angle(ship: Ship) -> float:
-    """Heel at which the righting arm vanishes: of the lines, or of the polynomial where that is used and sooner.
+    """Heel at which the righting arm of a ship's equations vanishes, or that of its lines where that is sooner.
 
     Parameters
     ----------
@@ -271,11 +272,13 @@ def vanishing_angle(ship: Ship) -> float:
 
     Returns
     -------
-    float    [deg], interpolated between steps of 2.5; infinite when both are positive up to 87.5
+    float    [deg]; infinite when the arm is positive up to 90
 
     Notes
     -----
-    Source: `righting_arm`, with the hull closed at the top of the offsets, and `righting_polynomial` beyond its range.
+    With a spline its root; with a polynomial the first positive root of the polynomial or the root of the spline, the smaller:
+    a polynomial may right the ship again where the lines do not.
+    Source: `righting_spline` and `righting_polynomial`, with the hull closed at the top of the offsets.
 
     Examples
     --------
@@ -283,16 +286,8 @@ def vanishing_angle(ship: Ship) -> float:
     >>> 60.0 < vanishing_angle(ship("series60-cb60")) < 90.0
     True
     """
-    angles = _ALL_ANGLES
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", RangeWarning)  # the closed deck is what is asked for
-        arms = righting_arm(ship, angles)
-    if ship.righting == "polynomial":
-        arms = np.minimum(arms, righting_polynomial(ship).arm(angles))
-    if not (arms <= 0).any():
-        return float("inf")
-    after = int((arms <= 0).argmax())
-    if after == 0:
-        return float(angles[0])
-    before = after - 1
-    return float(angles[before] + 2.5 * arms[before] / (arms[before] - arms[after]))
+    of_lines = first_vanishing(righting_spline(ship).value)
+    if ship.righting == "spline":
+        return of_lines
+    fit = righting_polynomial(ship)
+    return min(of_lines, first_vanishing(lambda phi: fit.arm(np.degrees(phi))))

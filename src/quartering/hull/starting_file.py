@@ -98,7 +98,9 @@ def _option(one: Option, ship: Ship, status: dict[str, str]) -> str:
     if value is None:
         example = one.example or one.usual or one.default
         return _line(f"# {one.path[-1]}: {example}", line_of(one))
-    text = f"{value:.10g} {one.unit}".removesuffix(" 1") if one.numeric else str(value)
+    if one.name == "roll_damping" and ship.roll_method != "fraction":
+        return _line(f"{one.path[-1]}: {ship.roll_method}", line_of(one))
+    text = f"{value:.10g} {one.unit}".removesuffix(" 1") if one.numeric and not isinstance(value, str) else str(value)
     ratio = {"gyradius_roll": ("B", ship.hull.beam), "gyradius_yaw": ("L", ship.hull.length)}.get(one.name)
     notes = [line_of(one), status.get(one.name, ""), f"{value / ratio[1]:.3f} {ratio[0]}" if ratio else ""]
     return _line(f"{one.path[-1]}: {text}", "; ".join(note for note in notes if note))

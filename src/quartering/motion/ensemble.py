@@ -14,7 +14,6 @@ from quartering.motion.basis import waves_at
 from quartering.motion.equations import Floats, Model
 from quartering.motion.march import alike, room_to_march, step_sum
 from quartering.motion.rates import WIDTH
-from quartering.motion.simulate import CAPSIZE_ANGLE
 from quartering.threads import in_threads
 
 if TYPE_CHECKING:
@@ -62,7 +61,7 @@ def _march(first, last, equations, h, forcing, begin, steps, limit, states, time
 
 
 def capsize_times(
-    model: Model, starts: ArrayLike, periods: int = 32, *, steps: int = 80, limit: float = CAPSIZE_ANGLE
+    model: Model, starts: ArrayLike, periods: int = 32, *, steps: int = 80, limit: float | None = None
 ) -> tuple[Floats, Floats]:
     """When each of many starts capsizes, and where the others have got to.
 
@@ -72,7 +71,7 @@ def capsize_times(
     starts : (n, 4) float    v [m/s], phi [rad], p, r [rad/s] at time 0; an autopilot starts on course, its rudder amidships
     periods : int            of the wave, to go on for
     steps : int              Runge-Kutta steps a period
-    limit : float            roll angle that counts as capsize [rad]
+    limit : float            roll angle that counts as capsize [rad]; by default the model's ``capsize_limit``
 
     Returns
     -------
@@ -104,6 +103,7 @@ def capsize_times(
             f"periods = {periods} and steps = {steps}: give 1 to {MOST_PERIODS:,} periods and at least 4 steps each; most"
             " capsizes come within 16 periods"
         )
+    angle = model.capsize_limit.radians if limit is None else float(limit)
     rows = -(-len(states) // WIDTH)
     # the last row is filled up with its last start, and all stand abreast: (rows, states, W)
     filled = np.pad(states, ((0, rows * WIDTH - len(states)), (0, 0)), mode="edge")
@@ -115,13 +115,13 @@ def capsize_times(
     wave = (alike(model.system), 2 * np.pi / model.frequency / steps, forcing)
     for begin in range(0, periods, _AT_ONCE):
         ahead = min(_AT_ONCE, periods - begin)
-        in_threads(_march, rows, *wave, begin * steps, ahead * steps, limit, going, times, smallest=1)
+        in_threads(_march, rows, *wave, begin * steps, ahead * steps, angle, going, times, smallest=1)
     ends = going.transpose(0, 2, 1).reshape(rows * WIDTH, -1)
     return times.ravel()[: len(states)], ends[: len(states), :4]
 
 
 def basin(
-    model: Model, roll: ArrayLike, roll_rate: ArrayLike, *, periods: int = 32, limit: float = CAPSIZE_ANGLE
+    model: Model, roll: ArrayLike, roll_rate: ArrayLike, *, periods: int = 32, limit: float | None = None
 ) -> xr.Dataset:
     """Safe basin: from which roll angles and rates the ship does not capsize in a given wave.
 
@@ -131,11 +131,12 @@ def basin(
     roll : (a,) float         roll angles at time 0 [deg]
     roll_rate : (b,) float    roll rates at time 0 [deg/s]
     periods : int             of the wave, to go on for
-    limit : float             roll angle that counts as capsize [rad]
+    limit : float             roll angle that counts as capsize [rad]; by default the model's ``capsize_limit``
 
     Returns
     -------
-    xarray.Dataset            capsize_time (roll_rate, roll) [s], NaN where safe; attribute ``safe_share`` of all starts
+    xarray.Dataset            capsize_time (roll_rate, roll) [s], NaN where safe; attributes ``safe_share`` of all
+                              starts, ``capsize_angle`` [deg] and ``capsize_reason``
 
     Raises
     ------
@@ -166,6 +167,8 @@ def basin(
     }
     attributes = {
         "safe_share": float(np.isnan(times).mean()),
+        "capsize_angle": model.capsize_limit.angle if limit is None else float(np.degrees(limit)),
+        "capsize_reason": model.capsize_limit.reason if limit is None else "given",
         "references": ", ".join((*model.references, "Thompson89")),
     }
     return xr.Dataset(data, coordinates, attributes)
@@ -175,7 +178,7 @@ _TIME = {"units": "s", "long_name": "time of the capsize, NaN where there is non
 
 
 def safe_shares(
-    models: list[Model], starts: ArrayLike, *, periods: int = 32, limit: float = CAPSIZE_ANGLE
+    models: list[Model], starts: ArrayLike, *, periods: int = 32, limit: float | None = None
 ) -> NDArray[np.float64]:
     """Share of the starts that stay safe in each of several waves: the integrity curve.
 
@@ -184,7 +187,7 @@ def safe_shares(
     models : list of Model    such as one ship in waves of rising height
     starts : (n, 4) float     as for `capsize_times`
     periods : int             of the wave, to go on for
-    limit : float             roll angle that counts as capsize [rad]
+    limit : float             roll angle that counts as capsize [rad]; by default the model's ``capsize_limit``
 
     Returns
     -------

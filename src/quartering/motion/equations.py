@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, Final
 
@@ -12,15 +13,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
+from quartering.hull.capsize import CapsizeLimit, first_vanishing, least_limit
 from quartering.hull.spline import OddSpline, odd_spline
 from quartering.motion.basis import Basis, basis
 from quartering.motion.layout import LAGGING, SHIP, STEERED, Layout
 from quartering.motion.program import PLAIN, Program, program
 from quartering.motion.rates import Parts
 from quartering.motion.steering import steered
-from quartering.motion.terms import TermTable, checked_number, term_table
+from quartering.motion.terms import TermTable, checked_number, parse, term_table
 from quartering.motion.water import Strips, relative_inputs, relative_terms
-from quartering.names import RUDDER_NAMES
+from quartering.names import RUDDER_NAMES, term
 from quartering.rowwise import contracted
 
 Floats = NDArray[np.float64]
@@ -108,7 +110,17 @@ class System:
     @property
     def has_modulus(self) -> bool:
         """Is some term not smooth? A restoring moment from a table is not: its third derivative jumps."""
-        return bool(self.modulus.any()) or self.knots.shape[1] > 0
+        return self.has_kinked_slopes or self.has_table
+
+    @property
+    def has_kinked_slopes(self) -> bool:
+        """Has the derivative of some term a jump, that of a product with a modulus?"""
+        return bool(self.modulus.any())
+
+    @property
+    def has_table(self) -> bool:
+        """Is there a table of the restoring moment, whose derivative is smooth but for jumps of its curvature?"""
+        return self.knots.shape[1] > 0
 
     @property
     def has_drag(self) -> bool:
@@ -358,6 +370,9 @@ class Model:
                                    [1/s]; velocity products are then on v - w0, p, r - w1. Without them on v, p, r: the paper's
                                    equations
     strips : Strips                cross-flow drag of the velocity through the water, strip by strip, beside the terms
+    told_vanishing : float         angle of vanishing stability [deg], where it is known otherwise than from the terms and the
+                                   restoring moment of the model
+    openings : float               heel at which unprotected openings go under [deg]
 
     Raises
     ------
@@ -371,8 +386,8 @@ class Model:
     --------
     >>> model = Model(inertia=np.eye(3), terms={"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "N_r": -0.6}, frequency=0.8,
     ...               force_cos=(0, 0.1, 0), force_sin=(0, 0, 0))
-    >>> model.system.count
-    1
+    >>> model.system.count, model.vanishing_angle
+    (1, inf)
     """
 
     inertia: Floats
@@ -387,6 +402,8 @@ class Model:
     restoring: OddSpline | None
     water: tuple[complex, complex] | None
     strips: Strips | None
+    told_vanishing: float | None
+    openings: float | None
     system: System = field(init=False, repr=False)
 
     def __init__(
@@ -403,6 +420,8 @@ class Model:
         restoring: tuple[ArrayLike, ArrayLike] | OddSpline | None = None,
         water: tuple[complex, complex] | None = None,
         strips: Strips | None = None,
+        told_vanishing: float | None = None,
+        openings: float | None = None,
     ) -> None:
         masses = np.array(inertia, dtype=float)
         if masses.shape != (3, 3) or not np.isfinite(masses).all():
@@ -427,6 +446,8 @@ class Model:
             "restoring": odd_spline(*restoring).times(-1.0) if isinstance(restoring, tuple) else restoring,
             "water": None if water is None else (complex(water[0]), complex(water[1])),
             "strips": strips,
+            "told_vanishing": _told_angle(told_vanishing, "told_vanishing"),
+            "openings": _told_angle(openings, "openings"),
         }
         for name, value in values.items():
             object.__setattr__(self, name, value)
@@ -438,3 +459,49 @@ class Model:
             raise InputError(f"strips of {len(strips.water)} conditions; a model is one: give water one number a strip")
         system = canonical(masses, table, frequency, *forces, rudder=rudder, autopilot=autopilot, **known)
         object.__setattr__(self, "system", system)
+
+    @cached_property
+    def vanishing_angle(self) -> float:
+        """Angle of vanishing stability [deg]: as told, or where K over phi vanishes on either side; else infinite."""
+        if self.told_vanishing is not None:
+            return self.told_vanishing
+        return min(first_vanishing(lambda phi: -self._moment(phi)), first_vanishing(lambda phi: self._moment(-phi)))
+
+    @cached_property
+    def capsize_limit(self) -> CapsizeLimit:
+        """Roll angle that counts as a capsize: the least of the vanishing angle, the openings and 90 deg."""
+        return least_limit(self.vanishing_angle, self.openings)
+
+    @property
+    def righting(self) -> str:
+        """The restoring moment in words: its terms, a spline, or both."""
+        names = [name for name in self.terms if name.startswith("K_phi") and set(term(name).factors) == {"phi"}]
+        parts = [", ".join(names)] if names else []
+        if self.restoring is not None:
+            parts.append(f"spline to {np.degrees(self.restoring.end):.3g} deg")
+        return " + ".join(parts) or "none"
+
+    def _moment(self, phi: Floats) -> Floats:
+        """Moment K of roll angles (n,) alone [N m]."""
+        moment = np.zeros(phi.shape) if self.restoring is None else self.restoring.value(phi)
+        for name, value in self.terms.items():
+            if name.startswith("K_") and set(term(name).factors) == {"phi"}:
+                powers = parse(name)[1]
+                moment = moment + value * phi ** powers.powers[1] * (np.abs(phi) if powers.modulus else 1.0)
+        return moment
+
+    def __repr__(self) -> str:
+        """What it holds, in a line."""
+        of = f"{self.source['ship']}: " if "ship" in self.source else ""
+        velocities = "absolute" if self.water is None and self.strips is None else "relative"
+        drag = f", drag by {self.strips.x.size} strips" if self.strips is not None else ""
+        return (
+            f"<Model {of}w {self.frequency:.4g} rad/s, {len(self.terms)} terms on {velocities} velocities{drag}, righting"
+            f" {self.righting}, capsize at {self.capsize_limit.words}>"
+        )
+
+
+def _told_angle(angle: float | None, name: str) -> float | None:
+    if angle is None or angle > 0:
+        return None if angle is None else float(angle)
+    raise InputError(f"{name} = {angle} deg: give a heel above 0, infinite for none, or leave it out; try 60")

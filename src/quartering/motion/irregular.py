@@ -14,7 +14,6 @@ from quartering.doors import takes
 from quartering.motion.equations import Floats, Model
 from quartering.motion.march import alike, room_to_march, step_sum
 from quartering.motion.rates import WIDTH
-from quartering.motion.simulate import CAPSIZE_ANGLE
 from quartering.threads import in_threads
 
 if TYPE_CHECKING:
@@ -81,7 +80,7 @@ def irregular(
     duration: float,
     *,
     step: float = 0.2,
-    limit: float = CAPSIZE_ANGLE,
+    limit: float | None = None,
     water: ArrayLike | None = None,
 ) -> xr.Dataset:
     """Largest roll of many realisations of an irregular sea, from rest.
@@ -95,7 +94,8 @@ def irregular(
     phase : (n, c) float        phases of the components in each of n realisations [rad]
     duration : float            [s]
     step : float                of time [s]
-    limit : float               roll angle that counts as capsize [rad]; a realisation stops there
+    limit : float               roll angle that counts as capsize [rad], by default the model's ``capsize_limit``; a
+                                realisation stops there
     water : (c, m) complex      velocity of the water in each component, as `force`, of a model that has it: w0 [m/s] and w1
                                 [1/s] of `Model.water`, then that at each of `Model.strips` [m/s]
 
@@ -134,8 +134,11 @@ def irregular(
         raise InputError("frequency, force and phase must be finite numbers")
     if not (np.isfinite(duration) and np.isfinite(step) and 0 < step <= duration):
         raise InputError(f"step {step} s and duration {duration} s: both greater than zero, the step the smaller")
-    if not limit > 0:
-        raise InputError(f"limit {limit} rad: the roll angle that counts as capsize is greater than zero; try pi/2")
+    angle_of_capsize = model.capsize_limit.radians if limit is None else limit
+    if not angle_of_capsize > 0:
+        raise InputError(
+            f"limit {limit} rad: the roll angle that counts as capsize is greater than zero; try pi/2, or leave it out"
+        )
     known = _known_inputs(model, w.size, water)
     count, steps = phases.shape[0], round(duration / step)
     rows = -(-count // WIDTH)
@@ -154,9 +157,11 @@ def irregular(
         angle = np.multiply.outer((begin - _BEFORE + np.arange(samples)) * step, w)
         waves = np.concatenate([np.cos(angle), np.sin(angle), np.ones((samples, 1))], axis=1)
         forcing = (waves @ amplitude).reshape(samples, len(acceleration), -1)
-        arrays = (equations, forcing, _BETWEEN, step, begin * step, limit, states, peak, square, capsize)
+        arrays = (equations, forcing, _BETWEEN, step, begin * step, angle_of_capsize, states, peak, square, capsize)
         in_threads(_march, rows, *arrays, smallest=1)
-    return _dataset(model, states, peak, square, capsize, count, steps * step, step)
+    result = _dataset(model, states, peak, square, capsize, count, steps * step, step)
+    reason = model.capsize_limit.reason if limit is None else "given"
+    return result.assign_attrs(capsize_angle=float(np.degrees(angle_of_capsize)), capsize_reason=reason)
 
 
 def _known_inputs(model: Model, components: int, water: ArrayLike | None) -> NDArray[np.complex128]:

@@ -14,6 +14,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
+from quartering.hydro.capsize import vanishing_of_equations
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.crossflow import reference_velocity
@@ -327,6 +328,8 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
         references=tuple(dict.fromkeys(("H71", "STF70", *c.references))),
         autopilot=ship.autopilot,
         restoring=c.righting,
+        told_vanishing=vanishing_of_equations(ship),
+        openings=ship.value("openings"),
         **_at_height(_moving(ship, c, *one, form), wave.amplitude),
     )
 

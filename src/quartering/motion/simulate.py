@@ -22,9 +22,6 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
-CAPSIZE_ANGLE = np.pi / 2
-"""Roll angle at which a simulation stops: the polynomial righting moment means nothing beyond [rad]."""
-
 MOST_SAMPLES = 5_000_000
 """Longest result: about 300 MB."""
 
@@ -150,7 +147,8 @@ def simulate(
     -------
     xarray.Dataset         sway_velocity [m/s], roll [deg], roll_rate, yaw_rate [deg/s] over time [s], with an
                            autopilot heading and rudder [deg] off course and amidships; NaN after a capsize,
-                           whose time is in the attribute ``capsize_time`` [s]
+                           whose time, to a sample, is in the attribute ``capsize_time`` [s]; ``capsize_angle`` [deg]
+                           and ``capsize_reason`` say which limit it passed
 
     Raises
     ------
@@ -158,8 +156,8 @@ def simulate(
 
     Notes
     -----
-    Explicit Runge-Kutta of order 5 with an embedded error estimate and dense output of order 4; stops at 90 degrees of
-    roll.  Source: [H71] eq. (3), [DormandPrince80].  Valid: small yaw, roll below the vanishing angle.
+    Explicit Runge-Kutta of order 5 with an embedded error estimate and dense output of order 4; stops at the model's
+    ``capsize_limit``.  Source: [H71] eq. (3), [DormandPrince80].  Valid: small yaw, roll below the vanishing angle.
 
     Examples
     --------
@@ -192,8 +190,13 @@ def simulate(
     out = np.full((times.size, states), np.nan)
     # Rates in the scale of one degree; sway velocity in that of a slow walk.
     scale = np.array([0.1, 0.01, 0.01, 0.01, 0.01, 0.01])[:states]
-    given = (times, start, tolerance, scale, CAPSIZE_ANGLE, _NODES, _STAGES, _ERROR, _DENSE, out)
+    limit = model.capsize_limit
+    given = (times, start, tolerance, scale, limit.radians, _NODES, _STAGES, _ERROR, _DENSE, out)
     written = _integrate(model.system.program, model.system.parts, *given)
+    beyond = np.flatnonzero(np.abs(out[:written, 1]) > limit.radians)
+    if beyond.size:
+        written = int(beyond[0]) + 1
+        out[written:] = np.nan
     columns = {
         "sway_velocity": (out[:, 0], "m/s", "sway velocity, positive to starboard", "v"),
         "roll": (np.degrees(out[:, 1]), "deg", "roll angle, positive starboard side down", "phi"),
@@ -209,6 +212,7 @@ def simulate(
         for name, (values, unit, long_name, symbol) in columns.items()
     }
     attributes: dict[str, object] = {"references": ", ".join((*model.references, "DormandPrince80"))}
-    if written < times.size:
-        attributes["capsize_time"] = float(times[max(written - 1, 0)])
+    if written < times.size or beyond.size:
+        attributes |= {"capsize_time": float(times[max(written - 1, 0)])}
+        attributes |= {"capsize_angle": limit.angle, "capsize_reason": limit.reason}
     return xr.Dataset(data, {"time": ("time", times, {"units": "s", "long_name": "time"})}, attributes)

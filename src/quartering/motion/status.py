@@ -24,7 +24,7 @@ class Status(IntEnum):
     SINGULAR = 3
     NOT_FINITE = 4
     ENCOUNTER_FREQUENCY_NEAR_ZERO = 5
-    BEYOND_VANISHING_ANGLE = 6
+    BEYOND_CAPSIZE_LIMIT = 6
     OUTSIDE_DATABASE = 7
 
     @property
@@ -50,8 +50,8 @@ _ADVICE = {
     " singular; check the ship and the wave",
     Status.ENCOUNTER_FREQUENCY_NEAR_ZERO: "the ship keeps pace with the wave: no periodic motion, surf-riding and"
     " broaching are possible; change speed or heading",
-    Status.BEYOND_VANISHING_ANGLE: "the motion rolls past the angle where the righting moment vanishes: the polynomial"
-    " does not describe a ship there; treat as capsize risk and try a lower wave",
+    Status.BEYOND_CAPSIZE_LIMIT: "the motion rolls past the capsize limit, the least of the vanishing angle, the heel"
+    " at which openings go under and 90 deg; treat as capsize risk and try a lower wave",
     Status.OUTSIDE_DATABASE: "outside the frequencies or headings of the ship's own database: compute it further, or try"
     " longer waves, less speed or other headings",
 }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
+from quartering.hull.capsize import CapsizeLimit
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import checked_harmonics, harmonic_balance, orders_for
 from quartering.motion.status import Status
@@ -292,3 +293,37 @@ def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") 
     u, orders, status, residual = steady_motions(model.system, harmonics, start=start)
     method = "modified Struble" if harmonics == 1 else "harmonic balance"
     return motion_record(model, u[0], orders, int(status[0]), float(residual[0]), method)
+
+
+def within_limit(model: Model, motion: Motion) -> Motion:
+    """A motion, or none where it rolls past the capsize limit of its model, as in a map.
+
+    Parameters
+    ----------
+    model : Model
+    motion : Motion
+
+    Returns
+    -------
+    Motion    of status `BEYOND_CAPSIZE_LIMIT` and NaN where it passes the limit
+
+    Examples
+    --------
+    >>> model = Model(np.eye(3), {"Y_v": -1, "N_r": -1, "K_phi": -1, "K_p": -1}, 1.0, (0, 1, 0), (0, 0, 0), openings=40.0)
+    >>> within_limit(model, steady_motion(model)).status.name
+    'BEYOND_CAPSIZE_LIMIT'
+    """
+    if not motion.peak[1] > model.capsize_limit.radians:
+        return motion
+    nothing = np.full_like(motion.cos, np.nan)
+    return replace(motion, cos=nothing, sin=nothing, status=Status.BEYOND_CAPSIZE_LIMIT)
+
+
+def advice(motion: Motion, limit: CapsizeLimit) -> str:
+    """What the status of a motion says and what to try, with the capsize limit it passes where it passes one."""
+    return motion.status.advice if motion.status is not Status.BEYOND_CAPSIZE_LIMIT else capsize_advice(limit)
+
+
+def capsize_advice(limit: CapsizeLimit) -> str:
+    """`Status.advice` of a motion past a capsize limit that is known."""
+    return f"the motion rolls past {limit.words}; treat as capsize risk and try a lower wave"

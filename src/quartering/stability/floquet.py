@@ -209,9 +209,9 @@ def floquet(
     return Floquet(full, half, exponents, share, np.asarray(liouville))
 
 
-FINEST_WITH_DRAG: Final = 1e-6
-"""Smallest error of the multipliers for which the samples of a variation with kinks suffice."""
-_STEPS_WITH_DRAG = 8
+FINEST_WITH_KINKS: Final = 1e-6
+"""Smallest error of the multipliers for which the samples of a variation with kinks, or with jumps of curvature, suffice."""
+_STEPS_WITH_KINKS = 8
 
 
 def _transitions(
@@ -227,16 +227,17 @@ def _transitions(
     """State transition matrices (n, s, s), each by the method that reaches the accuracy at the least cost."""
     if system.states > RUDDER:
         rate = np.maximum(rate, -system.linear[:, 3, RUDDER])
-    finest = FINEST_WITH_DRAG if system.has_drag else FINEST
-    if variation is None or accuracy < finest or system.has_modulus or not system.plain:
+    kinks = system.has_drag or system.has_table
+    finest = FINEST_WITH_KINKS if kinks else FINEST
+    if variation is None or accuracy < finest or system.has_kinked_slopes or not system.plain:
         steps = np.where(found, even_steps(steps_for(system.frequency, span, rate, max(orders), accuracy)), 1)
         return transition_matrices(system, u, orders, span, steps)
     phasors, along = variation
     steps, scale = magnus_steps(system.frequency, phasors, rate, span, accuracy)
     cycle = 2 * np.pi * span / np.where(found, system.frequency, 1.0)
-    if system.has_drag:
-        steps = np.where(steps > 0, np.maximum(steps, _STEPS_WITH_DRAG), 0)
-    phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale, kinks=system.has_drag)
+    if kinks:
+        steps = np.where(steps > 0, np.maximum(steps, _STEPS_WITH_KINKS), 0)
+    phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale, kinks=kinks)
     rest = np.flatnonzero(found & ~np.isfinite(phi).all(axis=(1, 2)))
     if rest.size:
         few = rows(system, rest)

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.doors import takes
+from quartering.hull.capsize import CapsizeLimit
 from quartering.motion.equations import Floats, Model
-from quartering.motion.steady import Motion
+from quartering.motion.steady import Motion, advice
 from quartering.motion.subharmonic import slowed
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.contribution import contributions
@@ -121,7 +122,8 @@ def stability(model: Model, motion: Motion) -> Verdict:
     return Verdict(
         stable=kind is Kind.STABLE,
         kind=kind.label,
-        sentence=_sentence(_condition(model.source), kind, result, motion, strongest, mode) + steering,
+        sentence=_sentence(_condition(model.source), kind, result, motion, model.capsize_limit, strongest, mode)
+        + steering,
         k2=float(f.k2[0]),
         k2_rho=float(f.k2_rho[0]),
         k2_paper=float(f.k2_paper[0]),
@@ -189,11 +191,17 @@ def _condition(source: Mapping[str, object]) -> str:
 
 
 def _sentence(
-    where: str, kind: Kind, result: Assessment, motion: Motion, strongest: tuple[str, float], mode: int
+    where: str,
+    kind: Kind,
+    result: Assessment,
+    motion: Motion,
+    limit: CapsizeLimit,
+    strongest: tuple[str, float],
+    mode: int,
 ) -> str:
     """The verdict in one plain sentence, with what first-order theory says beside it."""
     if kind is Kind.NO_ANSWER:
-        return f"{where}no answer: {motion.status.advice}."
+        return f"{where}no answer: {advice(motion, limit)}."
     growth = float(result.floquet.exponents[0, mode].real)
     first = float(result.first_order.growth[0])
     stable_by_first_order = first < _NEUTRAL

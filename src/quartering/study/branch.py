@@ -9,9 +9,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from quartering.hull.righting import vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
+from quartering.hydro.capsize import capsize_limit
 from quartering.loads.waves import Wave
 from quartering.motion.branch import Curve, Family, follow_branch, start_of_branch, within
 from quartering.motion.equations import Floats, Model
@@ -83,7 +83,7 @@ def branch(
     followed (one of each mirrored pair), where its period doubles those of two wave periods; further doublings are
     marked, not followed.  Loops that touch none of these are found from motions at values between the limits (see
     `quartering.motion.isola`): nothing proves that none is missed.  Several motions coexist where the curves pass one
-    value more than once.  A ship's curves end where she rolls past the angle at which her righting arm vanishes; her
+    value more than once.  A ship's curves end at its capsize limit (`capsize_limit`); its
     coefficients and forces are splined through 65 values of the parameter.
     Source: [Krack19]; [H71] eq. (A-11).
 
@@ -140,8 +140,8 @@ def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = n
 
 
 def steepest_of(ship_or_model: Ship | Model) -> float:
-    """Roll past which the equations describe no ship: where her righting arm vanishes [rad]; no bound for bare numbers."""
-    return np.radians(vanishing_angle(ship_or_model)) if isinstance(ship_or_model, Ship) else np.inf
+    """Largest admissible roll [rad]: the capsize limit of a ship; no bound for bare numbers."""
+    return capsize_limit(ship_or_model).radians if isinstance(ship_or_model, Ship) else np.inf
 
 
 def references_of(ship_or_model: Ship | Model) -> str:

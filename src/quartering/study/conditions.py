@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import fitted_to, vanishing_angle, warn_of_polynomial
+from quartering.hull.righting import fitted_to, warn_of_polynomial
 from quartering.hull.ship import Ship
+from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.validity import warn_of_conditions, warn_outside_database
 from quartering.motion.of_ship import ShipSystem
@@ -88,7 +89,7 @@ def evaluate(
     results["encounter_frequency"] = np.full(m, np.nan)
     results["verdict"] = np.full((m, heights), int(Kind.NO_ANSWER), dtype=np.int8)
     results["status"] = np.zeros((m, heights), dtype=np.int8)
-    limit = vanishing_angle(ship)
+    limit = capsize_limit(ship).angle
     rows = max(1, BLOCK // heights)
     parts = [slice(start, min(start + rows, m)) for start in range(0, m, rows)]
 
@@ -147,7 +148,7 @@ def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
     }
     rows, beyond = max(1, BLOCK // height.shape[1]), 0
     for i, equations in enumerate(systems(ships, 2 * np.pi / length, u, mu, grid.form)):
-        limit = vanishing_angle(ships[i])
+        limit = capsize_limit(ships[i]).angle
         fitted = fitted_to(ships[i])
         for start in range(0, u.size, rows):
             part = slice(start, min(start + rows, u.size))
@@ -166,7 +167,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     equations : ShipSystem      m conditions per metre of wave amplitude
     height : (m, h) float       wave heights [m]
     harmonics : int             of the steady motion
-    limit : float               angle at which the righting moment vanishes [deg]
+    limit : float               roll angle that counts as a capsize [deg]
 
     Returns
     -------
@@ -177,7 +178,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     largest = np.degrees(roll_peaks(u, orders))
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
     status = np.where(np.repeat(equations.outside, height.shape[1]), Status.OUTSIDE_DATABASE, status)
-    status = np.where(largest > limit, Status.BEYOND_VANISHING_ANGLE, status).astype(np.int8)
+    status = np.where(largest > limit, Status.BEYOND_CAPSIZE_LIMIT, status).astype(np.int8)
     u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
     result = assess(system, u, orders, ACCURACY, detail="map")
     f = result.first_order

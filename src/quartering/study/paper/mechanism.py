@@ -12,8 +12,9 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning
-from quartering.hull.righting import righting_polynomial, vanishing_angle
+from quartering.hull.righting import fitted_to
 from quartering.hull.ship import Ship
+from quartering.hydro.capsize import capsize_limit
 from quartering.loads.waves import Wave
 from quartering.motion.equations import canonical
 from quartering.motion.of_ship import ShipSystem, nonlinear_terms, ship_system
@@ -63,7 +64,7 @@ def roll_alone(ship: Ship, wave: Wave, speed: float, heading: ArrayLike, *, harm
     many = np.ones(headings.size)
     at = ship_system(ship, wave.wavenumber * many, speed * many, headings)
     height = wave.height * many[:, None]
-    found = judged(_uncoupled(at), height, harmonics, vanishing_angle(ship))
+    found = judged(_uncoupled(at), height, harmonics, capsize_limit(ship).angle)
     names = {"roll": "deg", "n2": "rad/s", "exponent": "1/s", "verdict": "1"}
     return xr.Dataset(
         {name: ("heading", np.asarray(found[name]), {"units": unit}) for name, unit in names.items()},
@@ -84,7 +85,7 @@ def _uncoupled(at: ShipSystem) -> ShipSystem:
     table = term_table(own)
     cos, sin = (np.einsum("nij,nj->ni", c.inertia, part) * [0.0, 1.0, 0.0] for part in (at.system.cos, at.system.sin))
     frequency = np.where(at.slow, np.nan, omega)
-    system = canonical(inertia, table, frequency, cos, sin, linear=linear + table.linear)
+    system = canonical(inertia, table, frequency, cos, sin, linear=linear + table.linear, restoring=c.righting)
     return replace(at, system=system)
 
 
@@ -151,7 +152,7 @@ def onset(
     if not change or not most > 0:
         raise InputError("give at least one coefficient and its factor, and a largest strength above 0")
     one = grid(ship, speed, heading, wave.length, wave.height, harmonics=harmonics)
-    fitted = righting_polynomial(ship).max_angle
+    fitted = fitted_to(ship)
 
     def at(strength: Floats) -> xr.Dataset:
         return _quietly(one, {name: 1 + strength * (factor - 1) for name, factor in change.items()})

@@ -31,7 +31,7 @@ PAPER_SHIP: Final = "series60-cb60"
 
 @cache
 def paper_ship(name: str = PAPER_SHIP) -> Ship:
-    """A built-in ship with the paper's equations: lift and drag act on velocities over ground, sections know no ends.
+    """A built-in ship with the paper's equations: velocities over ground, no ends, righting moment in powers of phi.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def paper_ship(name: str = PAPER_SHIP) -> Ship:
     >>> paper_ship().name, paper_ship().velocities
     ('Series 60, CB 0.60', 'absolute')
     """
-    return ship(name).with_(velocities="absolute", ends="strips")
+    return ship(name).with_(velocities="absolute", ends="strips", righting="polynomial")
 
 
 def table_ratios() -> dict[str, float]:

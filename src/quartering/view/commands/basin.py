@@ -9,7 +9,7 @@ import numpy as np
 from rich.table import Table
 
 from quartering.conventions import InputError
-from quartering.hull.righting import vanishing_angle
+from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.ensemble import basin
@@ -39,9 +39,9 @@ def erode(
     """Integrate from a grid of starts in each wave, print what is left of the basin, draw it where asked."""
     one, wave, speed, heading = condition(name, typed, changes)
     path = claim(output, PICTURES) if output is not None else None
-    limit = min(vanishing_angle(one), 90.0)
-    rate = coefficients(one, 0.0, 0.0).roll_frequency * limit
-    roll, rates = np.linspace(-limit, limit, _ANGLES), np.linspace(-rate, rate, _RATES)
+    limit = capsize_limit(one)
+    rate = coefficients(one, 0.0, 0.0).roll_frequency * limit.angle
+    roll, rates = np.linspace(-limit.angle, limit.angle, _ANGLES), np.linspace(-rate, rate, _RATES)
     top = min(2.0 * wave.height, 0.999 * STEEPEST * wave.length)
     chosen = [0.0, *values([heights or f"0:{top}"], OPTIONS["wave_height"], sizes(one), "--wave-heights", _HEIGHTS)]
     if len(chosen) > _MOST_HEIGHTS:
@@ -54,7 +54,7 @@ def erode(
     with bar("waves", len(waves)) as report:
         for i, each in enumerate(waves):
             model = equations(one, each, speed, heading)
-            maps.append(basin(model, roll, rates, periods=periods, limit=math.radians(limit)))
+            maps.append(basin(model, roll, rates, periods=periods))
             report(i + 1, len(waves))
     share = np.array([ds.attrs["safe_share"] for ds in maps])
     height = np.array([each.height for each in waves])
@@ -65,7 +65,7 @@ def erode(
         from quartering.view.plots.basin import basin_picture
 
         title = f"{one.name}: heading {heading:g} deg, {speed_words(speed, one.hull.length)}, wave length {wave.length:.4g} m"
-        picture = basin_picture(here, (height, integrity), wave.height, limit, title, ship_notes(one))
+        picture = basin_picture(here, (height, integrity), wave.height, limit.words, title, ship_notes(one))
         write((path, lambda part: style.save(picture, part)))
     at = float(integrity[height == wave.height][0])
     if as_json:
@@ -76,15 +76,16 @@ def erode(
         show_json(
             {
                 "ship": one.name, "heading": heading, "speed": speed, "wave_length": wave.length,
-                "wave_height": wave.height, "capsize_angle_deg": limit, "periods": periods, "integrity": at,
+                "wave_height": wave.height, "capsize_angle_deg": limit.angle, "capsize_reason": limit.reason,
+                "periods": periods, "integrity": at,
                 "curve": curve,
                 "picture": None if path is None else str(path),
             }
         )  # fmt: skip
         return
     show(
-        f"In waves of {wave.height:g} m, {at:.1%} of the starts that are safe in calm water stay below {limit:.3g} deg"
-        f" (the vanishing angle) for {periods} wave periods."
+        f"In waves of {wave.height:g} m, {at:.1%} of the starts that are safe in calm water stay below {limit.words},"
+        f" for {periods} wave periods."
     )
     show(_curve(height, share, integrity), ship_notes(one))
     if path is not None:

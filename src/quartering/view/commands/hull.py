@@ -12,6 +12,7 @@ from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
 from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
+from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.freedamping import FreeDamping, free_damping, total_words
 from quartering.options import OPTIONS, parts
 from quartering.units import quantity
@@ -75,11 +76,12 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
         show(table("Told, and recorded", ("quantity", "value", "unit", "where it comes from"), told, (1,)))
     powers = (("phi", fit.gm), ("phi^3", fit.gz3), ("phi^5", fit.gz5), ("phi^7", fit.gz7))
     terms = " ".join(f"{c:+.4g} {power}" for power, c in powers if c)
-    show(
-        f"Righting arm GZ = {terms} m (phi in rad), within {fit.residual:.1%} of the largest up to {fit.max_angle:g} deg."
-    )
+    fitted = f"GZ = {terms} m (phi in rad), within {fit.residual:.1%} of the largest up to {fit.max_angle:g} deg"
     if one.righting == "spline":
-        show("The equations of this ship carry the curve itself, as a spline; the polynomial is given for comparison.")
+        show(f"Righting arm: the equations carry the curve itself, as a spline. Fitted for comparison: {fitted}.")
+    else:
+        show(f"Righting arm: the equations carry a polynomial, {fitted}.")
+    show(f"Capsize: roll past {capsize_limit(one).words}.")
     if np.isfinite(fit.deck_angle):
         show(
             f"The top of the offsets goes under at {fit.deck_angle:.3g} deg; beyond, the hull is closed by a deck there."
@@ -136,6 +138,9 @@ def _facts(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
         "loading": dataclasses.asdict(one.loading),
         "free_roll_at_rest": {**roll._asdict(), "at_10_deg": roll.equivalent(np.radians(10.0))},
         "righting": dataclasses.asdict(fit),
+        "righting_curve": one.righting,
+        "capsize_angle_deg": capsize_limit(one).angle,
+        "capsize_reason": capsize_limit(one).reason,
         "told": dict(one.particulars),
         "calm_water_exponents": [{"speed": u, "exponents": z} for u, z in calm.items()],
         "provenance": dict(one.provenance),

@@ -13,9 +13,11 @@ import xarray as xr
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
+from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
+from quartering.motion.steady import capsize_advice
 from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
@@ -178,7 +180,10 @@ def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
         for status, n in s.no_answer.items():
             failed[status] = failed.get(status, 0) + n
     for status, n in failed.items():
-        show(f"{n} cells without an answer: {Status[status.upper()].advice}.")
+        advice = Status[status.upper()].advice
+        if Status[status.upper()] is Status.BEYOND_CAPSIZE_LIMIT:
+            advice = capsize_advice(capsize_limit(one))
+        show(f"{n} cells without an answer: {advice}.")
     unsteady = [speed_words(s.speed, length) for s in summary if s.calm_water.real.max() > _NEUTRAL]
     if unsteady:
         show(f"Course-unstable in calm water, without a rudder: at {'; '.join(unsteady)}.")

@@ -6,12 +6,11 @@ import math
 from collections.abc import Mapping
 
 import numpy as np
-import xarray as xr
 
-from quartering.hull.righting import vanishing_angle, warn_of_polynomial
+from quartering.hull.righting import warn_of_polynomial
 from quartering.motion.of_ship import equations
 from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion
+from quartering.motion.steady import steady_motion, within_limit
 from quartering.stability.ahead import announce_compilation
 from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import value
@@ -38,16 +37,16 @@ def run_simulation(
     announce_compilation()
     model = equations(one, wave, speed, heading)
     trace = simulate(model, seconds, (0.0, math.radians(heel), 0.0, 0.0))
-    motion = steady_motion(model, 3, start="rest")
+    motion = within_limit(model, steady_motion(model, 3, start="rest"))
     steady = math.degrees(motion.peak[1]) if motion.status.ok else None
-    limit = min(vanishing_angle(one), 90.0)
-    trace, capsize = _until_capsize(trace, limit)
-    warn_of_polynomial(one, min(float(np.abs(trace["roll"]).max()), limit))
+    limit, capsize = model.capsize_limit, trace.attrs.get("capsize_time")
+    warn_of_polynomial(one, min(float(np.abs(trace["roll"]).max()), limit.angle))
     late = trace["roll"].where(trace["time"] > 0.75 * seconds)
     facts = {
         "ship": one.name, "condition": dict(model.source), "roll_at_start_deg": heel,
         "largest_roll_deg": float(np.abs(trace["roll"]).max()), "largest_late_roll_deg": float(np.abs(late).max()),
-        "steady_roll_peak_deg": steady, "capsize_time": capsize, "capsize_angle_deg": limit,
+        "steady_roll_peak_deg": steady, "capsize_time": capsize, "capsize_angle_deg": limit.angle,
+        "capsize_reason": limit.reason,
     }  # fmt: skip
     if path is not None:
         from quartering.view.plots import style
@@ -61,8 +60,7 @@ def run_simulation(
         show_json(facts)
         return
     if capsize is not None:
-        there = ", where the righting arm vanishes" if limit < 90.0 else ""
-        show(f"Capsizes after {capsize:.3g} s (roll past {limit:.3g} deg{there}).")
+        show(f"Capsizes after {capsize:.3g} s (roll past {limit.words}).")
     else:
         words = (
             f"; the steady motion peaks at {steady:.3g} deg" if steady is not None else "; no steady motion was found"
@@ -75,15 +73,3 @@ def run_simulation(
     condition_words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     condition_words += option_words(changes)
     show(next_steps(f"quartering verdict {name} {condition_words}"))
-
-
-def _until_capsize(trace: xr.Dataset, limit: float) -> tuple[xr.Dataset, float | None]:
-    """The motion up to the angle where the righting arm vanishes [deg], and the time it is passed, None if it is not.
-
-    Beyond that angle a fitted polynomial may right the ship again, which the ship itself does not.
-    """
-    beyond = np.abs(trace["roll"].values) > limit
-    if not beyond.any():
-        return trace, trace.attrs.get("capsize_time")
-    time = float(trace["time"].values[beyond.argmax()])
-    return trace.where(trace["time"] <= time), time

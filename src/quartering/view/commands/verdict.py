@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from typing import NamedTuple
 
 import numpy as np
 from rich.table import Table
 
-from quartering.hull.righting import vanishing_angle, warn_of_polynomial
+from quartering.hull.righting import warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficient_table import Entry
@@ -20,8 +20,7 @@ from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.equations import Model
 from quartering.motion.of_ship import equations
-from quartering.motion.status import Status
-from quartering.motion.steady import Motion, steady_motion
+from quartering.motion.steady import Motion, advice, steady_motion, within_limit
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.verdict import Verdict, stability
 from quartering.study.cure import Cure, seek
@@ -48,7 +47,7 @@ class Examined(NamedTuple):
 def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int = 1, form: Form = "stf") -> Examined:
     """Find and judge the motion that a wave raised slowly from nothing leads to, as a map does."""
     model = equations(one, wave, speed, heading, form=form)
-    motion = _within(vanishing_angle(one), steady_motion(model, harmonics, start="rest"))
+    motion = within_limit(model, steady_motion(model, harmonics, start="rest"))
     if motion.status.ok:
         warn_of_polynomial(one, math.degrees(motion.peak[1]))
     return Examined(one, wave, speed, heading, model, motion, stability(model, motion))
@@ -103,14 +102,6 @@ def estimated(found: Examined) -> dict[str, list[str]]:
 
 def _entries(found: Examined) -> list[Entry]:
     return list(coefficients(found.ship, found.model.frequency, found.speed).table())
-
-
-def _within(limit: float, motion: Motion) -> Motion:
-    """The motion, or none where it rolls past the angle at which the righting arm vanishes (as in a map)."""
-    if not motion.peak[1] > math.radians(limit):
-        return motion
-    nothing = np.full_like(motion.cos, np.nan)
-    return replace(motion, cos=nothing, sin=nothing, status=Status.BEYOND_VANISHING_ANGLE)
 
 
 def _motion_table(one: Ship, wave: Wave, found: Examined) -> Table:
@@ -188,7 +179,7 @@ def facts(found: Examined, healing: list[Cure] | None) -> dict[str, object]:
         "calm_water": v.calm_water, "without_autopilot": v.without_autopilot, "heading_off_course": motion.heading,
         "autopilot": None if model.autopilot is None else asdict(model.autopilot), "first_order_stable": v.first_order_stable,
         "strongest": list(v.strongest), "roll_share": v.roll_share, "liouville": v.liouville,
-        "mean_jacobian": v.mean_jacobian, "advice": motion.status.advice, "residual": motion.residual,
+        "mean_jacobian": v.mean_jacobian, "advice": advice(motion, found.model.capsize_limit), "residual": motion.residual,
         "natural_roll_frequency": coefficients(one, 0.0, 0.0).roll_frequency,
         "cures": None if healing is None else [
             {"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in healing

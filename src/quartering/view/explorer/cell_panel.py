@@ -13,6 +13,7 @@ from nicegui import ui
 from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.calm_water import calm_water_exponents
+from quartering.motion.steady import advice
 from quartering.stability.verdict import Verdict
 from quartering.view.commands.verdict import Examined, estimated
 from quartering.view.explorer import charts
@@ -86,7 +87,7 @@ def _motion(found: Examined) -> list[Part]:
     motion = found.motion
     past = history(found)
     if not motion.status.ok:
-        words = f"<p>No steady motion: {html.escape(motion.status.advice)}.</p>"
+        words = f"<p>No steady motion: {html.escape(advice(motion, found.model.capsize_limit))}.</p>"
         return [words, charts.time_history(past), _end(past, found)]
     sway, roll, yaw = motion.amplitude
     period = 2 * math.pi / found.model.frequency
@@ -107,7 +108,7 @@ def _end(past: History, found: Examined) -> str:
     at = past.trace.attrs.get("capsize_time")
     if at is None:
         return "<p class='hint'>A stable motion takes the push back; an unstable one leaves its dotted line.</p>"
-    rolled = f"<p><b>Rolls over after {at:.0f} s</b> (beyond 90°)."
+    rolled = f"<p><b>Capsizes after {at:.3g} s</b> (roll past {found.model.capsize_limit.words})."
     if not found.verdict.stable:
         return f"{rolled}</p>"
     return (
@@ -125,7 +126,7 @@ def _roll_frequency(found: Examined) -> float:
 
 def _stability(of: Scene, found: Examined) -> list[Part]:
     if not found.motion.status.ok:
-        return [f"<p>No motion to judge: {html.escape(found.motion.status.advice)}.</p>"]
+        return [f"<p>No motion to judge: {html.escape(advice(found.motion, found.model.capsize_limit))}.</p>"]
     calm = calm_water_exponents(of.ship, of.speed)
     return [
         judges(found.verdict, calm),

@@ -203,9 +203,10 @@ def righting(ship: Ship) -> Chart:
     fit = righting_polynomial(ship)
     angles = np.linspace(0.0, 60.0, 31)
     fitted = np.linspace(0.0, fit.max_angle, 31)
+    unused = "" if ship.righting == "polynomial" else ", not used"
     traces = [
         _line(angles, righting_arm(ship, angles), "heeled hull", BLUE),
-        _line(fitted, fit.arm(fitted), f"polynomial, to {fit.max_angle:g}°", ORANGE, "dash"),
+        _line(fitted, fit.arm(fitted), f"polynomial, to {fit.max_angle:g}°{unused}", ORANGE, "dash"),
         _line([0, 30], [0, fit.gm * math.radians(30)], "slope GM", GREY, "dot"),
     ]
     return _chart(traces, "heel [deg]", "righting arm GZ [m]", height=240)

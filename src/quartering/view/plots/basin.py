@@ -19,7 +19,7 @@ def basin_picture(
     ds: xr.Dataset,
     curve: tuple[NDArray[np.float64], NDArray[np.float64]],
     height: float,
-    limit: float,
+    limit: str,
     title: str,
     note: str = "",
 ) -> Figure:
@@ -30,7 +30,7 @@ def basin_picture(
     ds : Dataset              of `quartering.motion.ensemble.basin`
     curve : (heights, integrity)    [m], share of the calm-water basin
     height : float            of the basin drawn [m]
-    limit : float             roll that counts as capsize [deg]
+    limit : str               roll that counts as capsize, in words
     title : str
     note : str                more small print
 
@@ -49,7 +49,7 @@ def basin_picture(
     style.title(made, title)
     style.footnote(
         made,
-        f"Capsize: roll past {limit:.3g} deg. Sway velocity and yaw rate start at zero, at one phase of the wave. Integrity:"
+        f"Capsize: roll past {limit}. Sway velocity and yaw rate start at zero, at one phase of the wave. Integrity:"
         f" safe starts as a share of those safe in calm water.\n{note}",
     )
     return made

@@ -31,7 +31,7 @@ def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit, wid
     made = style.figure(width, 1.4 + width / 3)
     left, right = made.subplots(1, 2, width_ratios=(1.15, 1.0))
     draw_body_plan(left, ship)
-    draw_righting_arm(right, angles, arms, fit)
+    draw_righting_arm(right, angles, arms, fit, ship.righting == "polynomial")
     hull = ship.hull
     style.title(made, f"{ship.name}: L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m")
     gm = ship.provenance.get("gm", "given").split(";")[0]

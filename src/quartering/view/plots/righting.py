@@ -10,7 +10,7 @@ from quartering.hull.section import Floats
 from quartering.view.plots import style
 
 
-def draw_righting_arm(ax: Axes, angles: Floats, arms: Floats, fit: RightingFit) -> None:
+def draw_righting_arm(ax: Axes, angles: Floats, arms: Floats, fit: RightingFit, used: bool = True) -> None:
     """Draw GZ over heel with its fit and its slope at 0.
 
     Parameters
@@ -19,12 +19,14 @@ def draw_righting_arm(ax: Axes, angles: Floats, arms: Floats, fit: RightingFit) 
     angles : (n,) float    heel, from 0 up [deg]
     arms : (n,) float      GZ [m]
     fit : RightingFit
+    used : bool            is the fit what the equations carry? Otherwise it is for comparison
     """
     ax.axhline(0.0, color=style.QUIET, linewidth=0.8)
     ax.plot(angles, arms, color=style.INK, linewidth=1.8, label="GZ of the heeled sections")
     fitted = np.linspace(0.0, fit.max_angle, 60)
     order = 7 if fit.gz7 else 5 if fit.gz5 else 3
     words = f"fit to φ{'³⁵⁷'[(order - 3) // 2]}, up to {fit.max_angle:g}° (misses by {100 * fit.residual:.1f} %)"
+    words += "" if used else ", not used"
     ax.plot(fitted, fit.arm(fitted), color=style.CONTRAST[1], linewidth=1.4, linestyle="--", label=words)
     one = np.degrees(1.0)
     ax.plot([0.0, one], [0.0, fit.gm], color=style.CONTRAST[0], linewidth=1.0, label=f"GM = {fit.gm:.3g} m at 1 rad")

@@ -9,7 +9,8 @@ import xarray as xr
 from markupsafe import Markup
 
 from quartering.conventions import InputError
-from quartering.hull.righting import vanishing_angle
+from quartering.hull.capsize import least_limit
+from quartering.hydro.capsize import vanishing_of_equations
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
 from quartering.study.query import sea_of
@@ -50,7 +51,7 @@ def guidance(source: Source, openings: float | None) -> Guidance:
     Parameters
     ----------
     source : Source
-    openings : float or None    heel at which unprotected openings go under in calm water [deg]
+    openings : float or None    heel at which unprotected openings go under in calm water [deg]; None: that of the ship, if any
 
     Returns
     -------
@@ -71,8 +72,9 @@ def guidance(source: Source, openings: float | None) -> Guidance:
         raise InputError(
             "the diagrams mirror headings of 0 to 180 deg; this result holds others, make it again with those"
         )
-    vanishing = vanishing_angle(source.ship)
-    limit = min(ROLL_LIMIT, vanishing, openings if openings is not None else np.inf)
+    openings = source.ship.value("openings") if openings is None else openings
+    vanishing = vanishing_of_equations(source.ship)
+    limit = min(ROLL_LIMIT, least_limit(vanishing, openings).angle)
     failure = failure_events(result, limit)
     sheets, rows = [], []
     heights = _waves(result)
@@ -89,7 +91,7 @@ def guidance(source: Source, openings: float | None) -> Guidance:
 
 
 def failure_events(result: xr.Dataset, limit: float) -> xr.DataArray:
-    """Conditions with a failure event: roll beyond the limit, or past the angle where the righting moment vanishes.
+    """Conditions with a failure event: roll beyond the limit, or past the capsize limit.
 
     Parameters
     ----------
@@ -100,11 +102,11 @@ def failure_events(result: xr.Dataset, limit: float) -> xr.DataArray:
     -------
     DataArray of bool
     """
-    return (result["roll_peak"] > limit) | (result["status"] == int(Status.BEYOND_VANISHING_ANGLE))
+    return (result["roll_peak"] > limit) | (result["status"] == int(Status.BEYOND_CAPSIZE_LIMIT))
 
 
 def _limits(vanishing: float, openings: float | None) -> list[str]:
-    gone = f"{vanishing:.3g} deg" if np.isfinite(vanishing) else "none below 87.5 deg"
+    gone = f"{vanishing:.3g} deg" if np.isfinite(vanishing) else "none up to 90 deg"
     return [
         f"{ROLL_LIMIT:g} deg",
         f"angle of vanishing stability in calm water: {gone}",

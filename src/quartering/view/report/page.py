@@ -14,7 +14,9 @@ from jinja2 import DictLoader, Environment, StrictUndefined
 
 from quartering.conventions import InputError
 from quartering.hull.righting import fitted_to
+from quartering.hydro.capsize import capsize_limit
 from quartering.motion.status import Status
+from quartering.motion.steady import capsize_advice
 from quartering.references import cite
 from quartering.stability.kind import Kind
 from quartering.view.report.conditions import judged, sensitivities, worst_conditions
@@ -150,7 +152,11 @@ def _warnings(source: Source) -> list[str]:
             " ends: their size and verdict are extrapolated."
         )
     statuses = Counter(int(s) for s in result["status"].values.ravel())
-    made += [f"{n} conditions without an answer: {Status(s).advice}." for s, n in statuses.items() if not Status(s).ok]
+    limited = capsize_advice(capsize_limit(source.ship))
+    for s, n in statuses.items():
+        if not Status(s).ok:
+            advice = limited if Status(s) is Status.BEYOND_CAPSIZE_LIMIT else Status(s).advice
+            made.append(f"{n} conditions without an answer: {advice}.")
     return made
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.righting import righting_polynomial, vanishing_angle
 from quartering.hull.ship import Ship
+from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.coefficients import coefficients
 from quartering.view.commands.hull import HYDROSTATICS, LOADING, loading_rows, particular_rows
 
@@ -51,8 +52,9 @@ def loading_table(ship: Ship) -> Table:
     ]
     if ship.autopilot is not None:
         rows.append(Row(("autopilot", ship.autopilot.words, "", "given")))
-    if ship.righting == "spline":
-        rows.append(Row(("righting curve", "spline through the curve", "", "given")))
+    curve = "the curve itself, as a spline" if ship.righting == "spline" else "polynomial fitted to the curve"
+    rows.append(Row(("righting curve", curve, "", "an option")))
+    rows.append(Row(("capsize: roll past", capsize_limit(ship).words, "", "the least of three")))
     return Table(("quantity", "value", "unit", "where it comes from"), rows, (1,))
 
 
