@@ -20,8 +20,8 @@ from quartering.units import BARE, NO_SHIP, Sizes, quantity, split_quantity, uni
 from quartering.units import Kind as UnitKind
 
 Kind = Literal[
-    "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "steepness",
-    "word", "text", "file", "group", "coefficients", "table",
+    "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "steepness", "frequency",
+    "roll angle", "rate", "word", "text", "file", "group", "coefficients", "table",
 ]  # fmt: skip
 Place = Literal["ship", "loading", "condition"]
 Bound = float | str | None
