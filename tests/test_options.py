@@ -402,3 +402,28 @@ def test_every_option_says_what_it_is():
         assert line_of(one)
         assert one.text[-1] != "."
         assert not one.numeric or one.usual is not None or one.default is not None
+
+
+@pytest.mark.parametrize(
+    ("command", "most"),
+    [
+        (["polar", "wigley", "--speed", "5", "--headings", "60", "--wave-height", "1"], 3),
+        (["forces", "wigley", "--speed", "5"], 3),
+        (["polar", "wigley", "--speed", "5", "--headings", "60", "--wave-height", "1"], 1),
+    ],
+    ids=["polar", "forces", "one"],
+)
+def test_waves_are_asked_by_their_periods_too(command, most, tmp_path, monkeypatch):
+    """Evenly spaced periods; deep water: lambda = g T^2 / (2 pi), [Lewis89] ch. VIII."""
+    monkeypatch.chdir(tmp_path)
+    text = "8:10s:3" if most == 3 else "9"
+    periods = [8.0, 9.0, 10.0] if most == 3 else [9.0]
+    answer = CliRunner().invoke(app, [*command, "--wave-period", text, "--json"])
+    assert answer.exit_code == 0, answer.output
+    asked = json.loads(answer.stdout)["wave_length"]
+    assert asked == pytest.approx([9.81 * t**2 / (2 * math.pi) for t in periods], rel=1e-9)
+    both = CliRunner().invoke(app, [*command, "--wave-periods", text, "--wave-lengths", "1L"])
+    assert (
+        both.output.strip()
+        == "quartering: --wave-lengths and --wave-period are two ways to say one thing; leave one out"
+    )

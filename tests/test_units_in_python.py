@@ -31,7 +31,7 @@ TWO_WAYS = {
         qt.encounter_frequency, ("0.1 Hz", ["10kn"], "1 rad"), (0.2 * np.pi, [10 * KNOT], np.degrees(1.0))
     ),
     "simulate": (
-        lambda d, s, dt: qt.simulate(MODEL, d, s, dt).roll, ("0.1 min", (0, "5 deg", "1 deg/s", 0), "5 s"),
+        lambda d, s, dt: qt.simulate(MODEL, d, s, dt)["roll"], ("0.1 min", (0, "5 deg", "1 deg/s", 0), "5 s"),
         (6.0, (0, np.radians(5), np.radians(1), 0), 5.0),
     ),
     "irregular": (

@@ -22,6 +22,7 @@ from quartering.motion.status import Status
 from quartering.stability.kind import Kind
 from quartering.study.cure import Cure
 from quartering.study.polar import polar
+from quartering.units import wave_length_of
 from quartering.view.commands.verdict import Examined, examine, facts
 from quartering.view.explorer.answers import joined, noting, sought
 from quartering.view.explorer.calls import PolarCall, VerdictCall
@@ -167,7 +168,10 @@ def _ailing(found: Examined) -> bool:
 def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
     """The map as pieces of about a thousand conditions."""
     one = call.loaded(fleet)
-    lengths = numbers(one, "wave_length", call.wave_length).tolist()
+    if call.wave_period is None:
+        lengths = numbers(one, "wave_length", call.wave_length or []).tolist()
+    else:
+        lengths = [wave_length_of(period) for period in numbers(one, "wave_period", call.wave_period).tolist()]
     steep = None if call.steepness is None else number(one, "steepness", call.steepness)
     waves = [Wave(n, call.wave_height if steep is None else steep * n, ship=one) for n in lengths]
     speed, heading = (numbers(one, name, getattr(call, name)).tolist() for name in ("speed", "heading"))
