@@ -150,11 +150,10 @@ def test_an_unknown_option_is_answered_with_the_nearest_one(tmp_path):
         S60.with_(gyradius_rol=5.0)
     file = tmp_path / "my.yaml"
     file.write_text("base: box\nopnings: 40 deg\n")
-    with pytest.raises(qt.InputError, match=r"line 2: key `opnings` is unknown; did you mean `openings`"):
+    with pytest.raises(qt.InputError, match=r"line 2: opnings is unknown; did you mean openings\?"):
         qt.ship(file)
     answer = CliRunner().invoke(app, ["hull", "box", "--opnings", "40"])
-    assert answer.exit_code == 2
-    assert "--openings" in answer.output
+    assert (answer.exit_code, answer.output.strip()) == (2, "quartering: opnings is unknown; did you mean openings?")
 
 
 @pytest.mark.parametrize(
@@ -174,7 +173,7 @@ def test_two_options_that_say_one_thing_are_refused(both, words):
 def test_a_key_given_twice_in_a_file_is_refused_with_its_line(tmp_path):
     file = tmp_path / "my.yaml"
     file.write_text("base: box\nopenings: 40 deg\nopenings: 30 deg\n")
-    with pytest.raises(qt.InputError, match=r"line 3: `openings` is given twice"):
+    with pytest.raises(qt.InputError, match=r"line 3: openings is given twice"):
         qt.ship(file)
 
 

@@ -88,6 +88,11 @@ def units_of(kind: Kind, sizes: Sizes = NO_SHIP) -> tuple[str, ...]:
     return own + (("Fn",) if kind == "speed" and sizes.length else ())
 
 
+def article(kind: Kind) -> str:
+    """The article before a kind of quantity."""
+    return "an" if kind[0] in "ae" else "a"
+
+
 _PATTERN: Final = re.compile(
     r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[-+]?\.?(?:nan|inf))\s*\*?\s*(\S*)\s*", re.IGNORECASE
 )
@@ -185,5 +190,7 @@ def quantity(
         return wave_length_of(number * _UNITS["time"][unit])
     if unit not in factors:
         allowed = ", ".join([*(u for u in factors if u), *(_UNITS["time"] if kind == "wave length" else ())]) or "none"
-        raise InputError(f'{name}: unit "{unit}" in "{value}" is not known for a {kind}; units allowed: {allowed}')
+        raise InputError(
+            f'{name}: unit "{unit}" in "{value}" is not known for {article(kind)} {kind}; units allowed: {allowed}'
+        )
     return number * factors[unit]

@@ -165,7 +165,7 @@ def _measured(where: str, keys: ShipKeys) -> str | MeasuredFile | None:
     if keys.measured is None or keys.measured == "none":
         return keys.measured
     beside = Path(where).parent / keys.measured
-    return measured_source(beside) if beside.is_file() else keys.measured
+    return measured_source(beside if beside.is_file() else keys.measured)
 
 
 def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:
@@ -181,6 +181,7 @@ def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:
         midship=given.midship,
         moments_about=given.moments_about,
         length=given.length,
+        said=given.file,
     )
 
 

@@ -11,7 +11,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, nearest_word, own_words
-from quartering.options import Option, line_of, options, parts, quoted
+from quartering.options import Option, line_of, no_coefficients, options, parts, quoted
 from quartering.units import split_quantity
 
 Lines = Mapping[tuple[str, ...], int]
@@ -97,8 +97,8 @@ class ShipKeys(_Strict):
     shape: Literal["offsets", "wigley", "box"] | None = None
     offsets: OffsetKeys | None = None
     lines: Annotated[LinesKeys, BeforeValidator(_lines)] | None = None
-    coefficients: dict[str, Given] = {}
-    factors: dict[str, float] = {}
+    coefficients: dict[str, Annotated[Entry, BeforeValidator(_entry)]] = {}
+    factors: dict[str, Any] = {}
     measured: str | None = None
     database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
     provenance: dict[str, str] = {}
@@ -197,6 +197,8 @@ def _parted(where: str, data: dict[str, Any], lines: Lines) -> tuple[dict[str, A
         if not found or (value := home.pop(found[0])) is None:
             continue
         if one.kind == "coefficients":
+            if not isinstance(value, dict):
+                raise InputError(f"{placed(where, lines, (found[0],))}: {no_coefficients(one.name, value).words}")
             rest[one.path[-1]] = value
         else:
             told[one.name] = _told(one, value)
@@ -219,8 +221,8 @@ def _told(one: Option, value: Any) -> Any:
 
 def _unknown(key: str, allowed: list[str]) -> str:
     near = get_close_matches(key.rpartition(", ")[2], allowed, n=1, cutoff=0.5)
-    hint = f"did you mean `{near[0]}`? Keys" if near else "keys"
-    return f"key `{key}` is unknown; {hint} allowed here: {', '.join(allowed)}"
+    hint = f"did you mean {near[0]}? Keys" if near else "keys"
+    return f"{key} is unknown; {hint} allowed here: {', '.join(allowed)}"
 
 
 def _sentence(problem: Any, data: dict[str, Any]) -> str:
