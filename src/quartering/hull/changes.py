@@ -399,7 +399,7 @@ def _notes(ship: Ship, made: Ship, given: set[str], case: str) -> dict[str, str]
 
 def _note_of_damping(ship: Ship, made: Ship) -> dict[str, str]:
     """What to say of roll damping by another method, with other keels, or of another amount."""
-    if made.roll_method != "fraction":
+    if made.damped_by_components:
         if (made.roll_method, made.bilge_keels) != (ship.roll_method, ship.bilge_keels):
             return {"roll_damping": roll_damping_note(made.roll_method, made.bilge_keels)}
         return {}

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Final, Literal, get_args
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from quartering.conventions import InputError
+from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
@@ -18,6 +19,7 @@ from quartering.hull.strips import has_transom
 from quartering.hull.told import number, numbers
 from quartering.hydro.heave import heave_sections
 from quartering.hydro.hull_table import end_method, hull_table, section_references, section_words
+from quartering.hydro.ship_source import source_of
 from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip import frequency_floor
 from quartering.hydro.surge import spheroid_surge
@@ -66,6 +68,10 @@ def hydrodynamics6(
     ------
     InputError    a frequency that is 0 or not finite, a negative speed, an unknown option
 
+    Warns
+    -----
+    RangeWarning  the ship has a database of its own, which is left out here
+
     Notes
     -----
     The terms of the aft end are kept when the ship has a transom. The added mass in heave grows like ln(1/omega): its
@@ -79,6 +85,27 @@ def hydrodynamics6(
     >>> ds.added_mass.shape, bool((ds.damping[0] == ds.damping[1]).all())
     ((2, 6, 6), True)
     """
+    source = source_of(ship)
+    if source.kind != "strip":
+        warnings.warn(
+            f"{ship.name}: all six modes are by strips, and {source.words} is left out; `hydrodynamics` has its added mass and "
+            "damping in sway, roll and yaw",
+            RangeWarning,
+            stacklevel=3,  # past the check of its arguments
+        )
+    return by_strips(ship, frequency, speed, reference, low_frequency, axes, surge)
+
+
+def by_strips(
+    ship: Ship,
+    frequency: ArrayLike,
+    speed: float | str = 0.0,
+    reference: Reference | tuple[float, float] = "G",
+    low_frequency: Terms = "cap",
+    axes: Axes = "body",
+    surge: Literal["spheroid", "zero"] = "spheroid",
+) -> xr.Dataset:
+    """What `hydrodynamics6` gives, whatever else the ship has."""
     speed = number(ship, "speed", speed)
     omega = np.atleast_1d(numbers(ship, "signed_frequency", frequency))
     _check(omega, low_frequency, axes, surge)

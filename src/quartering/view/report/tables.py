@@ -11,6 +11,7 @@ from quartering.hull.righting import righting_polynomial, vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import coefficients
 from quartering.view.commands.hull import HYDROSTATICS, LOADING, loading_rows, particular_rows
+from quartering.view.wording import carries_curve
 
 
 class Row(NamedTuple):
@@ -51,7 +52,7 @@ def loading_table(ship: Ship) -> Table:
     ]
     if ship.autopilot is not None:
         rows.append(Row(("autopilot", ship.autopilot.words, "", "given")))
-    if ship.righting == "spline":
+    if carries_curve(ship):
         rows.append(Row(("righting curve", "spline through the curve", "", "given")))
     return Table(("quantity", "value", "unit", "where it comes from"), rows, (1,))
 
