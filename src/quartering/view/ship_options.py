@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
-from functools import wraps
+from functools import cache, wraps
 from typing import Annotated, Any
 
 import typer
@@ -51,9 +51,7 @@ def takes_ship_options(command: Callable[..., None], ranges: bool = False) -> Ca
         )
     added = [one for one in command_options() if one.name not in own]
     for one in added:
-        text = _help(one) + (_RANGES if ranges and one.axis else "")
-        annotation = Annotated[str | None, typer.Option(one.command, help=text)]
-        own[one.name] = inspect.Parameter(one.name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation)
+        own[one.name] = _parameter(one.name, ranges and one.axis)
 
     @wraps(command)
     def run(**given: Any) -> None:
@@ -68,6 +66,15 @@ def takes_ship_options(command: Callable[..., None], ranges: bool = False) -> Ca
     run.__annotations__ = {name: one.annotation for name, one in own.items()}
     del run.__wrapped__
     return run
+
+
+@cache  # the same for every command: most of the time `quartering --help` takes of its own
+def _parameter(name: str, ranges: bool) -> inspect.Parameter:
+    """An option of a ship as a parameter of a command."""
+    one = OPTIONS[name]
+    option = typer.Option(one.command, help=_help(one) + (_RANGES if ranges else ""))
+    annotation = Annotated[str | None, option]
+    return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation)
 
 
 def _optional(annotation: Any) -> Any:
