@@ -7,20 +7,14 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, WithJsonSchema
 
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, nearest_word, own_words
 from quartering.options import Option, line_of, no_coefficients, options, parts, quoted
-from quartering.units import split_quantity
 
 Lines = Mapping[tuple[str, ...], int]
 """Keys of a file, the outermost first -> the line they stand on."""
-
-
-def _value(given: Any) -> Any:
-    split_quantity(given, "")  # raises when it is not a number, with or without a unit
-    return given
 
 
 def _entry(given: Any) -> Any:
@@ -39,8 +33,11 @@ class Entry(_Strict):
     source: str = "this file"
 
 
+_NUMBER = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}], "title": "Value"})
+
+
 class _Number(Entry):
-    value: Annotated[float | str, BeforeValidator(_value)]
+    value: Annotated[Any, _NUMBER]  # checked by its option, in the words of every door
 
 
 Given = Annotated[_Number, BeforeValidator(_entry)]
@@ -97,7 +94,7 @@ class ShipKeys(_Strict):
     shape: Literal["offsets", "wigley", "box"] | None = None
     offsets: OffsetKeys | None = None
     lines: Annotated[LinesKeys, BeforeValidator(_lines)] | None = None
-    coefficients: dict[str, Annotated[Entry, BeforeValidator(_entry)]] = {}
+    coefficients: dict[str, Given] = {}
     factors: dict[str, Any] = {}
     measured: str | None = None
     database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
