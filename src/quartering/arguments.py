@@ -10,7 +10,7 @@ from typing import Final
 from quartering.options import Option
 
 _ARGUMENTS = (
-    Option("frequency", "frequency", "of motion", low=0, usual="0.6 rad/s", hint="of a ship that overtakes: |omega|"),
+    Option("frequency", "frequency", "of motion", low=0, usual="0.6 rad/s", hint="fold a negative one to |omega|"),
     Option("excitation", "ratio", "share of the wave force", low=0, usual=1.0),
     Option("heel", "angle", "in calm water", low=-90, high=90, usual="40 deg", hint="less than 90 to either side"),
     Option("limit", "roll angle", "roll that counts as capsize", low=0, above=True, usual="90 deg"),
