@@ -388,7 +388,7 @@ def test_a_throw_away_option_declared_once_is_in_every_door(tmp_path):
     assert answer.returncode == 0, answer.stderr
     found = json.loads(answer.stdout.splitlines()[-1])
     refused = found.pop("refused")
-    assert refused.startswith("quartering: --ice-class: ice_class = 99; it is from 0 m to 0.1 L = 10 m")
+    assert refused.startswith("quartering: --ice-class: ice_class = 99 m; it is from 0 m to 0.1 L = 10 m")
     assert found == {
         "file": 0.8, "note": "given: 80 cm; this file", "python": 1.0, "default": 0.5, "help": True, "case": [0.2, 0.4],
         "loaded": 0.4, "command": True, "dial": [0.0, 10.0], "state": "ship=series60-cb60&ice_class=0.7", "service": 0.3,
