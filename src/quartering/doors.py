@@ -18,6 +18,8 @@ _ADVICE: Final = {
     "Wave": "quartering.Wave(100.0, 2.0)",
     "Model": "quartering.equations(ship, wave, speed, heading)",
     "Motion": "quartering.steady_motion(model)",
+    "DecayRecord": 'quartering.read_decay("decay.csv")',
+    "Dataset": "quartering.bem_forces(ship, [100.0], [90.0])",
     "Section": "quartering.Section(y=[0, 5, 5], z=[4, 4, 0])",
 }
 """Kind -> how one is made."""
@@ -28,7 +30,7 @@ def takes(**kinds: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
     Parameters
     ----------
-    **kinds : str    argument -> name of its class, or of several, "Ship, Hull"; so no room is imported for it
+    **kinds : str    argument -> name of its class, or of several, "Ship, Hull, None"; so no room is imported for it
 
     Returns
     -------
@@ -64,8 +66,11 @@ def takes(**kinds: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
 
 def _of_kind(name: str, given: Any, kinds: str) -> None:
     allowed = kinds.split(", ")
+    if given is None and "None" in allowed:
+        return
     if any(one.__name__ in allowed for one in type(given).__mro__):
         return
     said = repr(given)
     said = said if len(said) <= 60 else f"{said[:57]}..."
-    raise InputError(f"{name} = {said} is no {' or '.join(allowed)}; give one, such as {_ADVICE[allowed[0]]}")
+    words = " or ".join(one for one in allowed if one != "None")
+    raise InputError(f"{name} = {said} is no {words}; give one, such as {_ADVICE[allowed[0]]}")

@@ -16,12 +16,12 @@ from inspect import Parameter, Signature
 from typing import Any, Final, Literal
 
 from quartering.conventions import SYMBOLS, WATER_DENSITY, InputError, as_float
-from quartering.units import BARE, NO_SHIP, Sizes, quantity, split_quantity, units_of
+from quartering.units import BARE, NO_SHIP, Sizes, article, quantity, split_quantity, units_of
 from quartering.units import Kind as UnitKind
 
 Kind = Literal[
-    "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "steepness",
-    "word", "text", "file", "group", "coefficients", "table",
+    "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "steepness", "frequency",
+    "roll angle", "rate", "word", "text", "file", "group", "coefficients", "table",
 ]  # fmt: skip
 Place = Literal["ship", "loading", "condition"]
 Bound = float | str | None
@@ -260,6 +260,13 @@ def _said(of: Option, given: Any) -> str:
     """What was given: a number with its unit, text as it was written, in quotes where it is no number."""
     if isinstance(given, (int, float)) and not isinstance(given, bool):
         return f"{given:g}" + (f" {of.unit}" if of.unit not in ("1", "") else "")
+    if isinstance(given, str) and of.numeric and of.kind != "steepness":
+        try:
+            bare = not split_quantity(given)[1]
+        except InputError:
+            bare = False
+        if bare:
+            return f"{given.strip()} {of.unit}".removesuffix(" 1")
     if isinstance(given, str):
         return given if given[:1].isdigit() or (given[:1] in "+-." and len(given) < 40) else quoted(given)
     return quoted(given)
@@ -278,7 +285,7 @@ def _unit_words(of: Option, given: Any, sizes: Sizes) -> str:
         return "that is no ratio"
     near = get_close_matches(unit, allowed, n=1, cutoff=0.5)
     hint = f'; did you mean "{near[0]}"?' if near else ""
-    return f'unit "{unit}" is not known for a {kind}; units allowed: {", ".join(allowed) or "none, or %"}{hint}'
+    return f'unit "{unit}" is not known for {article(kind)} {kind}; units allowed: {", ".join(allowed) or "none, or %"}{hint}'
 
 
 def _slip(of: Option, given: Any, sizes: Sizes) -> str:
@@ -521,6 +528,13 @@ def parts(group: str) -> dict[str, Option]:
     ['area', 'aspect']
     """
     return {one.path[-1]: one for one in options(group=group)}
+
+
+def no_coefficients(name: str, given: Any) -> Refused:
+    """The refusal of what is no mapping of coefficients."""
+    return Refused(
+        name, f"{name} = {quoted(given)}; it is coefficients with a number each, such as {OPTIONS[name].example}"
+    )
 
 
 def part_values(of: Option, given: Any, where: str, sizes: Sizes) -> dict[str, float] | None:

@@ -9,7 +9,9 @@ from typing import Final, Literal, NamedTuple
 
 from quartering.conventions import GRAVITY, InputError, as_float
 
-Kind = Literal["length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio"]
+Kind = Literal[
+    "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "frequency", "roll angle", "rate"
+]  # fmt: skip
 
 _LENGTHS: Final = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048}
 _UNITS: Final[dict[str, dict[str, float]]] = {
@@ -22,13 +24,16 @@ _UNITS: Final[dict[str, dict[str, float]]] = {
     "density": {"kg/m3": 1.0, "t/m3": 1e3},
     "area": {"m2": 1.0},
     "ratio": {"": 1.0, "%": 0.01},
+    "frequency": {"rad/s": 1.0, "Hz": 2.0 * math.pi},
+    "roll angle": {"rad": 1.0, "deg": math.pi / 180.0},
+    "rate": {"rad/s": 1.0, "deg/s": math.pi / 180.0},
 }
-"""Kind -> unit -> factor to the unit a bare number has: m, m/s, kg, deg, s, kg/m3, m2."""
+"""Kind -> unit -> factor to the unit a bare number has: m, m/s, kg, deg, s, kg/m3, m2, rad/s; rad for angles of a state."""
 
 _SHIP_UNITS: Final = ("L", "B", "T")
 BARE: Final[dict[Kind, str]] = {
     "length": "m", "wave length": "m", "speed": "m/s", "mass": "kg", "angle": "deg", "time": "s", "density": "kg/m3",
-    "area": "m2", "ratio": "1",
+    "area": "m2", "ratio": "1", "frequency": "rad/s", "roll angle": "rad", "rate": "rad/s",
 }  # fmt: skip
 """Kind -> the unit a bare number has."""
 
@@ -81,6 +86,11 @@ def units_of(kind: Kind, sizes: Sizes = NO_SHIP) -> tuple[str, ...]:
     if kind == "wave length":
         own += tuple(_UNITS["time"])
     return own + (("Fn",) if kind == "speed" and sizes.length else ())
+
+
+def article(kind: Kind) -> str:
+    """The article before a kind of quantity."""
+    return "an" if kind[0] in "ae" else "a"
 
 
 _PATTERN: Final = re.compile(
@@ -180,5 +190,7 @@ def quantity(
         return wave_length_of(number * _UNITS["time"][unit])
     if unit not in factors:
         allowed = ", ".join([*(u for u in factors if u), *(_UNITS["time"] if kind == "wave length" else ())]) or "none"
-        raise InputError(f'{name}: unit "{unit}" in "{value}" is not known for a {kind}; units allowed: {allowed}')
+        raise InputError(
+            f'{name}: unit "{unit}" in "{value}" is not known for {article(kind)} {kind}; units allowed: {allowed}'
+        )
     return number * factors[unit]

@@ -40,7 +40,7 @@ FAULTS = {
     "two files": ("a: 1\n---\nb: 2", 2, "a second document begins here"),
     "control": ("a: 1\nb: \x01", 2, "a character that is no text"),
     "list key": ("? [a]\n: b", 1, "the key ['a'] is no word"),
-    "twice": ("a: 1\nb: 2\na: 3", 3, "`a` is given twice (first in line 1)"),
+    "twice": ("a: 1\nb: 2\na: 3", 3, "a is given twice (first in line 1)"),
 }
 READERS = [yaml.SafeLoader, *([yaml.CSafeLoader] if hasattr(yaml, "CSafeLoader") else [])]
 

@@ -300,7 +300,7 @@ def test_files_that_cannot_be_read_are_refused_with_the_line(tmp_path: Path) -> 
         read_decay(broken, unit="deg")
     with pytest.raises(InputError, match=r"deg or rad.*\"angle\" does not tell"):
         read_decay(broken)
-    with pytest.raises(InputError, match="time factor"):
+    with pytest.raises(InputError, match="time_factor = 0; it is above 0"):
         read_decay(broken, time_factor=0.0)
 
 

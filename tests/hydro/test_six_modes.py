@@ -240,7 +240,7 @@ def test_heave_of_sections_that_are_no_lewis_forms_is_solved_on_their_own_contou
     ("arguments", "said"),
     [
         ({"frequency": [0.0, 1.0]}, "limits"),
-        ({"frequency": [np.nan]}, "numbers"),
+        ({"frequency": [np.nan]}, "no finite number"),
         ({"frequency": [1.0], "speed": -1.0}, "heading tells"),
         ({"frequency": [1.0], "axes": "earth"}, "body, seakeeping"),
         ({"frequency": [1.0], "low_frequency": "manoeuvring"}, "cap, drop"),

@@ -195,7 +195,7 @@ def test_what_the_file_does_not_hold_is_refused_naming_what_it_holds(folder, nam
 
 
 @pytest.mark.parametrize(
-    ("name", "words"), [("none.nc", "is not there"), ("own.h5", "Capytaine netCDF.*or the .1 file")]
+    ("name", "words"), [("none.nc", "there is no such file"), ("own.h5", "a path of a Capytaine netCDF.*or of WAMIT")]
 )
 def test_a_file_that_is_missing_or_of_another_kind_is_refused(name, words):
     with pytest.raises(InputError, match=words):
@@ -209,7 +209,7 @@ def test_a_ship_file_names_its_database_beside_itself(folder):
     path.write_text("base: series60-cb60\ndatabase: {file: own.1, length: 1.0, midship: 0.0}\n")
     assert qt.ship(path).database.name == "database own.1 (WAMIT)"
     path.write_text("base: series60-cb60\ndatabase: {file: own.nc, midships: 3}\n")
-    with pytest.raises(InputError, match=r"database, midships.*did you mean `midship`"):
+    with pytest.raises(InputError, match=r"database, midships.*did you mean midship"):
         qt.ship(path)
 
 
@@ -249,3 +249,10 @@ def test_a_ship_runs_from_panels(tmp_path):
     theirs = panels["total"].sel(heading=60.0).isel(frequency=-3).to_numpy()
     np.testing.assert_allclose(total, theirs, rtol=1e-6, atol=1e-6 * np.abs(theirs).max())
     assert qt.coefficients(ship, 0.5, 5.0).inertia[0, 0, 0] > 0
+
+
+def test_six_modes_beside_a_database_say_that_they_are_by_strips(folder):
+    own = ship_from(folder)
+    with pytest.warns(qt.RangeWarning, match=r"all six modes are by strips, and .*own\.nc.* is left out"):
+        found = qt.hydrodynamics6(own, [0.6])
+    np.testing.assert_array_equal(found.added_mass, qt.hydrodynamics6(own.with_(database="none"), [0.6]).added_mass)

@@ -67,10 +67,10 @@ def test_a_ship_faster_than_the_wave_meets_it_at_a_negative_frequency_and_one_as
 @pytest.mark.parametrize(
     ("sigma", "speed", "heading", "word"),
     [
-        (0.0, 1.0, 0.0, "wave frequency 0"),
+        (0.0, 1.0, 0.0, "frequency = 0 rad/s; it is above 0"),
         (-1.0, 1.0, 0.0, "-1"),
-        (0.5, -2.0, 0.0, "speed -2"),
-        (0.5, 1.0, np.nan, "heading nan"),
+        (0.5, -2.0, 0.0, "speed = -2 m/s"),
+        (0.5, 1.0, np.nan, "heading = nan deg"),
         (np.nan, 1.0, 0.0, "nan"),
     ],
 )

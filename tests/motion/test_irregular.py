@@ -101,8 +101,8 @@ def test_one_wave_gives_what_the_adaptive_integrator_gives(autopilot):
     [
         ({"force": np.zeros((2, 3))}, "do not fit together"),
         ({"phase": np.full((2, 3), np.nan)}, "finite"),
-        ({"duration": 0.0}, "greater than zero"),
-        ({"step": np.nan}, "greater than zero"),
+        ({"duration": 0.0}, "it is above 0 s"),
+        ({"step": np.nan}, "it is above 0 s"),
     ],
 )
 def test_bad_input_is_refused(change, words):

@@ -238,7 +238,7 @@ BAD = [
     (["polar", "wigley", "--steepness", "0"], "above 0"),
     (["polar", "wigley", "--speed", "0,-5"], "it is from 0 m/s"),
     (["polar", "wigley", "--speed", "5,10kn,0.2Fn"], "unit on each"),
-    (["polar", "wigley", "--wave-lengths", "0,50"], "wave_length = 0; it is above 0 m"),
+    (["polar", "wigley", "--wave-lengths", "0,50"], "wave_length = 0 m; it is above 0 m"),
     (["polar", "wigley", "--headings", "0:180:2000", "--wave-lengths", "1L:2L:1000"], "1000000"),
     (["new", "series60-cb6", "my.yaml"], "series60-cb60"),
     (["new", "wigley", "nowhere/my.yaml"], "folder"),

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
-from quartering.conventions import InputError
+from quartering.hull.told import number
+from quartering.options import parts
 
 ASPECT = 1.8
 """Height over chord of a rudder of which nothing is known (assumed)."""
-MOST = {"gain": 100.0, "rate_gain": 1000.0, "lag": 1000.0}
-"""Largest values of an autopilot; those in use are a few units and tens of seconds [1, s, s]."""
 
 
 @dataclass(frozen=True)
@@ -23,13 +21,13 @@ class Autopilot:
 
     Parameters
     ----------
-    gain : float         rudder angle per angle off course, >= 0 [1]
+    gain : float         numbers, or text with a unit: rudder angle per angle off course, >= 0 [1]
     rate_gain : float    rudder angle per rate of turn, >= 0 [s]
     lag : float          time constant of the steering gear, >= 0; 0: the rudder is at once where it is ordered [s]
 
     Raises
     ------
-    InputError    a value that is negative, not a finite number, or above `MOST`
+    InputError    a value that is no number in the range of its option
 
     Notes
     -----
@@ -51,12 +49,7 @@ class Autopilot:
         return f"gain {self.gain:.4g}, rate gain {self.rate_gain:.4g} s, lag {self.lag:.4g} s"
 
     def __post_init__(self) -> None:
-        _checked(self, "autopilot", {"gain": 1.0, "rate_gain": 10.0, "lag": 2.0}, least=True)
-        for key, most in MOST.items():
-            if getattr(self, key) > most:
-                raise InputError(
-                    f"autopilot: {key} = {getattr(self, key):g}; it is at most {most:g}; is the unit right?"
-                )
+        _by_options(self, "autopilot")
 
 
 @dataclass(frozen=True)
@@ -70,7 +63,7 @@ class Rudder:
 
     Raises
     ------
-    InputError    a value that is not above 0
+    InputError    a value that is no number in the range of its option
 
     Examples
     --------
@@ -82,13 +75,10 @@ class Rudder:
     aspect: float
 
     def __post_init__(self) -> None:
-        _checked(self, "rudder", {"area": 20.0, "aspect": 1.8}, least=False)
+        _by_options(self, "rudder")
 
 
-def _checked(record: object, name: str, usual: dict[str, float], *, least: bool) -> None:
-    """Refuse values that are not numbers above 0 (or at `least` 0)."""
-    for key, example in usual.items():
-        value = getattr(record, key)
-        if not (math.isfinite(value) and (value > 0 or (least and value == 0))):
-            allowed = "0 or more" if least else "above 0"
-            raise InputError(f"{name}: {key} = {value:g}; it is a number {allowed}; try {example:g}")
+def _by_options(record: object, group: str) -> None:
+    """Numbers, or text with a unit, each in the range of its option."""
+    for key, one in parts(group).items():
+        object.__setattr__(record, key, number(None, one.name, getattr(record, key)))

@@ -14,11 +14,22 @@ from quartering.hull.autopilot import Autopilot, Rudder
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.loading import Loading, loaded_alike, reloaded
 from quartering.hull.offsets import Hull, at_draught, scaled, with_depth
-from quartering.hull.own_database import Database, database_of
+from quartering.hull.own_database import DATABASE_IS, Database, database_of, database_of_keys
 from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
-from quartering.names import checked_values
-from quartering.options import OPTIONS, Option, Refused, checked, options, part_values, parts, quoted, unknown
+from quartering.names import term
+from quartering.options import (
+    OPTIONS,
+    Option,
+    Refused,
+    checked,
+    no_coefficients,
+    options,
+    part_values,
+    parts,
+    quoted,
+    unknown,
+)
 from quartering.units import Sizes, quantity
 
 if TYPE_CHECKING:
@@ -223,6 +234,10 @@ def _database(ship: Ship, given: Mapping[str, Any], where: str) -> Database | No
     value = given.get("database", ship.database)
     if value is None or isinstance(value, Database):
         return value
+    if isinstance(value, Mapping):
+        return database_of_keys(value, where)
+    if not isinstance(value, (str, Path)):
+        raise Refused("database", f"database = {quoted(value)}; {DATABASE_IS}", where)
     return None if value == "none" else database_of(value, where)
 
 
@@ -289,13 +304,26 @@ def _plain(one: Option, value: Any, where: str, sizes: Sizes) -> Any:
 
 
 def _coefficients(given: Any, where: str, name: str) -> dict[str, float]:
-    if not isinstance(given, Mapping):
-        raise Refused(name, f"{name} = {quoted(given)}; it is a mapping of coefficients, such as {{K_ppp: 0.5}}", where)
-    try:
-        plain = {key: quantity(one, "ratio", what=key) if isinstance(one, str) else one for key, one in given.items()}
-        return checked_values("", plain)
-    except InputError as error:
-        raise Refused(name, str(error).removeprefix(": "), where) from None
+    """Coefficients by name, from a mapping or from text such as "K_ppp=0.5,K_prr=2"."""
+    pairs: Any = given
+    if isinstance(given, str):
+        pairs = {key.strip(): value for key, _, value in (part.partition("=") for part in given.split(","))}
+        if "=" not in given:
+            pairs = None
+    if not isinstance(pairs, Mapping):
+        raise Refused(name, no_coefficients(name, given).words, where)
+    found = {}
+    for key, one in pairs.items():
+        try:
+            term(str(key))
+        except InputError as error:
+            raise Refused(name, str(error), where) from None
+        try:
+            found[key] = quantity(one, "ratio", what=key)
+        except InputError:
+            words = f"{name}: {key} = {quoted(one)}; it is a finite number, such as {OPTIONS[name].example}"
+            raise Refused(name, words, where) from None
+    return found
 
 
 def _multipliers(ship: Ship, given: Mapping[str, Any], where: str) -> dict[str, float]:
@@ -371,7 +399,7 @@ def _notes(ship: Ship, made: Ship, given: set[str], case: str) -> dict[str, str]
 
 def _note_of_damping(ship: Ship, made: Ship) -> dict[str, str]:
     """What to say of roll damping by another method, with other keels, or of another amount."""
-    if made.roll_method != "fraction":
+    if made.damped_by_components:
         if (made.roll_method, made.bilge_keels) != (ship.roll_method, ship.bilge_keels):
             return {"roll_damping": roll_damping_note(made.roll_method, made.bilge_keels)}
         return {}

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 from quartering.conventions import WATER_DENSITY
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.offsets import Hull
+from quartering.hull.told import number
 from quartering.options import Refused
 
 ROLL_DAMPING = 0.05
@@ -21,7 +22,7 @@ class Loading:
 
     Parameters
     ----------
-    gm, kg : float                          metacentric height, and height of G over the baseline [m]
+    gm, kg : float                          metacentric height, and height of G over the baseline [m]; numbers, or text: "5.1 m"
     gyradius_roll, gyradius_yaw : float     k_xx, k_zz without added mass [m]
     roll_damping : float                    added viscous roll damping, fraction of critical; 0 by a component method [1]
     density : float                         of the water [kg/m3]
@@ -33,6 +34,14 @@ class Loading:
     gyradius_yaw: float
     roll_damping: float = ROLL_DAMPING
     density: float = WATER_DENSITY
+
+    def __post_init__(self) -> None:
+        """Text with a unit becomes a number; numbers are checked where a ship gets them."""
+        for one in fields(self):
+            given = getattr(self, one.name)
+            if isinstance(given, str):
+                name = "water_density" if one.name == "density" else one.name
+                object.__setattr__(self, one.name, number(None, name, given))
 
 
 def reloaded(

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, Final
 
 from quartering.conventions import InputError
+from quartering.options import Refused, quoted, unknown
+from quartering.units import quantity
+
+DATABASE_IS: Final = "it is a path of a Capytaine netCDF (.nc) or of WAMIT's .1"
 
 
 @dataclass(frozen=True)
@@ -51,6 +57,7 @@ def database_of(
     midship: float = 0.0,
     moments_about: tuple[float, float] | None = None,
     length: float = 1.0,
+    said: str = "",
 ) -> Database:
     """The database in a file, with the digest of what it holds now.
 
@@ -61,6 +68,7 @@ def database_of(
     midship : float             x of midship in the file's axes [m]
     moments_about : (x, z)      point of the moments in the file's axes [m]
     length : float              ULEN, of WAMIT files [m]
+    said : str                  the path as it was written, for the message
 
     Returns
     -------
@@ -76,21 +84,49 @@ def database_of(
 
     Examples
     --------
-    >>> database_of("none.nc", "my ship")
+    >>> database_of("none.txt", "my ship")
     Traceback (most recent call last):
     ...
-    quartering.conventions.InputError: my ship: database none.nc is not there; give a path seen from the ship file
+    quartering.options.Refused: my ship: database = 'none.txt'; it is a path of a Capytaine netCDF (.nc) or of WAMIT's .1
     """
     file = Path(path)
+    words = f"database = {quoted(str(said or path))}"
     if file.suffix not in (".nc", ".1"):
-        raise InputError(
-            f"{where}: database {file.name} is of no known kind; give a Capytaine netCDF (.nc) or the .1 file of WAMIT"
-        )
+        raise Refused("database", f"{words}; {DATABASE_IS}", where)
     if not file.is_file():
-        raise InputError(f"{where}: database {path} is not there; give a path seen from the ship file")
+        raise Refused("database", f"{words}; there is no such file; {DATABASE_IS}", where)
     if not length > 0:
-        raise InputError(f"{where}: database, length = {length:g} m; WAMIT's ULEN is above 0; leave it out for 1")
+        raise Refused(
+            "database", f"database, length = {length:g} m; WAMIT's ULEN is above 0; leave it out for 1", where
+        )
     return Database(str(file.absolute()), content_digest(file), midship, moments_about, length)
+
+
+def database_of_keys(given: Mapping[str, Any], where: str) -> Database:
+    """The database of a mapping with the keys a ship file has.
+
+    Examples
+    --------
+    >>> database_of_keys({"fille": "my.nc"}, "my ship")
+    Traceback (most recent call last):
+    ...
+    quartering.options.Refused: my ship: database: fille is unknown; did you mean file?
+    """
+    keys = ("file", "midship", "moments_about", "length")
+    for key in given:
+        if key not in keys:
+            raise Refused("database", f"database: {unknown(str(key), keys).words}", where)
+    if not isinstance(given.get("file"), (str, Path)):
+        raise Refused("database", f"database = {quoted(given)}; {DATABASE_IS}", where)
+    point = given.get("moments_about")
+    try:
+        midship, length = (
+            quantity(given.get(key, usual), "length", what=key) for key, usual in (("midship", 0.0), ("length", 1.0))
+        )
+        about = None if point is None else (quantity(point[0], "length"), quantity(point[1], "length"))
+    except (InputError, TypeError, IndexError, KeyError) as error:
+        raise Refused("database", f"database = {quoted(given)}; {error}", where) from None
+    return database_of(given["file"], where, midship=midship, moments_about=about, length=length)
 
 
 def content_digest(path: str | Path) -> str:

@@ -5,6 +5,11 @@ from __future__ import annotations
 import hashlib
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
+
+from quartering.options import Refused, quoted
+
+LIBRARY: Final = Path(__file__).parents[1] / "hydro" / "library"
 
 
 @dataclass(frozen=True)
@@ -32,6 +37,10 @@ def measured_source(named: str | Path) -> str | MeasuredFile:
     -------
     MeasuredFile or str
 
+    Raises
+    ------
+    Refused    neither a file nor a built-in set
+
     Notes
     -----
     Source: the format of the ship file.
@@ -42,7 +51,24 @@ def measured_source(named: str | Path) -> str | MeasuredFile:
     'son-nomoto-1982'
     """
     file = Path(named)
-    return MeasuredFile(str(file.absolute()), file_digest(file)) if file.is_file() else str(named)
+    if file.is_file():
+        return MeasuredFile(str(file.absolute()), file_digest(file))
+    if str(named) not in available_sets():
+        raise Refused(
+            "measured", f"measured = {quoted(str(named))}; it is a file, or one of {', '.join(available_sets())}"
+        )
+    return str(named)
+
+
+def available_sets() -> tuple[str, ...]:
+    """Names of the built-in measured sets.
+
+    Examples
+    --------
+    >>> "blanke-christensen-1993" in available_sets()
+    True
+    """
+    return tuple(sorted(path.stem for path in LIBRARY.glob("*.yaml")))
 
 
 def file_digest(path: str | Path) -> str:

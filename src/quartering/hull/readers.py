@@ -165,7 +165,7 @@ def _measured(where: str, keys: ShipKeys) -> str | MeasuredFile | None:
     if keys.measured is None or keys.measured == "none":
         return keys.measured
     beside = Path(where).parent / keys.measured
-    return measured_source(beside) if beside.is_file() else keys.measured
+    return measured_source(beside if beside.is_file() else keys.measured)
 
 
 def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:
@@ -181,6 +181,7 @@ def _database(where: str, keys: ShipKeys, base: Ship | None) -> Database | None:
         midship=given.midship,
         moments_about=given.moments_about,
         length=given.length,
+        said=given.file,
     )
 
 
@@ -210,7 +211,7 @@ def _notes(keys: ShipKeys, base: Ship | None, entries: dict[str, Entry], made: S
     }
     if "roll_period" in keys.told:
         notes["gyradius_roll"] = made.provenance["gyradius_roll"]
-    if made.roll_method != "fraction":
+    if made.damped_by_components:
         notes["roll_damping"] = roll_damping_note(made.roll_method, made.bilge_keels)
     if base is not None and (made.hull.length, made.hull.beam) != (base.hull.length, base.hull.beam):
         notes["dimensions"] = f"given: lines of {base.name} stretched to these dimensions"

@@ -16,6 +16,7 @@ from quartering.hull.heeled import cross_curve, deck_angle
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.spline import OddSpline, odd_spline
+from quartering.hull.told import numbers
 
 SPLINE_STEP, SPLINE_END = 4.0, 96.0
 """Between the angles a righting spline goes through, and the last of them, beyond every capsize limit [deg]."""
@@ -86,9 +87,9 @@ def righting_arm(ship: Ship, angles_deg: ArrayLike) -> Floats:
     >>> [round(float(gz), 3) for gz in righting_arm(ship("box"), [0, 10])]
     [0.0, 0.192]
     """
-    angles = np.asarray(angles_deg, dtype=float)
-    if not (np.isfinite(angles).all() and (np.abs(angles) < 90).all()):
-        raise InputError(f"heel angles {angles.tolist()}; they must be numbers between -90 and 90 deg; try 0 to 60")
+    angles = numbers(ship, "heel", angles_deg)
+    if (np.abs(angles) == 90).any():
+        raise InputError("heel = 90 deg; it is less than 90 deg to either side; try 40 deg")
     phi = np.radians(angles.ravel())
     arm, freeboard = _arm(ship, phi)
     if (freeboard < 0).any():

@@ -7,20 +7,14 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, WithJsonSchema
 
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, nearest_word, own_words
-from quartering.options import Option, line_of, options, parts, quoted
-from quartering.units import split_quantity
+from quartering.options import Option, line_of, no_coefficients, options, parts, quoted
 
 Lines = Mapping[tuple[str, ...], int]
 """Keys of a file, the outermost first -> the line they stand on."""
-
-
-def _value(given: Any) -> Any:
-    split_quantity(given, "")  # raises when it is not a number, with or without a unit
-    return given
 
 
 def _entry(given: Any) -> Any:
@@ -39,8 +33,11 @@ class Entry(_Strict):
     source: str = "this file"
 
 
+_NUMBER = WithJsonSchema({"anyOf": [{"type": "number"}, {"type": "string"}], "title": "Value"})
+
+
 class _Number(Entry):
-    value: Annotated[float | str, BeforeValidator(_value)]
+    value: Annotated[Any, _NUMBER]  # checked by its option, in the words of every door
 
 
 Given = Annotated[_Number, BeforeValidator(_entry)]
@@ -98,7 +95,7 @@ class ShipKeys(_Strict):
     offsets: OffsetKeys | None = None
     lines: Annotated[LinesKeys, BeforeValidator(_lines)] | None = None
     coefficients: dict[str, Given] = {}
-    factors: dict[str, float] = {}
+    factors: dict[str, Any] = {}
     measured: str | None = None
     database: Annotated[DatabaseKeys, BeforeValidator(_lines)] | None = None
     provenance: dict[str, str] = {}
@@ -197,6 +194,8 @@ def _parted(where: str, data: dict[str, Any], lines: Lines) -> tuple[dict[str, A
         if not found or (value := home.pop(found[0])) is None:
             continue
         if one.kind == "coefficients":
+            if not isinstance(value, dict):
+                raise InputError(f"{placed(where, lines, (found[0],))}: {no_coefficients(one.name, value).words}")
             rest[one.path[-1]] = value
         else:
             told[one.name] = _told(one, value)
@@ -219,8 +218,8 @@ def _told(one: Option, value: Any) -> Any:
 
 def _unknown(key: str, allowed: list[str]) -> str:
     near = get_close_matches(key.rpartition(", ")[2], allowed, n=1, cutoff=0.5)
-    hint = f"did you mean `{near[0]}`? Keys" if near else "keys"
-    return f"key `{key}` is unknown; {hint} allowed here: {', '.join(allowed)}"
+    hint = f"did you mean {near[0]}? Keys" if near else "keys"
+    return f"{key} is unknown; {hint} allowed here: {', '.join(allowed)}"
 
 
 def _sentence(problem: Any, data: dict[str, Any]) -> str:

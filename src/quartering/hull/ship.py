@@ -156,9 +156,14 @@ class Ship:
         return None if one.default is None else checked(one, one.default, self.name, self.sizes)
 
     @property
+    def damped_by_components(self) -> bool:
+        """Does its added roll damping come from a component method, not from a fraction of critical?"""
+        return self.roll_method != "fraction"
+
+    @property
     def roll_damping_words(self) -> str:
         """The added roll damping in words."""
-        if self.roll_method == "fraction":
+        if not self.damped_by_components:
             return f"{self.loading.roll_damping:.3g} of critical"
         return roll_damping_note(self.roll_method, self.bilge_keels).partition(": ")[2]
 

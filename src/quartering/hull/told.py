@@ -1,14 +1,17 @@
-"""Numbers of a condition as people give them in Python: numbers, or text with a unit, in the range of their option."""
+"""Numbers as people give them in Python: numbers, or text with a unit, in the range of their option or argument."""
 
 from __future__ import annotations
 
+from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.options import OPTIONS, Refused, checked
-from quartering.units import NO_SHIP
+from quartering.arguments import ARGUMENTS
+from quartering.conventions import InputError
+from quartering.options import OPTIONS, Option, Refused, checked, quoted
+from quartering.units import NO_SHIP, Sizes
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
@@ -37,7 +40,7 @@ def number(ship: Ship | None, name: str, given: float | str) -> float:
     >>> number(ship("wigley"), "wave_length", "1.2L")
     120.0
     """
-    return float(checked(OPTIONS[name], given, "", NO_SHIP if ship is None else ship.sizes))
+    return _one(_named(name), given, NO_SHIP if ship is None else ship.sizes)
 
 
 def numbers(ship: Ship | None, name: str, given: ArrayLike) -> NDArray[np.float64]:
@@ -63,22 +66,67 @@ def numbers(ship: Ship | None, name: str, given: ArrayLike) -> NDArray[np.float6
     >>> numbers(ship("wigley"), "speed", ["10kn", 3.0]).round(3).tolist()
     [5.144, 3.0]
     """
-    one, sizes = OPTIONS[name], NO_SHIP if ship is None else ship.sizes
-    if isinstance(given, str) or (isinstance(given, (list, tuple)) and any(isinstance(item, str) for item in given)):
-        items: Any = given
-        return np.array(
-            [checked(one, item, "", sizes) for item in items]
-            if not isinstance(given, str)
-            else number(ship, name, given)
-        )
+    one, sizes = _named(name), NO_SHIP if ship is None else ship.sizes
+    if _has_text(given):
+        given = _each(one, given, sizes)
     try:
         array = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
-        raise Refused(name, f"{name} = {given!r} is not a number or a list of numbers; {one.range(sizes)}") from None
+        what = one.name
+        raise Refused(
+            what, f"{what} = {quoted(given)}; that is not a number or a list of numbers; {one.range(sizes)}"
+        ) from None
     bad = array[~np.isfinite(array)]
     for value in [bad.flat[0]] if bad.size else [array.min(), array.max()] if array.size else []:
         checked(one, float(value), "", sizes)
     return array
+
+
+def count(name: str, given: Any, least: int, usual: int) -> int:
+    """A whole number of something.
+
+    Raises
+    ------
+    InputError    no whole number, or less than the least
+
+    Examples
+    --------
+    >>> count("points", 400, 2, 400)
+    400
+    """
+    if isinstance(given, bool) or not isinstance(given, (Integral, np.integer)) or int(given) < least:
+        raise InputError(f"{name} = {quoted(given)}; it is a whole number of {least} or more; try {usual}")
+    return int(given)
+
+
+def _named(name: str) -> Option:
+    return OPTIONS[name] if name in OPTIONS else ARGUMENTS[name]
+
+
+def _has_text(given: Any) -> bool:
+    if isinstance(given, np.ndarray) and given.dtype.kind in "UO":
+        given = given.tolist()
+    return isinstance(given, str) or (isinstance(given, (list, tuple)) and any(_has_text(item) for item in given))
+
+
+def _each(one: Option, given: Any, sizes: Sizes) -> Any:
+    """Numbers in the shape they are given in."""
+    if _is_list(given):
+        return [_each(one, item, sizes) for item in given]
+    return _one(one, given, sizes)
+
+
+def _one(one: Option, given: Any, sizes: Sizes) -> float:
+    if _is_list(given):
+        raise Refused(one.name, f"{one.name} = {quoted(given)}; one number is wanted here; {one.range(sizes)}")
+    found = checked(one, given, "", sizes)
+    if isinstance(found, str):
+        raise Refused(one.name, f"{one.name} = {found}; a number is wanted here")
+    return float(found)
+
+
+def _is_list(given: Any) -> bool:
+    return isinstance(given, (list, tuple)) or getattr(given, "ndim", 0) > 0
 
 
 def condition(ship: Ship | None, speed: float | str, heading: float | str) -> tuple[float, float]:

@@ -40,7 +40,7 @@ def _careful(reader: Any) -> Any:
                 if not isinstance(word, str):
                     raise _Refusal(problem=f"the key {word!r} is no word", mark=key.start_mark)
                 if word in lines:
-                    problem = f"`{word}` is given twice (first in line {lines[word]}); leave one out"
+                    problem = f"{word} is given twice (first in line {lines[word]}); leave one out"
                     raise _Refusal(problem=problem, mark=key.start_mark)
                 lines[word] = line
             return dict(super().construct_mapping(node, deep))

@@ -18,11 +18,13 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, HEADING_CONVENTION, MODES, REFERENCE_POINT, InputError
+from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.mesh import hull_panels
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hull.told import numbers
+from quartering.hull.told import count, numbers
+from quartering.options import quoted
 
 PANELS: Final = (40, 12)
 """Panels along the ship and from keel to waterline on each side, unless given."""
@@ -35,6 +37,7 @@ _PANELS_PER_WAVE: Final = 6.0
 _TABULATION: Final = {"tabulation_nr": 400, "tabulation_nz": 200, "tabulation_grid_shape": "scaled_nemoh3"}
 
 
+@takes(ship="Ship")
 def bem_forces(
     ship: Ship,
     wave_lengths: ArrayLike,
@@ -93,6 +96,7 @@ def bem_forces(
     return dataset.assign_attrs(_attributes(ship, panels, lid), heading_convention=HEADING_CONVENTION, signal=_SIGNAL)
 
 
+@takes(ship="Ship")
 def bem_hydrodynamics(
     ship: Ship, frequency: ArrayLike, *, panels: tuple[int, int] = PANELS, lid: bool = True
 ) -> xr.Dataset:
@@ -123,9 +127,9 @@ def bem_hydrodynamics(
     >>> bem_hydrodynamics(ship("wigley"), [0.6]).added_mass.dims                               # doctest: +SKIP
     ('frequency', 'mode', 'mode_of_motion')
     """
-    omega = np.atleast_1d(np.asarray(frequency, dtype=float))
-    if omega.ndim != 1 or not (np.isfinite(omega).all() and (omega > 0).all()):
-        raise InputError(f"frequency {frequency!r} must be a list of numbers above 0 rad/s")
+    omega = np.atleast_1d(numbers(ship, "wave_frequency", frequency))
+    if omega.ndim != 1:
+        raise InputError(f"frequency of shape {omega.shape}; it is one list [rad/s]")
     solved = _solved(ship, omega, np.zeros(0), panels, lid)
     return _radiation(solved).assign_attrs(_attributes(ship, panels, lid))
 
@@ -156,6 +160,11 @@ def _quiet() -> Iterator[None]:
 
 def _solved(ship: Ship, omega: Floats, mu: Floats, panels: tuple[int, int], lid: bool) -> xr.Dataset:
     """Capytaine's own dataset: radiation, and diffraction for every heading."""
+    if not isinstance(panels, (tuple, list)) or len(panels) != 2:
+        raise InputError(
+            f"panels = {quoted(panels)}; they are two numbers, along the ship and down its side; try (40, 12)"
+        )
+    panels = count("panels along the ship", panels[0], 2, 40), count("panels down its side", panels[1], 2, 12)
     capytaine = _capytaine()
     half = hull_panels(ship.hull, *panels)
     widest = float(np.sqrt(np.linalg.norm(half.area_vectors, axis=1).max()))

@@ -94,9 +94,10 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     ((2, 3, 3), True)
     """
     speed = numbers(ship, "speed", speed)
-    omega, u = (np.array(q) for q in np.broadcast_arrays(*(np.atleast_1d(_number(q)) for q in (frequency, speed))))
-    if not (np.isfinite(omega).all() and np.isfinite(u).all() and (u >= 0).all()):
-        raise InputError("frequency and speed must be finite, and speed >= 0 m/s; heading tells the direction")
+    omega, u = (
+        np.array(q)
+        for q in np.broadcast_arrays(*(np.atleast_1d(q) for q in (numbers(ship, "signed_frequency", frequency), speed)))
+    )
     omega = np.abs(omega)
     source, roll = source_of(ship), free_roll(ship)
     source.check(np.append(omega, roll.frequency))
@@ -140,10 +141,6 @@ def _relative_heel(at: Conditions, terms: Mapping[str, Term]) -> Floats:
         hydrostatic = with_given_alone(at.ship, name, restoring(at)[name].value) if name == "K_phi" else 0.0
         rows.append(terms[name].value - hydrostatic)
     return np.stack(rows, axis=-1)
-
-
-def _number(values: ArrayLike) -> Floats:
-    return np.asarray(values, dtype=float)
 
 
 def _righting(ship: Ship) -> OddSpline | None:

@@ -13,7 +13,8 @@ from scipy.signal import find_peaks
 
 from quartering.conventions import InputError
 from quartering.hull.section import Floats
-from quartering.options import OPTIONS
+from quartering.hull.told import number
+from quartering.options import OPTIONS, quoted
 from quartering.table_text import UNITS, columns_of, is_number, read_table
 
 AngleUnit = Literal["deg", "rad"]
@@ -97,7 +98,12 @@ def decay_record(time: ArrayLike, angle: ArrayLike, *, unit: AngleUnit = "deg", 
     """
     if unit not in ("deg", "rad"):
         raise InputError(f'angle unit "{unit}" is unknown; allowed are "deg" and "rad"')
-    t, phi = np.array(time, dtype=float), np.array(angle, dtype=float)
+    try:
+        t, phi = np.array(time, dtype=float), np.array(angle, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(
+            f"{source}: time and angle are lists of numbers; {quoted(time)} and {quoted(angle)} given"
+        ) from None
     if t.ndim != 1 or t.shape != phi.shape:
         raise InputError(f"{source}: {t.size} times and {phi.size} angles are given; a decay has as many of each")
     if t.size < 20:
@@ -156,8 +162,7 @@ def read_decay(
     >>> read_decay(file).time[-1].round(1)
     np.float64(9.9)
     """
-    if not (np.isfinite(time_factor) and time_factor > 0):
-        raise InputError(f"time factor {time_factor:g} must be a number above 0; for a model of 1:68 it is sqrt(68)")
+    time_factor = number(None, "time_factor", time_factor)
     names, lines = _cells(Path(path))
     chosen = _chosen(path, columns, names, len(lines[0][1]) if lines else len(names))
     seconds = _to_seconds(path, names[chosen[0]] if names else "")

@@ -171,7 +171,7 @@ def total_words(ship: Ship, roll: FreeDamping, speed: float) -> str:
 
 
 def _added_words(ship: Ship) -> str:
-    if ship.roll_method == "fraction":
+    if not ship.damped_by_components:
         return f"{_percent(ship.loading.roll_damping)} of critical"
     return f"by components ({ship.roll_damping_words})"
 

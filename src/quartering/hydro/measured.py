@@ -12,7 +12,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from quartering.conventions import InputError
-from quartering.hull.own_measured import MeasuredFile, file_digest
+from quartering.hull.own_measured import LIBRARY, MeasuredFile, available_sets, file_digest, measured_source
 from quartering.hull.yaml_text import read_yaml
 from quartering.hydro.manoeuvring import to_si
 from quartering.hydro.measured_file import MeasuredSet, MeasuredTerm, assembled_set, taylor_factor
@@ -20,6 +20,7 @@ from quartering.hydro.term_transfer import moved_terms
 from quartering.names import dimension, term, unit
 
 __all__ = [
+    "LIBRARY",
     "MeasuredSet",
     "MeasuredTerm",
     "available_sets",
@@ -29,28 +30,8 @@ __all__ = [
     "to_terms",
 ]
 
-LIBRARY = Path(__file__).parent / "library"
 LEAST_FROUDE_NUMBER = 0.1
 """Below this U/sqrt(g L) terms divided by U keep the value they have there: drift angles in waves leave what was tested."""
-
-
-def available_sets() -> tuple[str, ...]:
-    """Names of the built-in measured sets.
-
-    Returns
-    -------
-    tuple of str
-
-    Notes
-    -----
-    Source: the files of ``hydro/library``; each names its paper.
-
-    Examples
-    --------
-    >>> available_sets()
-    ('blanke-christensen-1993', 'chislett-stroem-tejsen-1965', 'son-nomoto-1982')
-    """
-    return tuple(sorted(path.stem for path in LIBRARY.glob("*.yaml")))
 
 
 def measured_set(name_or_path: str | Path | MeasuredFile) -> MeasuredSet:
@@ -83,12 +64,9 @@ def measured_set(name_or_path: str | Path | MeasuredFile) -> MeasuredSet:
     if isinstance(name_or_path, MeasuredFile):
         return _read_set(name_or_path)
     path = LIBRARY / f"{name_or_path}.yaml" if str(name_or_path) in available_sets() else Path(name_or_path)
-    if not path.is_file():
-        raise InputError(
-            f'measured: "{name_or_path}" is neither a file nor a built-in set; built in are '
-            f"{', '.join(available_sets())}"
-        )
-    return _read_set(MeasuredFile(str(path), file_digest(path)))
+    source = measured_source(path)
+    assert isinstance(source, MeasuredFile)  # a name has become its file
+    return _read_set(source)
 
 
 @lru_cache(maxsize=16)

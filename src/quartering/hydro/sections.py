@@ -13,6 +13,7 @@ from quartering.conventions import WATER_DENSITY, InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.option_types import Sections
 from quartering.hull.section import Floats, Section
+from quartering.hull.told import count, number, numbers
 from quartering.hydro.closefit import close_fit
 from quartering.hydro.lewis import LewisForms, area_coefficient_limits, lewis_forms
 from quartering.hydro.multipole import Radiation, radiation
@@ -39,7 +40,7 @@ def section_coefficients(
     frequency: ArrayLike,
     method: Sections = "auto",
     *,
-    density: float = WATER_DENSITY,
+    density: float | str = WATER_DENSITY,
     panels: int = PANELS,
 ) -> xr.Dataset:
     """Added mass and wave damping of a section in sway, roll and heave, about its waterline point.
@@ -87,9 +88,8 @@ def section_coefficients(
     """
     if method not in get_args(Sections):
         raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Sections))}")
-    if not (np.isfinite(density) and density > 0.0):
-        raise InputError(f"water density {density} kg/m3 is not possible; give a positive number, 1025 for sea water")
-    w = np.atleast_1d(np.asarray(frequency, dtype=float))
+    density, panels = number(None, "density", density), count("panels", panels, 2, PANELS)
+    w = np.atleast_1d(numbers(None, "frequency", frequency))
     if method == "lewis":
         forms = lewis_forms(section.half_breadth, section.draught, immersed_area(section))
         remark = _remark(forms)

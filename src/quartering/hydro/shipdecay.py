@@ -10,9 +10,11 @@ from typing import Final, NamedTuple
 import numpy as np
 
 from quartering.conventions import InputError, RangeWarning
+from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
+from quartering.hull.told import count, number
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.decayfit import DecayFit
 from quartering.hydro.decayrecord import DecayRecord, extremes, read_decay
@@ -142,11 +144,12 @@ class RollDecay:
         return np.asarray(first * fading / (1 + first * strong * lost))
 
 
+@takes(ship="Ship", record="DecayRecord, str, Path")
 def roll_decay(
     ship: Ship,
     record: DecayRecord | str | Path,
     *,
-    speed: float = 0.0,
+    speed: float | str = 0.0,
     skip: int = 0,
 ) -> RollDecay:
     """Added roll damping of a ship from a measured decay, less what its equations have already.
@@ -191,8 +194,7 @@ def roll_decay(
     >>> round(found.damped.ratio, 4), round(found.damped.quadratic, 3), found.roll_damping < 0.02
     (0.02, 0.3, True)
     """
-    if not (np.isfinite(speed) and speed >= 0):
-        raise InputError(f"speed {speed:g} m/s of the decay; it is 0 or more")
+    speed, skip = number(ship, "speed", speed), count("skip", skip, 0, 0)
     if not isinstance(record, DecayRecord):
         record = read_decay(record)
     bare_ship = _without_added(ship)

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any, Final, Literal, get_args
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from quartering.conventions import InputError
+from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
-from quartering.hull.told import number
+from quartering.hull.told import number, numbers
 from quartering.hydro.heave import heave_sections
 from quartering.hydro.hull_table import end_method, hull_table, section_references, section_words
+from quartering.hydro.ship_source import source_of
 from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip import frequency_floor
 from quartering.hydro.surge import spheroid_surge
@@ -66,6 +68,10 @@ def hydrodynamics6(
     ------
     InputError    a frequency that is 0 or not finite, a negative speed, an unknown option
 
+    Warns
+    -----
+    RangeWarning  the ship has a database of its own, which is left out here
+
     Notes
     -----
     The terms of the aft end are kept when the ship has a transom. The added mass in heave grows like ln(1/omega): its
@@ -79,9 +85,30 @@ def hydrodynamics6(
     >>> ds.added_mass.shape, bool((ds.damping[0] == ds.damping[1]).all())
     ((2, 6, 6), True)
     """
+    source = source_of(ship)
+    if source.kind != "strip":
+        warnings.warn(
+            f"{ship.name}: all six modes are by strips, and {source.words} is left out; `hydrodynamics` has its added mass and "
+            "damping in sway, roll and yaw",
+            RangeWarning,
+            stacklevel=3,  # past the check of its arguments
+        )
+    return by_strips(ship, frequency, speed, reference, low_frequency, axes, surge)
+
+
+def by_strips(
+    ship: Ship,
+    frequency: ArrayLike,
+    speed: float | str = 0.0,
+    reference: Reference | tuple[float, float] = "G",
+    low_frequency: Terms = "cap",
+    axes: Axes = "body",
+    surge: Literal["spheroid", "zero"] = "spheroid",
+) -> xr.Dataset:
+    """What `hydrodynamics6` gives, whatever else the ship has."""
     speed = number(ship, "speed", speed)
-    omega = np.atleast_1d(np.asarray(frequency, dtype=float))
-    _check(omega, speed, low_frequency, axes, surge)
+    omega = np.atleast_1d(numbers(ship, "signed_frequency", frequency))
+    _check(omega, low_frequency, axes, surge)
     hull, density, immersed = ship.hull, ship.loading.density, strips(ship.hull)
     x_o, depth, said = _reference_point(ship, reference)
     ascending, back = np.unique(np.abs(omega), return_inverse=True)
@@ -115,14 +142,12 @@ def hydrodynamics6(
     )  # fmt: skip
 
 
-def _check(omega: Floats, speed: float, low_frequency: str, axes: str, surge: str) -> None:
-    if omega.ndim != 1 or not (np.isfinite(omega).all() and (omega != 0).all()):
+def _check(omega: Floats, low_frequency: str, axes: str, surge: str) -> None:
+    if omega.ndim != 1 or not (omega != 0).all():
         raise InputError(
             "frequency must be one list of numbers, none of them 0 rad/s; the dataset holds the limits at zero and "
             "infinite frequency beside it"
         )
-    if np.ndim(speed) or not (np.isfinite(speed) and speed >= 0):
-        raise InputError(f"speed {speed!r} must be one number >= 0 m/s; heading tells the direction")
     for name, value, allowed in (
         ("low_frequency", low_frequency, get_args(Terms)),
         ("axes", axes, get_args(Axes)),
@@ -139,13 +164,13 @@ def _reference_point(ship: Ship, reference: Reference | tuple[float, float]) -> 
         return lcb, z0, "centre of gravity G"
     if reference == "waterline":
         return lcb, 0.0, "calm plane over G"
-    point = np.asarray(reference, dtype=float) if not isinstance(reference, str) else np.zeros(0)
-    if point.shape != (2,) or not np.isfinite(point).all():
+    if not isinstance(reference, (tuple, list, np.ndarray)) or len(reference) != 2:
         raise InputError(
             f'reference {reference!r} is not a point; allowed: "G", "waterline" or (x forward of midship, z below the '
             "calm plane) in metres"
         )
-    return float(point[0]), -float(point[1]), f"{point[0]:g} m forward of midship, {point[1]:g} m below the calm plane"
+    point = number(ship, "reference_x", reference[0]), number(ship, "reference_z", reference[1])
+    return point[0], -point[1], f"{point[0]:g} m forward of midship, {point[1]:g} m below the calm plane"
 
 
 def _surge_matrix(ship: Ship, depth: float) -> Floats:

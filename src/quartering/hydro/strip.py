@@ -24,7 +24,7 @@ from quartering.doors import takes
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.strips import has_transom
-from quartering.hull.told import number
+from quartering.hull.told import number, numbers
 from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments
 from quartering.hydro.manoeuvring import hull_lift
 from quartering.hydro.ship_source import source_of
@@ -214,11 +214,9 @@ def hydrodynamics(
     (('frequency', 'mode', 'mode_of_motion'), True)
     """
     speed = number(ship, "speed", speed)
-    omega = np.atleast_1d(np.asarray(frequency, dtype=float))
-    if omega.ndim != 1 or not (np.isfinite(omega).all() and (omega >= 0).all()):
-        raise InputError("frequency must be one list of numbers >= 0 rad/s; fold a negative one to |omega|")
-    if np.ndim(speed) or not (np.isfinite(speed) and speed >= 0):
-        raise InputError(f"speed {speed!r} must be one number >= 0 m/s; heading tells the direction")
+    omega = np.atleast_1d(numbers(ship, "frequency", frequency))
+    if omega.ndim != 1:
+        raise InputError(f"frequency of shape {omega.shape}; it is one list [rad/s]")
     if low_frequency not in get_args(LowFrequency):
         raise InputError(f'low_frequency "{low_frequency}" is unknown; allowed are "cap", "drop" and "manoeuvring"')
     damping, inertia = _ship_derivatives(ship, omega, float(speed), low_frequency)

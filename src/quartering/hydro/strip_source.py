@@ -59,9 +59,9 @@ def strip_source(ship: Ship) -> Hydrodynamics:
 
 def _six_modes(ship: Ship, frequency: Floats) -> tuple[Floats, Floats]:
     """Added mass and damping (f, 6, 6) about G at rest."""
-    from quartering.hydro.sixmodes import hydrodynamics6  # it rests on `strip`, which asks for a ship's source
+    from quartering.hydro.sixmodes import by_strips  # it rests on `strip`, which asks for a ship's source
 
-    found = hydrodynamics6(ship, frequency)
+    found = by_strips(ship, frequency)
     return found["added_mass"].to_numpy(), found["damping"].to_numpy()
 
 

@@ -10,6 +10,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, SYMBOLS, InputError
+from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import number, numbers
 from quartering.loads.forces import FORMS, Form, keeps_speed_terms, relative_phasors
@@ -32,6 +33,7 @@ MOST_CONDITIONS: Final = 100_000
 """Largest comparison, wave lengths times headings: some 1 GB at work."""
 
 
+@takes(ship="Ship", bem="Dataset, None")
 def compare_forces(
     ship: Ship,
     wave_lengths: ArrayLike,

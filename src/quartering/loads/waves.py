@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, InputError
 from quartering.hull.ship import Ship
-from quartering.hull.told import number
+from quartering.hull.told import number, numbers
 from quartering.options import Refused
 from quartering.units import wave_length_of
 
@@ -130,10 +130,8 @@ def encounter_frequency(wave_frequency: ArrayLike, speed: ArrayLike, heading: Ar
     >>> round(float(encounter_frequency(0.6, 7.5, 180.0)), 4)
     0.8752
     """
-    sigma, U = np.asarray(wave_frequency, dtype=float), np.asarray(speed, dtype=float)
-    _refuse(sigma, sigma > 0, "wave frequency", "rad/s", "above zero")
-    _refuse(U, U >= 0, "speed", "m/s", "zero or positive; turn the heading by 180 deg instead of going astern")
-    along, _ = heading_components(heading)
+    sigma, U = numbers(None, "wave_frequency", wave_frequency), numbers(None, "speed", speed)
+    along, _ = heading_components(numbers(None, "heading", heading))
     return np.asarray(sigma + sigma**2 / GRAVITY * U * along)
 
 

@@ -11,9 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.compiled import kernel
 from quartering.conventions import STATE, InputError
 from quartering.doors import takes
+from quartering.hull.told import number, numbers
 from quartering.motion.equations import Floats, Model
 from quartering.motion.march import alike, room_to_march, step_sum
 from quartering.motion.rates import WIDTH
+from quartering.options import quoted
 from quartering.threads import in_threads
 
 if TYPE_CHECKING:
@@ -77,10 +79,10 @@ def irregular(
     frequency: ArrayLike,
     force: ArrayLike,
     phase: ArrayLike,
-    duration: float,
+    duration: float | str,
     *,
-    step: float = 0.2,
-    limit: float | None = None,
+    step: float | str = 0.2,
+    limit: float | str | None = None,
     water: ArrayLike | None = None,
 ) -> xr.Dataset:
     """Largest roll of many realisations of an irregular sea, from rest.
@@ -88,7 +90,8 @@ def irregular(
     Parameters
     ----------
     model : Model               its terms, inertia and steady force; its regular wave is left out
-    frequency : (c,) float      encounter frequencies of the components [rad/s]
+    frequency : (c,) float      encounter frequencies of the components [rad/s]; here and below numbers, or text with a unit:
+                                "0.1 Hz", "30 deg", "2 min" (forces and velocities: numbers)
     force : (c, 3) complex      amplitude and phase of sway force [N], roll and yaw moment [N m] of each component:
                                 the real part of force exp(i (w t + phase)) acts
     phase : (n, c) float        phases of the components in each of n realisations [rad]
@@ -124,20 +127,23 @@ def irregular(
     >>> sea["roll_peak"].dims, bool((sea["roll_peak"] > 2.29).all())  # 0.04 rad once the start has died out
     (('realisation',), True)
     """
-    w, f, phases = np.asarray(frequency, float), np.asarray(force, complex), np.asarray(phase, float)
+    w, phases = numbers(None, "signed_frequency", frequency), numbers(None, "phase", phase)
+    duration, step = number(None, "duration", duration), number(None, "step", step)
+    angle_of_capsize = model.capsize_limit.radians if limit is None else number(None, "limit", limit)
+    try:
+        f = np.asarray(force, complex)
+    except (TypeError, ValueError):
+        raise InputError(f"force = {quoted(force)}; it is complex numbers (c, 3) [N, N m]") from None
     if w.ndim != 1 or f.shape != (w.size, 3) or phases.ndim != 2 or phases.shape[1] != w.size or phases.shape[0] == 0:
         raise InputError(
             f"frequency {w.shape}, force {f.shape} and phase {phases.shape} do not fit together: give c frequencies, (c, 3)"
             " forces and (n, c) phases"
         )
-    if not (np.isfinite(w).all() and np.isfinite(f).all() and np.isfinite(phases).all()):
-        raise InputError("frequency, force and phase must be finite numbers")
-    if not (np.isfinite(duration) and np.isfinite(step) and 0 < step <= duration):
-        raise InputError(f"step {step} s and duration {duration} s: both greater than zero, the step the smaller")
-    angle_of_capsize = model.capsize_limit.radians if limit is None else limit
-    if not angle_of_capsize > 0:
+    if not np.isfinite(f).all():
+        raise InputError("force must be finite numbers")
+    if step > duration:
         raise InputError(
-            f"limit {limit} rad: the roll angle that counts as capsize is greater than zero; try pi/2, or leave it out"
+            f"step = {step:g} s and duration = {duration:g} s; the step is at most the duration; try 0.2 s"
         )
     known = _known_inputs(model, w.size, water)
     count, steps = phases.shape[0], round(duration / step)

@@ -12,10 +12,10 @@ from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.autopilot import Autopilot
+from quartering.hull.told import number
 from quartering.motion.equations import Floats, Model
 from quartering.motion.rates import enter_inputs, fill, forces, room_for, row_of_lanes
 from quartering.motion.steering import HEADING, RUDDER
-from quartering.units import quantity
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,6 +26,7 @@ MOST_SAMPLES = 5_000_000
 """Longest result: about 300 MB."""
 
 # Dormand and Prince's nodes, stage weights, error weights and dense-output weights.
+_STATES = ("sway_velocity", "roll", "roll_rate", "yaw_rate", "yaw", "rudder_angle")
 _NODES = np.array([0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 _STAGES = np.array(
     [
@@ -128,8 +129,8 @@ def _rudder_angle(autopilot: Autopilot, states: Floats) -> Floats:
 def simulate(
     model: Model,
     duration: float | str,
-    state0: Sequence[float] = (0.0, 0.0, 0.0, 0.0),
-    step: float | None = None,
+    state0: Sequence[float | str] = (0.0, 0.0, 0.0, 0.0),
+    step: float | str | None = None,
     tolerance: float = 1e-9,
 ) -> xr.Dataset:
     """Motion in time from a given start, by integrating the full equations.
@@ -137,7 +138,7 @@ def simulate(
     Parameters
     ----------
     model : Model
-    duration : float       [s], or text with a unit: "5min"
+    duration : float       [s]; here and below numbers, or text with a unit: "5min", "10 deg"
     state0 : (4,) float    v [m/s], phi [rad], p, r [rad/s] at time 0; with an autopilot psi and, with a lag, delta may follow
                            [rad], 0 when left out
     step : float           between output samples [s]; by default 1/60 of the wave's period
@@ -166,25 +167,22 @@ def simulate(
     >>> trace["roll"].values.round(4).tolist()
     [5.7296, -5.7296, 5.7296]
     """
-    duration = quantity(duration, "time", what="duration")
+    duration, tolerance = number(None, "duration", duration), number(None, "tolerance", tolerance)
     import xarray as xr
 
-    interval = 2 * np.pi / model.frequency / 60 if step is None else step
-    start = np.array(state0, dtype=float)
-    if not (np.isfinite(duration) and duration > 0 and np.isfinite(interval) and interval > 0 and tolerance > 0):
-        raise InputError(
-            f"duration {duration:g} s, step {interval:.3g} s and tolerance {tolerance:g}: all must be above zero and finite;"
-            " try a duration of 300"
-        )
+    interval = 2 * np.pi / model.frequency / 60 if step is None else number(None, "step", step)
+    if not tolerance > 0:
+        raise InputError("tolerance = 0; it is above 0; try 1e-9")
     if duration / interval > MOST_SAMPLES:
         raise InputError(
             f"duration {duration:g} s with a sample every {interval:.3g} s makes {duration / interval:.3g} samples; at most"
             f" {MOST_SAMPLES:,} are kept: give a duration of at most {MOST_SAMPLES * interval:.3g} s, or a longer step"
         )
     states = model.system.states
-    if start.ndim != 1 or start.size not in {4, states} or not np.isfinite(start).all():
+    if isinstance(state0, str) or np.ndim(state0) != 1 or len(state0) not in {4, states}:
         more = f", or {states} with the autopilot's (psi rad, delta rad)" if states > 4 else ""
-        raise InputError(f"state0 needs four finite numbers (v m/s, phi rad, p rad/s, r rad/s){more}; given {state0!r}")
+        raise InputError(f"state0 needs four numbers (v m/s, phi rad, p rad/s, r rad/s){more}; given {state0!r}")
+    start = np.array([number(None, name, given) for name, given in zip(_STATES, state0, strict=False)])
     start = np.append(start, np.zeros(states - start.size))
     times = np.arange(0.0, duration * (1 + 1e-12), interval)
     out = np.full((times.size, states), np.nan)

@@ -9,8 +9,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from quartering.doors import takes
 from quartering.hull.ship import Ship
-from quartering.hull.told import condition
+from quartering.hull.told import condition, count
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.waves import Wave
 from quartering.motion.branch import Curve, Family, follow_branch, start_of_branch, within
@@ -37,6 +38,7 @@ class Line(NamedTuple):
     closed: bool
 
 
+@takes(ship_or_model="Ship, Model", wave="Wave, None")
 def branch(
     ship_or_model: Ship | Model,
     over: str = "frequency",
@@ -96,6 +98,7 @@ def branch(
     [1.26, 1.1]
     """
     speed, heading = condition(ship_or_model if isinstance(ship_or_model, Ship) else None, speed, heading)
+    count("points", points, 2, 2000)
     announce_compilation()
     low, high, at = family(ship_or_model, over, limits, wave, speed, heading)
     with small_matrices():

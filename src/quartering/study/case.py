@@ -172,9 +172,7 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     if problem["type"] == "extra_forbidden":
         known = _keys(LoadingAxes if path[0] == "loading" else Case)
         nearest = get_close_matches(path[-1], known, n=1, cutoff=0.0)[0]
-        return place.says(
-            path, f"key `{path[-1]}` is unknown; did you mean `{nearest}`? Keys allowed here: {', '.join(known)}"
-        )
+        return place.says(path, f"{path[-1]} is unknown; did you mean {nearest}? Keys allowed here: {', '.join(known)}")
     if problem["type"] == "missing":
         return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
     if problem["type"] == "literal_error":

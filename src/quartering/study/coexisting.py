@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 
+from quartering.doors import takes
 from quartering.motion.equations import Model
 from quartering.motion.search import periodic_motions
 from quartering.motion.steady import Motion
@@ -28,6 +29,7 @@ class JudgedMotion(Motion):
         return self.verdict.stable
 
 
+@takes(model="Model")
 def all_motions(model: Model, harmonics: int = 9) -> list[JudgedMotion]:
     """Every periodic motion found in one condition, from the smallest roll to the largest, each judged.
 

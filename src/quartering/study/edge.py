@@ -8,8 +8,9 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.ship import Ship
-from quartering.hull.told import condition
+from quartering.hull.told import condition, count
 from quartering.loads.waves import Wave
 from quartering.motion.arclength import Equations, Path, corrected, follow
 from quartering.motion.batch import apart, joined
@@ -17,6 +18,7 @@ from quartering.motion.branch import balance_of, within
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.steady import peaks
 from quartering.motion.subharmonic import ascending, columns, slowed
+from quartering.options import quoted
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.study.border import STEP, Border
@@ -38,6 +40,7 @@ class Edge(NamedTuple):
     closed: bool
 
 
+@takes(ship_or_model="Ship, Model", wave="Wave, None")
 def edge(
     ship_or_model: Ship | Model,
     over: tuple[str, str] = ("wave_height", "heading"),
@@ -91,6 +94,11 @@ def edge(
     (1.035, {'fold'})
     """
     speed, heading = condition(ship_or_model if isinstance(ship_or_model, Ship) else None, speed, heading)
+    count("points", points, 2, 400)
+    if isinstance(over, str) or len(over) != 2 or len(limits) != 2:
+        raise InputError(
+            f"over = {quoted(over)}, limits = {quoted(limits)}; two of each are needed, such as ('wave_height', 'heading')"
+        )
     if over[0] == over[1]:
         raise InputError(f"over={over!r}: give two different parameters")
     announce_compilation()

@@ -12,6 +12,7 @@ from scipy.interpolate import CubicSpline
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
+from quartering.hull.told import number
 from quartering.loads.waves import Wave
 from quartering.motion.batch import joined
 from quartering.motion.batch import rows as rows_of
@@ -19,15 +20,15 @@ from quartering.motion.branch import Family
 from quartering.motion.equations import PER_CONDITION, Floats, Model, System
 from quartering.motion.of_ship import equations, ship_system
 from quartering.motion.terms import parse
-from quartering.options import OPTIONS, checked
+from quartering.options import OPTIONS, Refused, quoted
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import LOADING_AXES, loaded, own_value
-from quartering.units import NO_SHIP
 
 Limits = tuple[float | str, float | str] | None
 """The two ends of a parameter, numbers or text with a unit; None for the usual ones."""
 _NODES, _NODES_OF_LOADING = 65, 17
+_LIKE = {"frequency": "wave_frequency"}
 _UNITS = {"frequency": "rad/s", "excitation": "1"}
 
 
@@ -89,7 +90,7 @@ def parameters(
             _check_term(model, name, of_ship)
         centre = own.get(name, 1.0)
         pair = _in_unit(ship_or_model, name, pair)
-        low, high = pair or ((0.0, 2.0) if name == "excitation" else (0.5 * centre, 1.5 * centre))
+        low, high = pair or ((0.0, 2.0) if name == "excitation" else _usual(name, centre))
         if not (np.isfinite(low) and np.isfinite(high) and 0 <= low < high) or (name == "frequency" and low == 0):
             raise InputError(
                 f"limits ({low:g}, {high:g}) of {name} must be two rising numbers of zero or more, above zero for a frequency"
@@ -104,13 +105,23 @@ def parameters(
     return Parameters(tuple(over), np.array([own.get(name, 1.0) for name in over]), low_ends, high_ends, systems)
 
 
+def _usual(name: str, centre: float) -> tuple[float, float]:
+    """Half to one and a half times the present value, a heading no further than headings go."""
+    return 0.5 * centre, min(1.5 * centre, 360.0) if name == "heading" else 1.5 * centre
+
+
 def _in_unit(of: Ship | Model, name: str, pair: Limits) -> tuple[float, float] | None:
-    """Limits in the unit of the parameter; text needs a name that is an option."""
-    if pair is None or name not in OPTIONS:
-        return pair  # type: ignore[return-value]  # of a term they are numbers, and refused below otherwise
-    one, sizes = OPTIONS[name], of.sizes if isinstance(of, Ship) else NO_SHIP
-    low, high = (checked(one, end, "limits", sizes) if isinstance(end, str) else end for end in pair)
-    return float(low), float(high)
+    """Limits in the unit of the parameter, each in the range of the option; those of a term are factors."""
+    if pair is None:
+        return None
+    if isinstance(pair, str) or np.ndim(pair) != 1 or len(pair) != 2:
+        raise InputError(f"limits = {quoted(pair)} of {name}; they are two, the lower and the upper, such as (1, 6)")
+    ship, one = (of if isinstance(of, Ship) else None), _LIKE.get(name, name if name in OPTIONS else "excitation")
+    try:
+        low, high = (number(ship, one, end) for end in pair)
+    except Refused as error:
+        raise Refused(name, f"limits of {name}: {error.words}") from None
+    return low, high
 
 
 def family(

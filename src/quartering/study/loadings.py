@@ -67,7 +67,7 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
             "roll_damping as a fraction of critical stands for the bilge keels too, and bilge_keel_length and "
             "bilge_keel_breadth are given beside it; leave out the one or the others"
         )
-    method = "ikeda" if ship.roll_method == "fraction" else ship.roll_method
+    method = ship.roll_method if ship.damped_by_components else "ikeda"
     return _known_roll(changed(ship, own | {"roll_damping": method, "bilge_keels": _keels(ship, keels)}))
 
 
@@ -142,7 +142,7 @@ def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
     'component method of Ikeda on the lines, no bilge keels'
     """
     names = [name for name in ("roll_damping", *KEEL_AXES) if name in loadings]
-    if names == ["roll_damping"] and ship.roll_method == "fraction":  # the same way with another number
+    if names == ["roll_damping"] and not ship.damped_by_components:  # the same way with another number
         return ship
     first = {name: float(loadings[name][0]) for name in names}
     if ship.bilge_keels:  # a first breadth of 0 would take their length away with them

@@ -14,6 +14,7 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.harmonic import checked_harmonics
+from quartering.options import quoted
 from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
 from quartering.study.grid import axis
@@ -62,7 +63,12 @@ def polar(
     ((1, 3, 1), 0.0)
     """
     checked_harmonics(harmonics)
-    waves = [wave] if isinstance(wave, Wave) else sorted(wave, key=lambda one: one.length)
+    waves = [wave] if isinstance(wave, Wave) else wave
+    if not isinstance(waves, (list, tuple)) or not all(isinstance(one, Wave) for one in waves):
+        raise InputError(
+            f"wave = {quoted(wave)} is no Wave and no list of them; give one, such as quartering.Wave(100.0, 2.0)"
+        )
+    waves = sorted(waves, key=lambda one: one.length)
     lengths = np.array([one.length for one in waves])
     if lengths.size == 0 or (np.diff(lengths) == 0).any():
         raise InputError("polar needs at least one wave, and each wave length once; use sweep for several heights")

@@ -12,6 +12,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import DamageWarning
+from quartering.doors import takes
 from quartering.hull.option_types import StudyAxes
 from quartering.hull.righting import fitted_to
 from quartering.hull.ship import Ship
@@ -28,6 +29,7 @@ from quartering.study.result import in_memory, open_result
 from quartering.study.store import Store, begun_block_size, block_counts, open_store, write_block
 
 
+@takes(ship="Ship")
 def sweep(
     ship: Ship,
     speed: ArrayLike | str,

@@ -13,9 +13,10 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError, RangeWarning
+from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.ship import Ship
-from quartering.hull.told import condition
+from quartering.hull.told import condition, number
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.equations import Model
@@ -39,13 +40,14 @@ REACH: Final = 5.0
 _STEPS = 6
 
 
+@takes(ship="Ship", wave="Wave")
 def tornado(
     ship: Ship,
     wave: Wave,
     speed: float | str,
     heading: float | str,
     *,
-    change: float = 0.1,
+    change: float | str = 0.1,
     parameters: Sequence[str] | None = None,
     harmonics: int = 1,
     form: Form = "stf",
@@ -59,7 +61,7 @@ def tornado(
     wave : Wave
     speed : float                        [m/s]
     heading : float                      [deg]
-    change : float                       relative, above 0 and below 1
+    change : float or str                relative, above 0 and below 1: 0.1 or "10 %"
     parameters : sequence of str         by default those of `LOADING` and every coefficient on the right of the equations
     harmonics, form                      as in `sweep`
     progress : function(done, total), optional
@@ -90,8 +92,9 @@ def tornado(
     (('parameter', 'side'), 'gm')
     """
     speed, heading = condition(ship, speed, heading)
-    if not 0 < change < 1:
-        raise InputError(f"change = {change:g}; give a relative change above 0 and below 1, such as 0.1")
+    change = number(ship, "change", change)
+    if change == 1:
+        raise InputError("change = 1; it is above 0 and less than 1; try 0.1")
     own = _own_values(ship, equations(ship, wave, speed, heading), parameters)
     one = grid(ship, speed, heading, wave.length, wave.height, harmonics=harmonics, form=form)
     probes = np.geomspace(1.0, REACH, _STEPS + 1)[1:]

@@ -11,11 +11,13 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning, written
+from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.names import canonical
+from quartering.options import quoted
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES, axis
 from quartering.study.loadings import LOADING_AXES, VALUE, own_value
@@ -28,6 +30,7 @@ ACCURACY: Final = float(_POINTS - 1) ** -_ROUNDS
 """Error of the value at which the verdict flips, as a share of the step between the values around it."""
 
 
+@takes(ship="Ship", wave="Wave")
 def vary(
     ship: Ship,
     wave: Wave,
@@ -144,6 +147,10 @@ def refined_flips(at: Callable[[Floats], Ints], values: Floats, kinds: ArrayLike
 
 def _checked(ship: Ship, parameters: Mapping[str, ArrayLike]) -> dict[str, Floats]:
     """Parameters by the names the grid knows, their values ascending."""
+    if not isinstance(parameters, Mapping):
+        raise InputError(
+            f"parameters = {quoted(parameters)}; it is a mapping of names to their values, such as {{'gm': [0.8, 1.2]}}"
+        )
     if not 1 <= len(parameters) <= 2:
         given = ", ".join(parameters) or "none"
         raise InputError(f"one or two parameters can be varied at a time, {given} given; for more axes use sweep")

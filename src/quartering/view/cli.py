@@ -14,6 +14,7 @@ with quiet_start():
     from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
     from quartering.view.outcome import BAD_INPUT
     from quartering.view.ship_options import takes_ship_options
+    from quartering.view.typed_options import Command
 
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
 os.environ.setdefault("NUMBA_OPT", "1")
@@ -80,7 +81,7 @@ _OF_A_SHIP = (
 )
 """Commands that take the options of a ship."""
 for _command in _COMMANDS:
-    app.command()(
+    app.command(cls=Command)(
         _command if _command not in _OF_A_SHIP else takes_ship_options(_command, _command is cli_studies.vary)
     )
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
-from functools import wraps
+from functools import cache, wraps
 from typing import Annotated, Any
 
 import typer
 
 from quartering.conventions import InputError
 from quartering.options import OPTIONS, Option, checked, line_of, ship_options
+from quartering.units import NO_SHIP
 from quartering.view.outcome import answering
 
 _RANGES = "; or a range, from:to or from:to:count"
@@ -37,36 +38,27 @@ def takes_ship_options(command: Callable[..., None], ranges: bool = False) -> Ca
 
     Returns
     -------
-    function              where it takes a wave length, a wave period may be typed in its place
+    function              where it takes a wave length or several, a wave period may be typed in its place
     """
     own = dict(inspect.signature(command, eval_str=True).parameters)
     own.pop("changes")
-    if "wave_length" in own:
-        period = Annotated[str | None, typer.Option(OPTIONS["wave_period"].command, help=_help(OPTIONS["wave_period"]))]
-        wave = own["wave_length"]
-        own["wave_length"] = wave.replace(default=None, annotation=_optional(wave.annotation))
+    asked = next((name for name in ("wave_length", "wave_lengths") if name in own), "")
+    usual: Any = own[asked].default if asked else None
+    if asked:
+        own[asked] = own[asked].replace(default=None, annotation=_optional(own[asked].annotation))
         own["wave_period"] = inspect.Parameter(
-            "wave_period", inspect.Parameter.KEYWORD_ONLY, default=None, annotation=period
+            "wave_period", inspect.Parameter.KEYWORD_ONLY, default=None, annotation=_period(asked)
         )
-    usual = (
-        {}
-        if "wave_length" not in own
-        else {"wave_length": inspect.signature(command).parameters["wave_length"].default}
-    )
     added = [one for one in command_options() if one.name not in own]
     for one in added:
-        text = _help(one) + (_RANGES if ranges and one.axis else "")
-        annotation = Annotated[str | None, typer.Option(one.command, help=text)]
-        own[one.name] = inspect.Parameter(one.name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation)
+        own[one.name] = _parameter(one.name, ranges and one.axis)
 
     @wraps(command)
     def run(**given: Any) -> None:
         with answering():
             changes = {one.name: text for one in added if (text := given.pop(one.name)) is not None}
-            if "wave_length" in own:
-                given["wave_length"] = _wave_length(
-                    given.pop("wave_period"), given["wave_length"], usual["wave_length"]
-                )
+            if asked:
+                given[asked] = _wave_length(given.pop("wave_period"), given[asked], usual, asked)
         command(**given, changes=changes)
 
     kinds = {name: one.replace(kind=inspect.Parameter.KEYWORD_ONLY) for name, one in own.items()}
@@ -74,6 +66,15 @@ def takes_ship_options(command: Callable[..., None], ranges: bool = False) -> Ca
     run.__annotations__ = {name: one.annotation for name, one in own.items()}
     del run.__wrapped__
     return run
+
+
+@cache  # the same for every command: most of the time `quartering --help` takes of its own
+def _parameter(name: str, ranges: bool) -> inspect.Parameter:
+    """An option of a ship as a parameter of a command."""
+    one = OPTIONS[name]
+    option = typer.Option(one.command, help=_help(one) + (_RANGES if ranges else ""))
+    annotation = Annotated[str | None, option]
+    return inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=annotation)
 
 
 def _optional(annotation: Any) -> Any:
@@ -85,16 +86,30 @@ def _help(one: Option) -> str:
     return f"{line[0].upper()}{line[1:]}"
 
 
-def _wave_length(period: str | None, length: str | None, usual: Any) -> str:
-    """The wave length typed, or the period typed in its place, with its unit."""
+def _period(beside: str) -> Any:
+    """The option of a wave period beside one wave length, or beside several."""
+    names = [OPTIONS["wave_period"].command, *(["--wave-periods"] if beside.endswith("s") else [])]
+    more = ": from:to:count or a list" if beside.endswith("s") else ""
+    return Annotated[str | None, typer.Option(*names, help=_help(OPTIONS["wave_period"]) + more)]
+
+
+def _wave_length(period: str | None, length: str | None, usual: Any, name: str = "wave_length") -> str:
+    """The wave length typed, or the period typed in its place, with its unit; of several, the periods are evenly spaced."""
+    typed = "--" + name.replace("_", "-")
     if period is not None and length is not None:
-        raise InputError("--wave-length and --wave-period are two ways to say one thing; leave one out")
+        raise InputError(f"{typed} and --wave-period are two ways to say one thing; leave one out")
     if period is None:
         if length is None and usual is inspect.Parameter.empty:
             raise InputError(
                 "--wave-length is missing; give it, such as 150 or 1.0L, or give --wave-period, such as 9.8s"
             )
         return usual if length is None else length
+    if name == "wave_lengths":
+        from quartering.view.options import values
+
+        return ",".join(
+            f"{one:.12g}s" for one in values([period], OPTIONS["wave_period"], NO_SHIP, "--wave-period", 20)
+        )
     return ",".join(":".join(_seconds(end) for end in item.split(":")[:2]) + _count(item) for item in period.split(","))
 
 

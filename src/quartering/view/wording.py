@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
 from typing import TYPE_CHECKING
@@ -9,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from quartering.conventions import in_unit, written
+from quartering.hull.righting import fitted_to
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.ends import ENDS_WORDS
@@ -34,6 +36,11 @@ _LOADING = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
 
 
 OVER_GROUND = " Lift and drag act on velocities over ground (absolute), as in the paper."
+
+
+def carries_curve(ship: Ship) -> bool:
+    """Do its equations carry the righting curve itself, so that no fit of it ends?"""
+    return fitted_to(ship) == math.inf
 
 
 def froude(speed: float, length: float) -> float:

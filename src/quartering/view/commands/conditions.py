@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from quartering.conventions import InputError
 from quartering.hull.changes import changed
 from quartering.hull.ship import Ship, ship
 from quartering.loads.waves import Wave
 from quartering.options import OPTIONS, Refused
-from quartering.units import Sizes, quantity
+from quartering.units import Sizes
 from quartering.view.options import value
 
 
@@ -39,23 +38,11 @@ def with_typed(one: Ship, changes: Mapping[str, str]) -> Ship:
     if not changes:
         return one
     try:
-        return changed(one, {key: _meant(key, text) for key, text in changes.items()})
+        return changed(one, dict(changes))
     except Refused as error:
         known = OPTIONS.get(error.option)
         typed = next((key for key in (error.option, error.group) if key in changes), known.name if known else "")
         raise InputError(f"{OPTIONS[typed].command}: {error.words}" if typed in OPTIONS else error.words) from None
-
-
-def _meant(name: str, text: str) -> Any:
-    """Words as `Ship.with_` takes them: coefficients as a mapping."""
-    if OPTIONS[name].kind != "coefficients":
-        return text
-    pairs = [part.partition("=") for part in text.split(",")]
-    try:
-        return {key.strip(): quantity(value, "ratio", what=key) for key, _, value in pairs}
-    except InputError:
-        words = f"{name} = {text!r}; it is coefficients with a number each, such as K_ppp=0.5,K_prr=2"
-        raise Refused(name, words) from None
 
 
 def typed_value(name: str, text: str, of: Sizes, what: str | None = None) -> float:

@@ -20,7 +20,7 @@ from quartering.view.commands.conditions import typed_ship
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import exponents_words, speed_words
+from quartering.view.wording import carries_curve, exponents_words, speed_words
 
 HYDROSTATICS = {
     "volume": ("displaced volume", "m3"), "mass": ("displaced mass", "kg"),
@@ -77,7 +77,7 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
     powers = (("phi", fit.gm), ("phi^3", fit.gz3), ("phi^5", fit.gz5), ("phi^7", fit.gz7))
     terms = " ".join(f"{c:+.4g} {power}" for power, c in powers if c)
     fitted = f"GZ = {terms} m (phi in rad), within {fit.residual:.1%} of the largest up to {fit.max_angle:g} deg"
-    if one.righting == "spline":
+    if carries_curve(one):
         show(f"Righting arm: the equations carry the curve itself, as a spline. Fitted for comparison: {fitted}.")
     else:
         show(f"Righting arm: the equations carry a polynomial, {fitted}.")
@@ -92,7 +92,7 @@ def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
 
 def loading_rows(one: Ship) -> list[tuple[str, str, str, str]]:
     """Each value of the loading: what it is, how much, its unit, where it comes from."""
-    value = {} if one.roll_method == "fraction" else {"roll_damping": "by components"}
+    value = {"roll_damping": "by components"} if one.damped_by_components else {}
     rows = [
         (words, value.get(key, f"{getattr(one.loading, key):.5g}"), unit, one.provenance.get(key, "given"))
         for key, words, unit in LOADING

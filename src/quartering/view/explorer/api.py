@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import html
+import json
 from collections.abc import Awaitable, Callable
 from typing import Annotated, Any
 
 import numpy as np
 import xarray as xr
-from fastapi import APIRouter, FastAPI, HTTPException, Query, Request
+from fastapi import APIRouter, Depends, FastAPI, HTTPException, Query, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException as StarletteError
@@ -19,9 +20,11 @@ from quartering.hull.refusals import allowed, own_words
 from quartering.hull.told import condition, number, numbers
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
+from quartering.options import unknown
 from quartering.stability.kind import Kind
 from quartering.study.cure import Cure
 from quartering.study.polar import polar
+from quartering.units import wave_length_of
 from quartering.view.commands.verdict import Examined, examine, facts
 from quartering.view.explorer.answers import joined, noting, sought
 from quartering.view.explorer.calls import PolarCall, VerdictCall
@@ -49,7 +52,7 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
     turns : Turns      all calls together are one client of it, so that they never crowd out the people on the pages
     """
     routes = APIRouter(prefix="/api", tags=["api"])
-    under_way, searches = [0], [0]
+    under_way, searches, once = [0], [0], [Depends(_once)]
 
     async def answered(request: Request, work: Callable[[], Awaitable[JSONResponse]]) -> JSONResponse:
         """The answer of some work, unless too many wait already; a caller who leaves gives its place to the next at once."""
@@ -99,17 +102,24 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
             notes += said
         return _json(_map(joined(blocks)), list(dict.fromkeys(notes)))
 
-    @routes.get("/verdict", summary="Judge one condition", responses=responses(400, 403, 422, 500, 503))
+    @routes.get(
+        "/verdict", dependencies=once, summary="Judge one condition", responses=responses(400, 403, 422, 500, 503)
+    )
     async def get_verdict(request: Request, call: Annotated[VerdictCall, Query()]) -> JSONResponse:
         """What `quartering verdict --json` prints, but no cures are sought: `cures` is null for an unstable motion."""
         return await answered(request, lambda: judged(call, False))
 
-    @routes.post("/verdict", summary="Judge one condition, and seek what cures it", responses=responses(*_OF_POST))
+    @routes.post(
+        "/verdict",
+        dependencies=once,
+        summary="Judge one condition, and seek what cures it",
+        responses=responses(*_OF_POST),
+    )
     async def post_verdict(request: Request, call: VerdictCall) -> JSONResponse:
         """What `quartering verdict --json` prints: motion, indices, multipliers, sentence, cures, sources."""
         return await answered(request, lambda: judged(call, True))
 
-    @routes.post("/polar", summary="Map of roll and stability", responses=responses(*_OF_POST))
+    @routes.post("/polar", dependencies=once, summary="Map of roll and stability", responses=responses(*_OF_POST))
     async def post_polar(request: Request, call: PolarCall) -> JSONResponse:
         """Nested lists [speed][heading][wave length] with their units; null where there is no answer."""
         return await answered(request, lambda: mapped(call))
@@ -135,8 +145,9 @@ def _refuse_the_rest(server: FastAPI, routes: APIRouter) -> None:
         return refused(f"/api/{rest} takes {taken}, not {request.method}", 405, allow=taken)
 
     @server.exception_handler(RequestValidationError)
-    async def invalid(_: Request, error: RequestValidationError) -> JSONResponse:
-        return refused(without_paths("; ".join(_problem(one) for one in error.errors()[:5])))
+    async def invalid(request: Request, error: RequestValidationError) -> JSONResponse:
+        fields = (PolarCall if request.url.path.endswith("polar") else VerdictCall).model_fields
+        return refused(without_paths("; ".join(_problem(one, tuple(fields)) for one in error.errors()[:5])))
 
     @server.exception_handler(StarletteError)
     @server.exception_handler(HTTPException)
@@ -167,7 +178,10 @@ def _ailing(found: Examined) -> bool:
 def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
     """The map as pieces of about a thousand conditions."""
     one = call.loaded(fleet)
-    lengths = numbers(one, "wave_length", call.wave_length).tolist()
+    if call.wave_period is None:
+        lengths = numbers(one, "wave_length", call.wave_length or []).tolist()
+    else:
+        lengths = [wave_length_of(period) for period in numbers(one, "wave_period", call.wave_period).tolist()]
     steep = None if call.steepness is None else number(one, "steepness", call.steepness)
     waves = [Wave(n, call.wave_height if steep is None else steep * n, ship=one) for n in lengths]
     speed, heading = (numbers(one, name, getattr(call, name)).tolist() for name in ("speed", "heading"))
@@ -204,9 +218,28 @@ def _json(content: dict[str, Any], notes: list[str]) -> JSONResponse:
     return JSONResponse(plain_names(plain({**content, "notes": notes})))
 
 
-def _problem(one: Any) -> str:
+async def _once(request: Request) -> None:
+    """Refuse a field that is given twice, of which all but the last would be lost."""
+
+    def pairs(given: list[tuple[str, Any]]) -> dict[str, Any]:
+        names = [name for name, _ in given]
+        twice = next((name for name in names if names.count(name) > 1), None)
+        if twice is not None:
+            raise HTTPException(422, f"{twice} is given twice; leave one out")
+        return dict(given)
+
+    pairs(request.query_params.multi_items())
+    try:
+        json.loads(await request.body() or b"{}", object_pairs_hook=pairs)
+    except ValueError:  # what is no JSON is refused as the body is read
+        return
+
+
+def _problem(one: Any, fields: tuple[str, ...]) -> str:
+    if one["type"] == "extra_forbidden":
+        return unknown(str(one["loc"][-1]), fields).words
     where = ", ".join(str(part) for part in one["loc"] if part not in ("body", "query"))
-    said = {"missing": "is missing", "extra_forbidden": "is unknown"}.get(one["type"])
+    said = "is missing" if one["type"] == "missing" else None
     said = said or own_words(one) or f"allowed is {allowed(one)}"
     return f"{where}: {said}" if where else said
 

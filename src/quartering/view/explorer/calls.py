@@ -59,7 +59,7 @@ class VerdictCall(Call):
 
 
 class PolarCall(Call):
-    """Every combination of speeds, headings and wave lengths, at one wave height or one steepness."""
+    """Every combination of speeds, headings and wave lengths (or periods), at one wave height or one steepness."""
 
     speed: list[Value] = Field(min_length=1, max_length=MOST_CELLS, description=line_of(OPTIONS["speed"]))
     heading: list[Value] = Field(
@@ -68,8 +68,14 @@ class PolarCall(Call):
         max_length=MOST_CELLS,
         description="[deg]; by default 0, 5, .. 180",
     )
-    wave_length: list[Value] = Field(
-        min_length=1, max_length=MOST_CELLS, description=f"{line_of(OPTIONS['wave_length'])}, each once"
+    wave_length: list[Value] | None = Field(
+        default=None,
+        min_length=1,
+        max_length=MOST_CELLS,
+        description=f"{line_of(OPTIONS['wave_length'])}, each once; or give wave_period",
+    )
+    wave_period: list[Value] | None = Field(
+        default=None, min_length=1, max_length=MOST_CELLS, description=f"{line_of(OPTIONS['wave_period'])}, each once"
     )
     wave_height: Value | None = Field(default=None, description=f"{line_of(OPTIONS['wave_height'])}; or give steepness")
     steepness: Value | None = Field(default=None, description=f"{line_of(OPTIONS['steepness'])}; or give wave_height")
@@ -77,10 +83,12 @@ class PolarCall(Call):
     @property
     def cells(self) -> int:
         """Number of conditions."""
-        return len(self.speed) * len(self.heading) * len(self.wave_length)
+        return len(self.speed) * len(self.heading) * len(self.wave_length or self.wave_period or ())
 
     @model_validator(mode="after")
     def _possible(self) -> Any:
+        if (self.wave_length is None) == (self.wave_period is None):
+            raise ValueError("give wave_length or wave_period, one of the two")
         if (self.wave_height is None) == (self.steepness is None):
             raise ValueError("give wave_height or steepness, one of the two")
         if self.cells > MOST_CELLS:

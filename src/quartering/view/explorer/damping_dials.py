@@ -55,16 +55,16 @@ class DampingDials:
         if self._quiet or own is None:
             return
         values: dict[str, Any] = dict.fromkeys(("roll_damping", *KEEL_AXES))
-        if way == "fraction" and own.roll_method != "fraction":
+        if way == "fraction" and own.damped_by_components:
             values["roll_damping"] = _USUAL_FRACTION
-        elif way == "components" and own.roll_method == "fraction":
+        elif way == "components" and not own.damped_by_components:
             values |= dict(zip(KEEL_AXES, _sizes(own), strict=True))
         self._change(**values)
 
     def show(self, of: Scene, state: State, hint: str) -> None:
         """Set the choice and the dials to a scene."""
         ship, self._own = of.ship, of.known.ship
-        by_fraction = ship.roll_method == "fraction"
+        by_fraction = not ship.damped_by_components
         self._quiet = True
         self._way.set_value("fraction" if by_fraction else "components")
         self._quiet = False
@@ -83,7 +83,7 @@ class DampingDials:
 def damping_hint(of: Scene) -> str:
     """What the numbers of the roll damping mean, and what the components amount to."""
     words = _HINTS.get(of.ship.roll_method, _AMOUNT)
-    if of.ship.roll_method == "fraction":
+    if not of.ship.damped_by_components:
         return words
     said = words.format(percent=100 * equivalent_fraction(of.ship, of.speed), amplitude=AMPLITUDE)
     return said if of.ship.measured is None else f"{said}; of this and what the measured set has, the larger counts"

@@ -12,6 +12,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.coefficients import coefficients
 from quartering.view.commands.hull import HYDROSTATICS, LOADING, loading_rows, particular_rows
+from quartering.view.wording import carries_curve
 
 
 class Row(NamedTuple):
@@ -52,7 +53,7 @@ def loading_table(ship: Ship) -> Table:
     ]
     if ship.autopilot is not None:
         rows.append(Row(("autopilot", ship.autopilot.words, "", "given")))
-    curve = "the curve itself, as a spline" if ship.righting == "spline" else "polynomial fitted to the curve"
+    curve = "the curve itself, as a spline" if carries_curve(ship) else "polynomial fitted to the curve"
     rows.append(Row(("righting curve", curve, "", "an option")))
     rows.append(Row(("capsize: roll past", capsize_limit(ship).words, "", "the least of three")))
     return Table(("quantity", "value", "unit", "where it comes from"), rows, (1,))

@@ -1,0 +1,39 @@
+"""What functions ask for beside a ship and its condition: one table, in the records and the words of the options.
+
+A further argument is one line here; `quartering.hull.told` reads numbers and text by it.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+from quartering.options import Option
+
+_ARGUMENTS = (
+    Option("frequency", "frequency", "of motion", low=0, usual="0.6 rad/s", hint="fold a negative one to |omega|"),
+    Option("excitation", "ratio", "share of the wave force", low=0, usual=1.0),
+    Option("heel", "angle", "in calm water", low=-90, high=90, usual="40 deg", hint="less than 90 to either side"),
+    Option("limit", "roll angle", "roll that counts as capsize", low=0, above=True, usual="90 deg"),
+    Option("phase", "roll angle", "of a component of a sea", usual=0.0),
+    Option("duration", "time", "of a motion", low=0, above=True, usual="300 s"),
+    Option("step", "time", "between samples", low=0, above=True, usual="0.2 s"),
+    Option("tolerance", "ratio", "relative error of one step", low=0, usual=1e-9),
+    Option("sway_velocity", "speed", "at the start", usual=0.0),
+    Option("roll", "roll angle", "at the start", usual="5 deg"),
+    Option("roll_rate", "rate", "at the start", usual=0.0),
+    Option("yaw_rate", "rate", "at the start", usual=0.0),
+    Option("yaw", "roll angle", "off course, at the start", usual=0.0),
+    Option("rudder_angle", "roll angle", "at the start", usual=0.0),
+    Option("change", "ratio", "of one value at a time", low=0, above=True, high=1, usual=0.1, hint="less than 1"),
+    Option("density", "density", "of the water", low=0, above=True, usual="1025 kg/m3"),
+    Option("time_factor", "ratio", "on the times of a record", low=0, above=True, usual=1.0,
+           hint="of a model of 1:68 sqrt(68)"),
+    Option("reference_x", "length", "of a point, forward of midship", usual="0 m"),
+    Option("reference_z", "length", "of a point, below the calm plane", usual="0 m"),
+)  # fmt: skip
+
+ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
+    "signed_frequency": Option("frequency", "frequency", "encounter frequency of either sign", usual="0.6 rad/s"),
+    "wave_frequency": Option("frequency", "frequency", "of a wave, or of motion", low=0, above=True, usual="0.6 rad/s"),
+}
+"""Arguments of public functions by name; two more are called "frequency" and have another range."""
