@@ -46,7 +46,7 @@ def paper_ship(name: str = PAPER_SHIP) -> Ship:
     >>> paper_ship().name, paper_ship().velocities
     ('Series 60, CB 0.60', 'absolute')
     """
-    return ship(name).with_(velocities="absolute", ends="strips", righting="polynomial")
+    return ship(name).with_(velocities="absolute", drag="cubic", ends="strips", righting="polynomial")
 
 
 def table_ratios() -> dict[str, float]:
