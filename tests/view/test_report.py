@@ -37,8 +37,7 @@ def page(result) -> str:
 
 @pytest.fixture(scope="module")
 def heights() -> xr.Dataset:
-    with pytest.warns(qt.RangeWarning, match="roll beyond 40 deg"):
-        return qt.sweep(SHIP, [5.0, 8.0], [30.0, 60.0, 90.0], [0.8 * LENGTH, LENGTH], [2.0, 6.0, 12.0])
+    return qt.sweep(SHIP, [5.0, 8.0], [30.0, 60.0, 90.0], [0.8 * LENGTH, LENGTH], [2.0, 6.0, 12.0])
 
 
 class Sources(HTMLParser):
@@ -220,7 +219,7 @@ def test_report_of_a_ship_file_and_of_a_sweep(tmp_path, monkeypatch):
     ("keys", "says"),
     [
         ("autopilot: {gain: 1.0, rate_gain: 8 s}", "autopilot none, there gain 1, rate gain 8 s, lag 0 s"),
-        ("righting: spline", "righting curve polynomial, there spline"),
+        ("righting: polynomial", "righting curve spline, there polynomial"),
     ],
 )
 def test_a_map_is_reported_with_its_own_autopilot_and_righting_curve_only(tmp_path, monkeypatch, keys, says):

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 Datum = Literal["keel", "waterline"]
 Linear = Literal["default", "strip"]
 Velocities = Literal["relative", "absolute"]
-Righting = Literal["polynomial", "spline"]
+Righting = Literal["spline", "polynomial"]
 Sections = Literal["auto", "lewis", "close-fit"]
 Ends = Literal["strips", "three-dimensional"]
 Drag = Literal["strips", "cubic"]
@@ -63,7 +63,7 @@ class ShipOptions(TypedDict, total=False):
     velocities: Velocities | None
     """Velocity that lift acts on: relative (to the water, which the wave moves), absolute (over ground, as in the pap ..."""
     righting: Righting | None
-    """Righting curve in the equations: polynomial (odd, to phi^7), spline (the curve itself)."""
+    """Righting curve in the equations: spline (the curve itself), polynomial (odd, to phi^7, as in the paper)."""
     sections: Sections | None
     """Section coefficients: auto (the section's own contour), lewis (its Lewis form), close-fit (its own contour)."""
     ends: Ends | None

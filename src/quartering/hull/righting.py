@@ -254,7 +254,7 @@ def fitted_to(ship: Ship) -> float:
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> fitted_to(ship("box")), fitted_to(ship("box").with_(righting="spline"))
+    >>> fitted_to(ship("box").with_(righting="polynomial")), fitted_to(ship("box"))
     (40.0, inf)
     """
     return float("inf") if ship.righting == "spline" else righting_polynomial(ship).max_angle

@@ -48,7 +48,7 @@ class Ship:
     measured : str, MeasuredFile or None     measured manoeuvring set that replaces regression and cross-flow: name or file
     autopilot : Autopilot or None            what keeps the course; None: the rudder amidships, as in the paper
     rudder : Rudder or None                  what its lift is estimated from; None: measured with the set, or least by rule
-    righting : str                           the righting curve as "polynomial" (odd, to phi^7) or "spline" (through the curve)
+    righting : str                           the righting curve as "spline" (the curve itself) or "polynomial" (odd, to phi^7)
     roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
     bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
     database : Database or None              own coefficients and wave forces in place of strip theory
@@ -69,7 +69,7 @@ class Ship:
     measured: str | MeasuredFile | None = None
     autopilot: Autopilot | None = None
     rudder: Rudder | None = None
-    righting: Righting = "polynomial"
+    righting: Righting = "spline"
     roll_method: RollMethod = "fraction"
     bilge_keels: BilgeKeels | None = None
     database: Database | None = None
