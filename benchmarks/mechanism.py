@@ -15,9 +15,9 @@ import numpy as np
 import quartering as qt
 from quartering.stability.kind import Kind
 from quartering.study.paper.mechanism import onset, roll_alone, smallest_change
-from quartering.study.paper.model import TABLE_I, modified_model, table_ratios
+from quartering.study.paper.model import TABLE_I, modified_model, paper_ship, table_ratios
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+SHIP = paper_ship()
 LENGTH = SHIP.hull.length
 SPEED = 0.25 * np.sqrt(9.81 * LENGTH)
 HEADINGS = np.arange(5.0, 180.0, 5.0)
@@ -70,7 +70,7 @@ def prime(ship: qt.Ship, name: str, speed: float) -> float:
 
 
 def measured() -> qt.Ship:
-    return qt.ship("s175").with_(velocities="absolute", ends="strips", measured="son-nomoto-1982", draught=8.5, gm=0.3)
+    return paper_ship("s175").with_(measured="son-nomoto-1982", draught=8.5, gm=0.3)
 
 
 def measured_verdicts() -> tuple[int, int, float]:

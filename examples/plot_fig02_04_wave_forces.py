@@ -21,7 +21,7 @@ from quartering.study.paper.conditions import speed_of
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
-ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+ship = qt.ship("series60-cb60").with_(velocities="absolute", drag="cubic", ends="strips", righting="polynomial")
 forces = qt.compare_forces(ship, [ship.hull.length], [60.0, 90.0, 120.0], speed_of(ship)).isel(wave_length=0)
 for form in ("froude-krylov", "stf", "paper", "paper-corrected"):
     one = forces.sel(form=form, mode="roll")

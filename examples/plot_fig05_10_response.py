@@ -22,7 +22,7 @@ from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
 for name in ("series60-cb60", "series60-cb70"):
-    ds = response_curves(qt.ship(name).with_(velocities="absolute", ends="strips"))
+    ds = response_curves(qt.ship(name).with_(velocities="absolute", drag="cubic", ends="strips", righting="polynomial"))
     for i, length in enumerate(ds["wave_length"].values):
         one = ds.isel(wave_length=i)
         peak = int(np.argmax(one["roll"].values))

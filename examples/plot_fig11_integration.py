@@ -20,7 +20,7 @@ from quartering.study.paper.conditions import speed_of, wave_of
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
-ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+ship = qt.ship("series60-cb60").with_(velocities="absolute", drag="cubic", ends="strips", righting="polynomial")
 for steepness in (1 / 120, 1 / 60, 1 / 30):
     model = qt.equations(ship, wave_of(ship, 1.0, steepness), speed_of(ship), heading=70.0)
     paper, exact = (np.degrees(qt.steady_motion(model, n, start="rest").amplitude[1]) for n in (1, 9))

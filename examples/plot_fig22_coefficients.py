@@ -21,7 +21,7 @@ from quartering.study.paper.sets import COEFFICIENTS
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
-ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+ship = qt.ship("series60-cb60").with_(velocities="absolute", drag="cubic", ends="strips", righting="polynomial")
 curves = coefficient_curves(ship, COEFFICIENTS, [0.0, 10.0], wave_of(ship, 1.5, 1 / 20), speed_of(ship), heading=30.0)
 for name in COEFFICIENTS:
     rate, exponent = (curves[kind].sel(coefficient=name).diff("change").item() for kind in ("index", "exponent"))

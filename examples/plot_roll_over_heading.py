@@ -39,7 +39,12 @@ def parts(ship: qt.Ship, ratio: float, froude: float, heading: float) -> tuple[f
 
 
 def main(picture: str = "", gm: str = "0.05 B", ratio: str = "1.0", froude: str = "0.25") -> None:
-    ship, fn = qt.ship("series60-cb60").with_(gm=gm, velocities="absolute", ends="strips"), float(froude)
+    ship, fn = (
+        qt.ship("series60-cb60").with_(
+            gm=gm, velocities="absolute", drag="cubic", ends="strips", righting="polynomial"
+        ),
+        float(froude),
+    )
     print(f"GM {gm}, wave length {ratio} L, Fn {froude}\nheading  omega   |K|  |K_eff|  factor   roll  held")
     table = np.array([parts(ship, float(ratio), fn, heading) for heading in HEADINGS])
     for heading, row in zip(HEADINGS, table, strict=True):

@@ -31,7 +31,7 @@ def disturbance(model: qt.Model, motion: qt.Motion, n2: float) -> tuple[np.ndarr
 
 
 def main(picture: str = "") -> None:
-    ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+    ship = qt.ship("series60-cb60").with_(velocities="absolute", drag="cubic", ends="strips", righting="polynomial")
     length = ship.hull.length
     wave, speed = qt.Wave(length=length, height=length / 30), 0.25 * np.sqrt(9.81 * length)
     figure, panels = plt.subplots(2, 2, figsize=(11, 6), sharex=True, layout="constrained")

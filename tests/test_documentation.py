@@ -11,6 +11,7 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import SYMBOLS
+from quartering.study.paper.model import paper_ship
 
 ROOT = Path(__file__).parents[1]
 MADE = {"reference", "gallery"}
@@ -110,7 +111,7 @@ def test_roll_peaks_page_quotes_the_numbers_the_library_gives():
     """The lambda = L row of docs/two_roll_peaks.md, recomputed for a very small wave (the page's numbers are linear)."""
     row = re.search(r"lambda = L, roll/kA \| (.*) \|", (ROOT / "docs" / "two_roll_peaks.md").read_text())
     quoted = [float(x) for x in row[1].split("|")]
-    ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+    ship = paper_ship()
     length = ship.hull.length
     wave = qt.Wave(length, length / 20_000)
     ds = qt.polar(ship, wave, [0.25 * np.sqrt(9.81 * length)], np.arange(30.0, 131.0, 10.0))
@@ -120,7 +121,7 @@ def test_roll_peaks_page_quotes_the_numbers_the_library_gives():
 
 def test_three_verdicts_page_quotes_the_numbers_the_library_gives():
     text = (ROOT / "docs" / "do_the_verdicts_agree.md").read_text()
-    ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+    ship = paper_ship()
     length = ship.hull.length
     for factor, row in ((1.0, "K_prr as estimated"), (-60.0, "K_prr x -60")):
         quoted = re.search(rf"\| {re.escape(row)} \| ([-+.\d]+) \| ([-+.\d]+)", text)

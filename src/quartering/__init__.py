@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from quartering.study.coexisting import all_motions
     from quartering.study.cure import cures
     from quartering.study.edge import edge
+    from quartering.study.paper.model import paper_ship
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
@@ -87,6 +88,7 @@ _HOMES = {
     "steady_motion": "motion.steady",
     "cite": "references",
     "Verdict": "stability.verdict",
+    "paper_ship": "study.paper.model",
     "polar": "study.polar",
     "sensitivity": "study.sensitivity",
     "sweep": "study.sweep",
@@ -121,6 +123,7 @@ __all__ = [
     "hydrodynamics6",
     "hydrostatics",
     "irregular",
+    "paper_ship",
     "polar",
     "read_decay",
     "righting_arm",

@@ -142,8 +142,8 @@ def written(name: str) -> str:
 
     Examples
     --------
-    >>> [written(name) for name in ("gm", "gyradius_roll", "roll_damping", "wave_height", "K_ppp")]
-    ['GM', 'k_xx', 'added roll damping', 'wave height', 'K_ppp']
+    >>> [written(name) for name in ("gm", "gyradius_roll", "roll_damping", "wave_height", "K_p")]
+    ['GM', 'k_xx', 'added roll damping', 'wave height', 'K_p']
     """
     if name in _BY_SYMBOL:
         return SYMBOLS[name].symbol
@@ -193,8 +193,8 @@ def headed(name: str, unit: str) -> str:
 
     Examples
     --------
-    >>> headed("gyradius_roll", "m"), headed("K_ppp", "1")
-    ('k_xx [m]', 'K_ppp')
+    >>> headed("gyradius_roll", "m"), headed("K_p", "1")
+    ('k_xx [m]', 'K_p')
     """
     return written(name) if unit == "1" else f"{written(name)} [{unit}]"
 

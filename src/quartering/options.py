@@ -448,7 +448,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
            example="one fixed-pitch propeller"),
     # What is known of the coefficients
     Option("values", "coefficients", "coefficients you know, in SI about G, by name; they replace the estimates",
-           key="coefficients", home="overrides", typed="Mapping[str, float]", example="{K_ppp: -2.0e8}", also=("values",)),
+           key="coefficients", home="overrides", typed="Mapping[str, float]", example="{N_r: -2.0e9}", also=("values",)),
     Option("factors", "coefficients", "factors on coefficients, however they were found", home="multipliers",
            typed="Mapping[str, float]", example="{K_ppp: 1.0}", also=("multipliers",)),
     # The condition

@@ -133,7 +133,9 @@ def test_a_number_takes_the_place_of_the_method():
 
 
 def test_what_multiplies_a_fraction_of_critical_does_not_touch_the_components():
-    restless = by_components().with_(factors={"K_prr": -100}, velocities="absolute", ends="strips")
+    restless = by_components().with_(
+        factors={"K_prr": -100}, velocities="absolute", drag="cubic", ends="strips", righting="polynomial"
+    )
     found = cures(restless, qt.Wave(121.92, 4.0), 8.6, 30.0, parameters=["roll_damping", "K_prr"])
     assert [one.parameter for one in found] == ["K_prr"]
     with pytest.raises(qt.InputError, match=r"roll_damping is 0 for .*name the coefficient"):

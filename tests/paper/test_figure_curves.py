@@ -7,8 +7,9 @@ import quartering as qt
 from quartering.conventions import GRAVITY, InputError
 from quartering.study.paper.conditions import speed_of, wave_of
 from quartering.study.paper.curves import coefficient_curves, loading_curves, resonances, response_curves
+from quartering.study.paper.model import paper_ship
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+SHIP = paper_ship()
 SPEED = speed_of(SHIP)
 
 
@@ -67,9 +68,7 @@ def test_response_is_the_fundamental_of_the_integrated_motion(heading):
 @pytest.mark.parametrize("name", ["series60-cb60", "series60-cb70"])
 def test_roll_peaks_in_quartering_seas_near_encounter_resonance(name):
     """The paper's second peak; the stiffening righting arm moves it to higher frequency, so to a larger heading."""
-    ds = response_curves(
-        qt.ship(name).with_(velocities="absolute", ends="strips"), [0.75, 1.0, 1.5], np.arange(0.0, 181.0, 3.0)
-    )
+    ds = response_curves(paper_ship(name), [0.75, 1.0, 1.5], np.arange(0.0, 181.0, 3.0))
     for one in (ds.isel(wave_length=i) for i in range(3)):
         (resonance,) = resonances(one)
         peak = float(one["heading"][np.argmax(one["roll"].values)])
@@ -107,7 +106,7 @@ def test_less_gm_lowers_roll_at_one_heading_and_raises_it_at_another():
 @pytest.mark.parametrize("name", ["series60-cb60", "mariner"])
 def test_a_larger_radius_in_roll_costs_stability_and_one_in_yaw_hardly_any(name):
     """[H71] Figs. 15, 18: the same damping works on more inertia; yaw enters the index through its amplitude alone."""
-    ship = qt.ship(name).with_(velocities="absolute", ends="strips")
+    ship = paper_ship(name)
     roll = loading_curves(ship, "gyradius_roll", [0.3 * ship.hull.beam, 0.45 * ship.hull.beam], [30.0, 90.0])["index"]
     yaw = loading_curves(ship, "gyradius_yaw", [0.22 * ship.hull.length, 0.28 * ship.hull.length], [30.0, 90.0])
     assert (roll.isel(loading=1) < 0.75 * roll.isel(loading=0)).all()

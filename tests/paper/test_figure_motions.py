@@ -12,11 +12,11 @@ from quartering.study.paper.conditions import (
     speed_of,
     wave_of,
 )
-from quartering.study.paper.model import TABLE_I, feeding_model, modified_model, table_ratios
+from quartering.study.paper.model import TABLE_I, feeding_model, modified_model, paper_ship, table_ratios
 from quartering.study.paper.motions import disturbance, integration_check, time_check
 from quartering.study.paper.sets import roll_rate
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+SHIP = paper_ship()
 SPEED = speed_of(SHIP)
 
 

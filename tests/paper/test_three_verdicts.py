@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 import quartering as qt
+from quartering.study.paper.model import paper_ship
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+SHIP = paper_ship()
 LENGTH = SHIP.hull.length
 SPEED = 0.25 * np.sqrt(9.81 * LENGTH)
 WAVE = qt.Wave(length=LENGTH, height=LENGTH / 30)

@@ -7,6 +7,7 @@ from quartering.conventions import InputError
 from quartering.motion.equations import Model
 from quartering.stability.verdict import stability
 from quartering.study.branch import branch
+from quartering.study.paper.model import paper_ship
 from tests.reference import DYNAMICS, model_of
 
 
@@ -58,7 +59,7 @@ def test_a_ships_branch_over_wave_height_agrees_with_single_conditions():
     """Agreement: the splined family against the ship's own equations at the same height."""
     import quartering as qt
 
-    ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+    ship = paper_ship()
     wave = qt.Wave(ship.hull.length, 2.0)
     curve = branch(ship, "wave_height", limits=(0.5, 3.0), wave=wave, speed=8.0, heading=60.0)
     at = curve.isel(point=curve.sizes["point"] // 2)
@@ -72,7 +73,7 @@ def test_the_harmonics_taken_unless_told_see_at_large_roll_what_fifteen_see():
     """Convergence: a fold near 70 deg where fifteen harmonics put it; three show a symmetry breaking there besides."""
     import quartering as qt
 
-    ship = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+    ship = paper_ship()
     given = {"wave": qt.Wave(ship.hull.length, 4.0), "speed": 8.0, "heading": 60.0, "limits": (1.0, 14.0)}
     few, usual, many = (
         branch(ship, "wave_height", **given, **more) for more in ({"harmonics": 3}, {}, {"harmonics": 15})
@@ -124,7 +125,7 @@ def test_two_folds_close_together_are_found_and_the_branch_ends():
     import quartering as qt
 
     ship, wave = (
-        qt.ship("series60-cb60").with_(roll_damping=0.02, velocities="absolute", ends="strips"),
+        paper_ship().with_(roll_damping=0.02),
         qt.Wave(120.0, 4.0),
     )
     folds = qt.branch(ship, "wave_length", wave=wave, speed=7.5, heading=72.0).query(point="fold")

@@ -4,8 +4,9 @@ import pytest
 
 import quartering as qt
 from quartering.study.cure import cures
+from quartering.study.paper.model import paper_ship
 
-SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0}, velocities="absolute", ends="strips")
+SHIP = paper_ship().with_(factors={"K_prr": -60.0})
 WAVE, SPEED, HEADING = qt.Wave(121.92, 4.0), 8.6, 30.0
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
+from quartering.study.paper.model import paper_ship
 from tests.shooting import shoot
 
 IDLE = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0}
@@ -58,7 +59,7 @@ def test_period_doubling_of_the_escape_equation_in_two_parameters_agrees_with_sh
 
 def test_a_ships_edge_divides_stable_verdicts_from_unstable_ones():
     """Brute force: 3 % less wave height is stable and 3 % more is not, at every heading along the edge."""
-    ship = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0}, velocities="absolute", ends="strips")
+    ship = paper_ship().with_(factors={"K_prr": -60.0})
     wave, speed = qt.Wave(121.92, 3.0), 8.6
     ds = qt.edge(
         ship, ("wave_height", "heading"), limits=((2.2, 3.6), (24.0, 36.0)), wave=wave, speed=speed, heading=30.0

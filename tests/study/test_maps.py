@@ -8,6 +8,7 @@ import quartering as qt
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
 
+PAPER = {"velocities": "absolute", "drag": "cubic", "ends": "strips", "righting": "polynomial"}
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
 SPEED = 0.25 * np.sqrt(9.81 * LENGTH)
@@ -97,7 +98,13 @@ def test_keeping_pace_with_the_wave_is_a_status_with_advice():
 
 def test_roll_beyond_the_fitted_arm_is_warned_of():
     with pytest.warns(qt.RangeWarning, match="40 deg"):
-        qt.sweep(SHIP.with_(velocities="absolute", ends="strips"), 0.0, 90.0, 2.4 * LENGTH, [LENGTH / 10])
+        qt.sweep(
+            SHIP.with_(**PAPER),
+            0.0,
+            90.0,
+            2.4 * LENGTH,
+            [LENGTH / 10],
+        )
 
 
 def test_dataset_is_labelled_and_survives_the_disk(small_map, tmp_path):

@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 import quartering as qt
 from quartering.stability.kind import Kind
 from quartering.study.cure import cures
+from quartering.study.paper.model import paper_ship
 from quartering.study.vary import refined_flips
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+SHIP = paper_ship()
 LENGTH = SHIP.hull.length
 SPEED, HEADING = 0.25 * np.sqrt(9.81 * LENGTH), 30.0
 WAVE = qt.Wave(LENGTH, LENGTH / 30)

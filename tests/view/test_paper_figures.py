@@ -11,13 +11,14 @@ import quartering as qt
 from quartering.conventions import GRAVITY
 from quartering.study.paper.conditions import speed_of
 from quartering.study.paper.curves import loading_curves, response_curves
+from quartering.study.paper.model import paper_ship
 from quartering.view.cli import app
 from quartering.view.plots.paper_axes import wave_direction
 from quartering.view.plots.paper_curves import loading_picture, response_picture, stability_picture
 from quartering.view.plots.paper_figures import FIGURES, draw_figure
 from quartering.view.plots.paper_points import panels
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute", ends="strips")
+SHIP = paper_ship()
 HEADINGS = np.arange(0.0, 181.0, 20.0)
 
 

@@ -9,11 +9,12 @@ from matplotlib.text import Text
 from typer.testing import CliRunner
 
 import quartering as qt
+from quartering.study.paper.model import paper_ship
 from quartering.view.cli import app
 from quartering.view.plots.tornado import tornado_picture
 from quartering.view.plots.vary import vary_picture
 
-SHIP = qt.ship("series60-cb60").with_(factors={"K_prr": -60.0}, velocities="absolute", ends="strips")
+SHIP = paper_ship().with_(factors={"K_prr": -60.0})
 LENGTH = SHIP.hull.length
 AT = (qt.Wave(LENGTH, LENGTH / 30), 0.25 * np.sqrt(9.81 * LENGTH), 30.0)
 

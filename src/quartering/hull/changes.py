@@ -124,7 +124,7 @@ def _check_names(given: Mapping[str, Any], where: str) -> None:
 
 COEFFICIENTS = (
     "coefficients is not taken here any more: it multiplied, where a ship file's `coefficients:` gives values; write factors"
-    ' to multiply, such as factors={"K_ppp": 0.5}, or values to give, such as values={"K_ppp": -2.0e8}'
+    ' to multiply, such as factors={"K_p": 0.5}, or values to give, such as values={"K_p": -2.0e8}'
 )
 """Refusal of a word that meant two things."""
 

@@ -105,8 +105,8 @@ class Ship:
 
         Examples
         --------
-        >>> stiff = ship("series60-cb60").with_(gm=1.2, gyradius_roll="0.38 B", factors={"K_ppp": 0.5})
-        >>> stiff.loading.gm, round(stiff.loading.gyradius_roll, 4), stiff.multipliers["K_ppp"]
+        >>> stiff = ship("series60-cb60").with_(gm=1.2, gyradius_roll="0.38 B", factors={"K_p": 0.5})
+        >>> stiff.loading.gm, round(stiff.loading.gyradius_roll, 4), stiff.multipliers["K_p"]
         (1.2, 6.1773, 0.5)
         """
         return changed(self, given)

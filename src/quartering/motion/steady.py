@@ -17,6 +17,7 @@ from quartering.motion.harmonic import checked_harmonics, harmonic_balance, orde
 from quartering.motion.status import Status
 from quartering.motion.steering import holds_heading
 from quartering.motion.struble import modified_struble
+from quartering.motion.truncation import followed_up
 from quartering.rowwise import rowwise
 
 _PEAK_SAMPLES = 256
@@ -41,6 +42,7 @@ class Motion:
     heading : float or None    mean heading off course where an autopilot holds it, then the mean yaw rate is 0 [rad]; None
                                where the heading is free
     periods : int              wave periods after which the motion repeats
+    missed : float             what four further harmonics change of roll, as a share of it; NaN where it is not known
     """
 
     frequency: float
@@ -54,6 +56,7 @@ class Motion:
     references: tuple[str, ...] = ("H71",)
     heading: float | None = None
     periods: int = 1
+    missed: float = float("nan")
 
     @property
     def amplitude(self) -> Floats:
@@ -260,15 +263,18 @@ def motion_record(
 
 
 @takes(model="Model")
-def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") -> Motion:
+def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear", fixed: bool = False) -> Motion:
     """The steady periodic motion that grows out of the linear solution.
 
     Parameters
     ----------
     model : Model
-    harmonics : int    1: the paper's modified Struble method with its linear third harmonic; 3, 5, 7, ..: harmonic balance
+    harmonics : int    1: the paper's modified Struble method with its linear third harmonic; 3, 5, 7, ..: harmonic balance,
+                       with more harmonics than asked for where four more change roll by over 1 %
     start : str        where several motions exist: "linear", the one Newton's method reaches from the linear motion, which may
                        be an unstable one; "rest", the one a wave raised slowly from nothing leads to
+
+    fixed : bool       stay at the harmonics asked for; what further ones change is then not known
 
     Returns
     -------
@@ -277,6 +283,10 @@ def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") 
     Raises
     ------
     InputError    `harmonics` even, not positive or above 199, `start` unknown
+
+    Warns
+    -----
+    RangeWarning  the harmonics asked for did not suffice
 
     Notes
     -----
@@ -291,8 +301,21 @@ def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear") 
     (0.414599, 'CONVERGED')
     """
     u, orders, status, residual = steady_motions(model.system, harmonics, start=start)
-    method = "modified Struble" if harmonics == 1 else "harmonic balance"
-    return motion_record(model, u[0], orders, int(status[0]), float(residual[0]), method)
+    if harmonics == 1:
+        return motion_record(model, u[0], orders, int(status[0]), float(residual[0]), "modified Struble")
+    missed, asked = float("nan"), orders
+    if status[0] <= Status.CONVERGED_BY_FOLLOWING and not fixed:
+        u, orders, missed, more = followed_up(model.system, u, orders)
+        status = status if more is None else more
+    if orders != asked:
+        warnings.warn(
+            f"{max(asked)} harmonics do not suffice for this motion; it has {max(orders)} now, beyond which roll changes by"
+            f" {missed:.2g} of itself",
+            RangeWarning,
+            stacklevel=3,
+        )
+    found = motion_record(model, u[0], orders, int(status[0]), float(residual[0]), "harmonic balance")
+    return replace(found, missed=missed)
 
 
 def within_limit(model: Model, motion: Motion) -> Motion:

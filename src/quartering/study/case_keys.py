@@ -64,7 +64,7 @@ class Case(_Strict):
         description="wave height over wave length, 0.02, 2 % or 1/50, for all lengths alike; or give wave_height",
     )
     loading: LoadingAxes = Field(default=LoadingAxes(), description="values of the loading to vary")
-    factors: dict[str, Values] = Field(default={}, description="factors on coefficients by name, such as K_ppp")
+    factors: dict[str, Values] = Field(default={}, description="factors on coefficients by name, such as K_p")
     values: dict[str, Values] = Field(default={}, description="values of coefficients by name, in SI about G")
     harmonics: int = Field(
         default=1, ge=1, description=f"of the steady motion: 1 is the paper's method; 3, 5, 7, .. {MOST_HARMONICS}"

@@ -95,8 +95,8 @@ def cures(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
-    >>> restless = ship("series60-cb60").with_(factors={"K_prr": -60}, velocities="absolute")
+    >>> from quartering.study.paper.model import paper_ship
+    >>> restless = paper_ship().with_(factors={"K_prr": -60})
     >>> found = cures(restless, Wave(121.92, 4.0), 8.6, 30.0, parameters=["K_prr", "roll_damping"])
     >>> [one.parameter for one in found]
     ['K_prr', 'roll_damping']

@@ -202,7 +202,7 @@ def grid(
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> some = grid(ship("wigley"), 5.0, [30, 60], 100.0, [1.0, 2.0], K_ppp=[0.5, 1.0])
+    >>> some = grid(ship("wigley"), 5.0, [30, 60], 100.0, [1.0, 2.0], K_p=[0.5, 1.0])
     >>> some.count, some.shape, len(some.blocks)
     (8, (2, 1, 2, 1, 2), 1)
     """

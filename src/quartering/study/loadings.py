@@ -21,7 +21,7 @@ LOADING_AXES = loading_axes()
 CHOICE_AXES: Final = choice_axes()
 """Axes of words; their values are the places of the words, as flags."""
 VALUE: Final = "_value"
-"""What the name of a coefficient ends with where values of it are given, not factors on it: K_ppp_value."""
+"""What the name of a coefficient ends with where values of it are given, not factors on it: K_p_value."""
 
 
 def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
@@ -32,8 +32,8 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     ship : Ship
     values : mapping of str to float    gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; bilge_keel_length,
                                         bilge_keel_breadth [m], which a ship without keels needs both of, 0 for none, and the
-                                        other axes of `quartering.options`, a word by its place; K_ppp
-                                        multiplies that coefficient, K_ppp_value gives it
+                                        other axes of `quartering.options`, a word by its place; K_p
+                                        multiplies that coefficient, K_p_value gives it
 
     Returns
     -------
@@ -47,7 +47,7 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> loaded(ship("wigley"), {"gm": 1.5, "K_ppp": 2.0}).loading.gm
+    >>> loaded(ship("wigley"), {"gm": 1.5, "K_p": 2.0}).loading.gm
     1.5
     >>> loaded(ship("s175"), {"bilge_keel_length": 44.0, "bilge_keel_breadth": 0.4}).roll_damping_words
     'component method of Ikeda on the lines, bilge keels 44 x 0.4 m'
@@ -166,7 +166,7 @@ def own_value(ship: Ship, name: str) -> float:
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> own_value(ship("wigley"), "draught"), own_value(ship("wigley"), "K_ppp")
+    >>> own_value(ship("wigley"), "draught"), own_value(ship("wigley"), "K_p")
     (6.25, 1.0)
     """
     if name == "roll_period":

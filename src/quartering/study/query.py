@@ -139,7 +139,7 @@ def cut(result: xr.Dataset, **where: float | str) -> xr.Dataset:
     Parameters
     ----------
     result : xarray.Dataset    of `sweep`, `polar` or `open_result`
-    **where : float or str     value by name: heading=30 [deg], wave_height=4 [m], or of a loading: gm=0.7 [m], K_ppp=2,
+    **where : float or str     value by name: heading=30 [deg], wave_height=4 [m], or of a loading: gm=0.7 [m], K_p=2,
                                velocities="absolute"
 
     Returns
@@ -154,8 +154,8 @@ def cut(result: xr.Dataset, **where: float | str) -> xr.Dataset:
     --------
     >>> from quartering.hull.ship import ship
     >>> from quartering.study.sweep import sweep
-    >>> ds = sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0, gm=[0.6, 0.9], K_ppp=[1.0, 2.0])
-    >>> dict(cut(ds, gm=0.8).sizes)["loading"], float(cut(ds, gm=0.8, K_ppp=1.0)["gm"])
+    >>> ds = sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0, gm=[0.6, 0.9], K_p=[1.0, 2.0])
+    >>> dict(cut(ds, gm=0.8).sizes)["loading"], float(cut(ds, gm=0.8, K_p=1.0)["gm"])
     (2, 0.9)
     """
     _check_result(result)

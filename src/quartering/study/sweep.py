@@ -68,7 +68,7 @@ def sweep(
     cluster : str, optional     "local:4" or "tcp://host:8786": computed by worker processes; by default by threads
     factors, values : mapping   by coefficient: factors on it, or values in its place, one or several; an axis each
     **axes : (l,) float         values of the ship (`StudyAxes` lists them: gm, kg, gyradius_roll, roll_period, draught, ..),
-                                and, in short, factors on coefficients by name (K_ppp=[0.5, 1, 2]); every combination is one
+                                and, in short, factors on coefficients by name (K_p=[0.5, 1, 2]); every combination is one
                                 "loading"
 
     Returns
@@ -89,7 +89,7 @@ def sweep(
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> ds = sweep(ship("wigley"), speed=5.0, heading=[30, 60], wave_length=100.0, wave_height=[1.0, 2.0], K_ppp=[0.5, 1.0])
+    >>> ds = sweep(ship("wigley"), speed=5.0, heading=[30, 60], wave_length=100.0, wave_height=[1.0, 2.0], K_p=[0.5, 1.0])
     >>> dict(ds.sizes)["loading"], ds["roll"].dims
     (2, ('loading', 'speed', 'heading', 'wave_length', 'wave_height'))
     """
@@ -130,7 +130,7 @@ def evaluated(
     >>> from quartering.hull.ship import ship
     >>> from quartering.study.grid import axis
     >>> one = grid(ship("wigley"), 5.0, 60.0, 100.0, 1.0)
-    >>> evaluated(replace(one, loadings={"gm": axis("gm", [1.0, 1.2]), "K_ppp": axis("K_ppp", [1.0, 2.0])})).sizes["loading"]
+    >>> evaluated(replace(one, loadings={"gm": axis("gm", [1.0, 1.2]), "K_p": axis("K_p", [1.0, 2.0])})).sizes["loading"]
     2
     """
     found: dict[int, Any] = {}

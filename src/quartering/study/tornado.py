@@ -87,7 +87,7 @@ def tornado(
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> ds = tornado(ship("wigley"), Wave(100.0, 2.0), 5.0, 60.0, parameters=["gm", "K_ppp"])
+    >>> ds = tornado(ship("wigley"), Wave(100.0, 2.0), 5.0, 60.0, parameters=["gm", "K_p"])
     >>> ds["roll"].dims, str(ds["parameter"].values[0])
     (('parameter', 'side'), 'gm')
     """

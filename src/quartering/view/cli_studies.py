@@ -47,7 +47,7 @@ def vary(
     wave_length: Annotated[str, typer.Option(help=f"Wave length: 150 [m], 1L, or {_RANGE}.")] = "1L",
     wave_height: Annotated[str, typer.Option(help=f"Wave height: 4 [m], 0.02L, or {_RANGE}.")] = "0.02L",
     coefficient: Annotated[
-        list[str] | None, typer.Option(help="K_ppp=0.2:2: factors on a coefficient; repeatable.")
+        list[str] | None, typer.Option(help="K_p=0.2:2: factors on a coefficient; repeatable.")
     ] = None,
     tornado: Annotated[
         str | None, typer.Option(help="10%: change every value by so much, one at a time, instead of a range.")
@@ -85,7 +85,7 @@ def sweep(
     cluster: Annotated[str | None, typer.Option(help="local:4, or tcp://host:8786 of a dask scheduler.")] = None,
     yes: Annotated[bool, typer.Option("--yes", help="Run it however large it is.")] = False,
     uncertainty: Annotated[
-        str | None, typer.Option(help="K_ppp=20%,gm=5%: probability of instability instead of one verdict.")
+        str | None, typer.Option(help="K_p=20%,gm=5%: probability of instability instead of one verdict.")
     ] = None,
     draws: Annotated[int, typer.Option(help="Random draws with --uncertainty, a multiple of 8.")] = 256,
     json: Json = False,

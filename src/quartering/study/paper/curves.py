@@ -148,7 +148,7 @@ def coefficient_curves(
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> found = coefficient_curves(ship("wigley"), ["K_ppp"], [-50.0, 0.0], Wave(100.0, 1.0), 5.0, 60.0)
+    >>> found = coefficient_curves(ship("wigley"), ["K_p"], [-50.0, 0.0], Wave(100.0, 1.0), 5.0, 60.0)
     >>> bool(found["k2"][0, 0] > found["k2"][0, 1])    # less roll damping: K2 nearer to instability
     True
     """

@@ -107,16 +107,16 @@ def run_uncertain(
 
 
 def uncertainties(typed: str) -> dict[str, str]:
-    """Spreads by name from "K_ppp=20%,gm=5%".
+    """Spreads by name from "K_p=20%,gm=5%".
 
     Examples
     --------
-    >>> uncertainties("K_ppp=20%, gm=5%")
-    {'K_ppp': '20%', 'gm': '5%'}
+    >>> uncertainties("K_p=20%, gm=5%")
+    {'K_p': '20%', 'gm': '5%'}
     """
     pairs = [part.split("=") for part in typed.split(",") if part.strip()]
     if any(len(pair) != 2 for pair in pairs):
-        raise InputError(f'--uncertainty "{typed}": write it like "K_ppp=20%,gm=5%"')
+        raise InputError(f'--uncertainty "{typed}": write it like "K_p=20%,gm=5%"')
     return {name.strip(): value.strip() for name, value in pairs}
 
 

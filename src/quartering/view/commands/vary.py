@@ -106,7 +106,7 @@ def _parameters(
     texts = {key: text for key, text in typed.items() if is_range(text)} | dict(ranges) | factors
     if not texts:
         raise InputError(
-            "nothing to vary: give one or two ranges, such as --gm 0.4:1.2 or --coefficient K_ppp=0.2:2, or --tornado 10%"
+            "nothing to vary: give one or two ranges, such as --gm 0.4:1.2 or --coefficient K_p=0.2:2, or --tornado 10%"
         )
     count = _COUNTS.get(len(texts), 2)
     units = sizes(one)
@@ -123,7 +123,7 @@ def _parameters(
 def _factor(text: str) -> tuple[str, str]:
     key, equals, span = text.partition("=")
     if not equals:
-        raise InputError(f'--coefficient "{text}": give a name and a range of factors, such as K_ppp=0.2:2')
+        raise InputError(f'--coefficient "{text}": give a name and a range of factors, such as K_p=0.2:2')
     return key, span
 
 
