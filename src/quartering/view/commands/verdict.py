@@ -42,6 +42,8 @@ class Examined(NamedTuple):
     model: Model
     motion: Motion
     verdict: Verdict
+    harmonics: int = 1
+    form: Form = "stf"
 
 
 def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int = 1, form: Form = "stf") -> Examined:
@@ -50,7 +52,7 @@ def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int 
     motion = within_limit(model, steady_motion(model, harmonics, start="rest"))
     if motion.status.ok:
         warn_of_polynomial(one, math.degrees(motion.peak[1]))
-    return Examined(one, wave, speed, heading, model, motion, stability(model, motion))
+    return Examined(one, wave, speed, heading, model, motion, stability(model, motion), harmonics, form)
 
 
 def helps(found: Examined) -> list[Cure]:
@@ -62,7 +64,8 @@ def helps(found: Examined) -> list[Cure]:
 def seek_help(found: Examined) -> Iterator[list[Cure]]:
     """The search of `helps` in small steps: what has been found so far."""
     if not found.verdict.stable and found.motion.status.ok:
-        for some in seek(found.ship, found.wave, found.speed, found.heading):
+        at = (found.ship, found.wave, found.speed, found.heading)
+        for some in seek(*at, harmonics=found.harmonics, form=found.form):
             yield some[:_MOST_CURES]
 
 
