@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError, RangeWarning
-from quartering.hull.righting import vanishing_angle
 from quartering.hull.ship import Ship
+from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.batch import joined, rows
