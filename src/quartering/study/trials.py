@@ -92,7 +92,7 @@ class Trials:
                 each = self._at_speeds(self.speed * factors)
             else:
                 each = self._between(name, factors)
-            return self._leading(each, [lambda f=f: self.ship_at(name, float(f)) for f in factors], accuracy)
+            return self._leading(each, lambda i: self.ship_at(name, float(factors[i])), accuracy)
 
     def settled(self, name: str, factors: Floats) -> Floats:
         """The same with nothing interpolated, as accurate as a verdict."""
@@ -100,7 +100,7 @@ class Trials:
             return self.exponents(name, factors, EXACT)
         with _no_range_warnings():
             ships = [self.ship_at(name, float(f)) for f in factors]
-            return self._leading(self._system(ships), [lambda one=one: one for one in ships], EXACT)
+            return self._leading(self._system(ships), ships.__getitem__, EXACT)
 
     def span(self, name: str, low: float, high: float) -> tuple[float, float]:
         """Make what `exponents` needs between two factors; the factors between which it could be made."""
@@ -155,14 +155,14 @@ class Trials:
             weights = terms.prod(axis=2)
         return made.each(lambda array: np.ascontiguousarray(np.tensordot(weights, array, axes=1)))
 
-    def _leading(self, system: System, ships: Sequence[Callable[[], Ship]], accuracy: float) -> Floats:
+    def _leading(self, system: System, ship: Callable[[int], Ship], accuracy: float) -> Floats:
         u, orders, status, _ = steady_motions(system, self.harmonics, start="rest")
         with np.errstate(over="ignore"):  # multipliers of ships far from the one asked about may be beyond all numbers
             growth = assess(system, u, orders, accuracy, detail="map").floquet.growth
         none = (status > 1) | ~np.isfinite(growth)
         roll = np.degrees(roll_peaks(u, orders))
         for i in np.flatnonzero(~none & (growth < 0) & (roll > _LARGE_ROLL)):
-            none[i] = roll[i] > vanishing_angle(ships[i]())
+            none[i] = roll[i] > vanishing_angle(ship(int(i)))
         return np.where(none, np.inf, growth)
 
 
