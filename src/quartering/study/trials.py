@@ -162,7 +162,7 @@ class Trials:
         none = (status > 1) | ~np.isfinite(growth)
         roll = np.degrees(roll_peaks(u, orders))
         for i in np.flatnonzero(~none & (growth < 0) & (roll > _LARGE_ROLL)):
-            none[i] = roll[i] > vanishing_angle(ship(int(i)))
+            none[i] = roll[i] > capsize_limit(ship(int(i))).angle
         return np.where(none, np.inf, growth)
 
 

@@ -86,9 +86,7 @@ def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int 
     if motion.status.ok:
         warn_of_polynomial(one, math.degrees(motion.peak[1]))
     verdict = stability(model, motion)
-    return Examined(
-        one, wave, speed, heading, model, motion, verdict, harmonics, form, _beside(model, motion, verdict)
-    )
+    return Examined(one, wave, speed, heading, model, motion, verdict, harmonics, form, _beside(model, motion, verdict))
 
 
 def _beside(model: Model, motion: Motion, verdict: Verdict) -> Beside:
