@@ -3,7 +3,9 @@
 import pytest
 
 import quartering as qt
+from quartering.study import cure as search
 from quartering.study.cure import cures
+from quartering.study.loadings import loaded
 from quartering.study.paper.model import paper_ship
 
 SHIP = paper_ship().with_(factors={"K_prr": -60.0})
@@ -17,7 +19,7 @@ def verdict(ship=SHIP, wave=WAVE, speed=SPEED):
 
 @pytest.fixture(scope="module")
 def found():
-    return {cure.parameter: cure for cure in cures(SHIP, WAVE, SPEED, HEADING)}
+    return {cure.parameter: cure for cure in cures(SHIP, WAVE, SPEED, HEADING, harmonics=3)}
 
 
 def test_the_motion_to_cure_is_unstable():
@@ -47,8 +49,8 @@ def test_smallest_change_stands_first_and_reads_as_a_sentence(found):
 
 
 def test_margin_asks_for_more():
-    easy = cures(SHIP, WAVE, SPEED, HEADING, parameters=["roll_damping"])[0]
-    hard = cures(SHIP, WAVE, SPEED, HEADING, parameters=["roll_damping"], margin=0.01)[0]
+    easy = cures(SHIP, WAVE, SPEED, HEADING, parameters=["roll_damping"], harmonics=3)[0]
+    hard = cures(SHIP, WAVE, SPEED, HEADING, parameters=["roll_damping"], margin=0.01, harmonics=3)[0]
     assert hard.needed > easy.needed
 
 
@@ -56,7 +58,7 @@ def test_margin_asks_for_more():
 def test_with_a_margin_the_exponent_at_the_cure_is_minus_the_margin(name):
     """Disturbances die out at just the rate asked for, by the one-case verdict."""
     margin = 0.005
-    cure = cures(SHIP, WAVE, SPEED, HEADING, parameters=[name], margin=margin)[0]
+    cure = cures(SHIP, WAVE, SPEED, HEADING, parameters=[name], margin=margin, harmonics=3)[0]
     ship, wave = SHIP, WAVE
     if name == "wave_height":
         wave = qt.Wave(WAVE.length, cure.needed)
@@ -69,3 +71,73 @@ def test_a_stable_motion_needs_no_cure_and_a_negative_margin_is_refused():
     assert cures(qt.ship("series60-cb60"), WAVE, SPEED, HEADING) == []
     with pytest.raises(qt.InputError, match="margin"):
         cures(SHIP, WAVE, SPEED, HEADING, margin=-1.0)
+
+
+SPECIMENS = [
+    (SHIP, WAVE, SPEED, HEADING),
+    (qt.ship("dtmb5415"), qt.Wave(200.0, 10.0), 14.0, 50.0),  # ends in a jump: motions appear and vanish at folds
+]
+
+
+def applied(cure, ship, wave, speed, heading, value):
+    """The condition with one cure made, as a user would make it."""
+    if cure.parameter == "speed":
+        return ship, wave, value, heading
+    if cure.parameter == "wave_height":
+        return ship, qt.Wave(wave.length, value), speed, heading
+    return loaded(ship, {cure.parameter: value}), wave, speed, heading
+
+
+@pytest.mark.filterwarnings(
+    "ignore::quartering.conventions.RangeWarning"
+)  # 21 m/s of a ship for 10 is one of the cures
+@pytest.mark.parametrize(
+    ("case", "harmonics"), [(SPECIMENS[0], 1), (SPECIMENS[0], 9), (SPECIMENS[1], 1), (SPECIMENS[1], 5)]
+)
+def test_every_cure_applied_anew_is_stable_at_the_verdicts_own_harmonics(case, harmonics):
+    """The judge is the verdict on the changed condition: at the number itself, and at the one the sentence rounds it to."""
+    healing = cures(*case, harmonics=harmonics)
+    assert len(healing) >= 5
+    for cure in healing:
+        for value in (cure.needed, cure.rounded):
+            model = qt.equations(*applied(cure, *case, value))
+            again = qt.stability(model, qt.steady_motion(model, harmonics, start="rest"))
+            assert again.stable, cure.sentence
+            assert again.exponents[0].real < -2e-7
+
+
+def test_a_rounded_cure_does_not_fall_short_of_the_number():
+    """2.6747 m of wave height or less: 2.67 m; 1.5191 m of GM or more: 1.52 m; half of a coefficient, and none of it."""
+    for name, now, needed, told, words in (
+        ("wave_height", 4.0, 2.6747, 2.67, "1.33 m less wave height (4 -> 2.67 m)"),
+        ("gm", 0.8128, 1.5121, 1.52, "0.707 m more GM (0.813 -> 1.52 m)"),
+        ("K_prr", 1.0, 0.4677, 0.46, "54% less K_prr"),
+        ("K_prr", 1.0, -0.2011, -0.21, "K_prr times -0.21"),
+    ):
+        cure = search.Cure(name, now, needed, "1" if name == "K_prr" else "m")
+        assert cure.rounded == pytest.approx(told, abs=1e-12)
+        assert cure.sentence == words
+
+
+def test_a_search_makes_the_equations_of_few_ships(monkeypatch):
+    """Seven parameters: two ships for each coefficient and roll damping, ten for GM and gyradius, one or two to settle each,
+    and a pass over speeds for each side and round: 6 + 20 + 14 + 6. (427 before.)"""
+    made = []
+
+    class Counted(search.Trials):
+        def __init__(self, *given):
+            super().__init__(*given)
+            made.append(self)
+
+    monkeypatch.setattr(search, "Trials", Counted)
+    cures(*SPECIMENS[0])
+    assert made[0].ships_built <= 46
+
+
+def test_course_instability_of_calm_water_is_no_matter_of_the_wave():
+    """A hull unstable on course without any wave, by the eigenvalues of its linear motion: no cure of this condition."""
+    ship = SHIP.with_(factors={"N_v": 6.0})
+    model = qt.equations(ship, qt.Wave(121.92, 1.0), SPEED, 60.0)
+    verdict = qt.stability(model, qt.steady_motion(model, start="rest"))
+    assert verdict.kind == "course-in-calm-water"
+    assert cures(ship, qt.Wave(121.92, 1.0), SPEED, 60.0) == []

@@ -1,18 +1,19 @@
-"""All periodic motions that coexist in one condition: along the branch from rest, and from grids of starts."""
+"""All periodic motions that coexist in one condition: from grids of starts, and along the branch from rest."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
-from quartering.conventions import InputError
 from quartering.motion.batch import copies
-from quartering.motion.branch import balance_of, follow_branch, start_of_branch
+from quartering.motion.branch import balance_of
 from quartering.motion.equations import Floats, Model, System
 from quartering.motion.harmonic import harmonic_balance, orders_for
+from quartering.motion.homotopy import carried, same
+from quartering.motion.raising import Raising, over_height
+from quartering.motion.seeds import grid_of_roll, heeled_starts, largest_roll
 from quartering.motion.status import Status
 from quartering.motion.steady import Motion, motion_record
 from quartering.motion.subharmonic import ascending, columns, orders_of, rearranged, slowed
@@ -21,12 +22,31 @@ from quartering.motion.switching import disturbance
 _ANGLES, _SIZES = 12, 12
 _FEW = 4
 _OFFSETS, _ITERATIONS = (0.1, 0.3), 10
-_HEELED_STARTS = (2, 3, 6)
-_SAME, _ZERO = 1e-6, 1e-5
+_ZERO = 1e-5
 _LOW = 3
+_FURTHER = Raising(highest=100.0)
+_BEYOND = 2.0
+
+Found = tuple[Floats, int, float]
+"""Coefficients of a motion, its status, its residual."""
 
 
-def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
+class Motions(list[Motion]):
+    """Motions from the smallest roll to the largest, and what the search for them left open.
+
+    Parameters
+    ----------
+    motions : iterable of Motion
+    left_open : sequence of str    one sentence for each motion of few harmonics that could not be carried on, and for a number
+                                   of motions that cannot be all
+    """
+
+    def __init__(self, motions: Iterable[Motion], left_open: Sequence[str] = ()) -> None:
+        super().__init__(motions)
+        self.left_open = tuple(left_open)
+
+
+def periodic_motions(model: Model, harmonics: int = 9) -> Motions:
     """Every periodic motion found in one condition, from the smallest roll to the largest.
 
     Parameters
@@ -36,7 +56,8 @@ def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
 
     Returns
     -------
-    list of Motion     of the wave's period, leaning ones among them, and of twice that (``periods`` is 2)
+    Motions            a list of `Motion`: of the wave's period, leaning ones among them, and of twice that (``periods`` is 2);
+                       ``left_open`` says what could not be followed
 
     Raises
     ------
@@ -44,10 +65,12 @@ def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
 
     Notes
     -----
-    Motions of the wave's period: from the linear solution, along the branch from rest to twice the excitation, and by Newton's
-    method from grids of roll amplitudes, phases and heels; leaning ones also beside the symmetric ones, each with its
-    mirror image.  Motions of two periods: from those of one, disturbed at half the frequency.  Nothing proves that no
-    further motion exists.
+    Motions of the wave's period: by Newton's method from the linear solution and from grids of roll amplitudes, phases and
+    heels, with one harmonic, and carried over to all (see `carried`); and along the branch over the wave's height from rest to
+    twenty times the wave.  Leaning ones also beside the symmetric ones, each with its mirror image.  Motions of two periods:
+    from those of one, disturbed at half the frequency.  Where the number of motions is not odd as it should be (see
+    `_odd`), the branches over the wave's height through all of them are followed.  Nothing proves that no further motion
+    exists.
     Source: [Krack19]; [H71] eq. (A-11) has up to as many roots as its cubics allow.
 
     Examples
@@ -59,15 +82,11 @@ def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
     """
     system = model.system
     orders, whole = orders_for(system, harmonics), orders_of(harmonics, 1)
-    low, seeds = from_grid(system)
-    begun = _polished(system, _heeled_starts(system), (0, 1, 2), orders_of(_LOW, 1))
+    begun = _polished(system, heeled_starts(system), (0, 1, 2), orders_of(_LOW, 1))
     heeled = [rearranged(u[None], orders_of(_LOW, 1), whole)[0] for u, _, _ in begun]
-    starts = [rearranged(u[None], low, orders)[0] for u in (*_from_branch(model), *seeds)]
-    leaning: list[tuple[Floats, int, float]] = []
-    if not system.symmetric:
-        plain = _polished(system, starts + heeled, orders, orders)
-    else:
-        plain = _polished(system, starts, orders, orders)
+    plain, left_open = _of_one_period(system, orders, [] if system.symmetric else heeled)
+    leaning: list[Found] = []
+    if system.symmetric:
         heeled += _beside(system, [rearranged(u[None], orders, whole)[0] for u, _, _ in plain], whole, 1)
         heeled += [_turned(u, whole, 0) for u in heeled]  # the mirror image (y, t) -> (-y, t + T/2) is a motion too
         leaning = [found for found in _polished(system, heeled, whole, whole) if _has(found[0], whole, 0)]
@@ -76,61 +95,97 @@ def periodic_motions(model: Model, harmonics: int = 9) -> list[Motion]:
     records = [_record(model, found, used, periods) for group, used, periods in (
         (plain, orders, 1), (leaning, whole, 1), (doubled, orders_of(harmonics, 2), 2)
     ) for found in group]  # fmt: skip
-    return sorted(records, key=lambda m: float(m.amplitude[1]))
+    return Motions(sorted(records, key=lambda m: float(m.amplitude[1])), left_open)
 
 
-def _record(model: Model, found: tuple[Floats, int, float], orders: tuple[int, ...], periods: int) -> Motion:
+def _of_one_period(system: System, orders: tuple[int, ...], more: list[Floats]) -> tuple[list[Found], list[str]]:
+    """Different motions of the wave's period, from every start there is, and what is left open about them."""
+    low, seeds = from_grid(system)
+    seeds += [u for u, _, _ in _polished(system, _linear(system, low), low, low) if not _among(u, seeds)]
+    ends = carried(system, seeds, low, orders)
+    starts = [one for one in ends if one is not None] + _from_rest(system, orders, seeds) + more
+    found = _polished(system, starts, orders, orders)
+    if not _odd(system, orders, found):
+        size = _sizes(system, [u for u, _, _ in found] or seeds)
+        further = [v for u, _, _ in found for v in over_height(system, orders, u, size, _FURTHER)]
+        found = _polished(system, [u for u, _, _ in found] + further, orders, orders)
+    left_open = [_lost(u, orders) for u, end in zip(seeds, ends, strict=True) if end is None]
+    if not _odd(system, orders, found):
+        left_open.append(
+            f"{len(found)} motions of the wave's period were found where their number should be odd: one more exists, or two of"
+            " them are about to merge"
+        )
+    return found, left_open
+
+
+def _linear(system: System, low: tuple[int, ...]) -> list[Floats]:
+    """The one-harmonic motion Newton's method reaches from the linear one, if any."""
+    u, status, _ = harmonic_balance(system, low)
+    return [u[0]] if Status(status[0]).ok else []
+
+
+def _from_rest(system: System, orders: tuple[int, ...], seeds: list[Floats]) -> list[Floats]:
+    """Guesses of motions on the branch over the wave's height from rest."""
+    rest, size = np.zeros((3, sum(1 if h == 0 else 2 for h in orders))), _sizes(system, seeds)
+    return over_height(system, orders, rest, size, Raising(steepest=_BEYOND * size[1]), height=0.0)
+
+
+def _sizes(system: System, motions: list[Floats]) -> Floats:
+    """Size (3,) of each mode: the largest of some motions, and where motions are looked for in roll."""
+    size = np.max([np.zeros(3), *(np.abs(u).max(axis=1) for u in motions)], axis=0)
+    size[1] = max(float(size[1]), largest_roll(system))
+    return np.asarray(size)
+
+
+# Why their number is odd. Lower the wave to nothing. On the way motions appear and disappear in pairs, at folds, and lean away
+# from a symmetric one in pairs, so whether their number is odd or even stays as it is as long as none of them runs off to
+# infinity: it is that of calm water. There, with damping, a motion of the wave's period is an equilibrium. Of a symmetric
+# system (odd in the state) the only symmetric equilibrium is rest, so the number of symmetric motions is odd; so is that of
+# all equilibria where the righting moment is odd, as every further one has its mirror image. (The degree of the equations in
+# the sense of Brouwer says the same.) Equations that are not symmetric may have any number of equilibria, and are not asked.
+
+
+def _odd(system: System, orders: tuple[int, ...], found: list[Found]) -> bool:
+    """Is the number of motions odd, as that of all symmetric ones must be? True where it need not be."""
+    return not system.symmetric or 0 in orders or len(found) % 2 == 1
+
+
+def _lost(seed: Floats, orders: tuple[int, ...]) -> str:
+    roll = np.degrees(np.hypot(*seed[1, -2:]))
+    return (
+        f"a motion of one harmonic that rolls {roll:.3g} deg belongs to none of harmonics up to {max(orders)}: it merges with"
+        " another one when these come in, or could not be followed"
+    )
+
+
+def _record(model: Model, found: Found, orders: tuple[int, ...], periods: int) -> Motion:
     u, code, error = found
     rising, used = ascending(u[None], orders)
     motion = motion_record(model, rising[0], used, code, error, "harmonic balance")
     return motion if periods == 1 else replace(motion, frequency=model.frequency / periods, periods=periods)
 
 
-def _polished(
-    system: System, starts: Sequence[Floats], low: tuple[int, ...], orders: tuple[int, ...]
-) -> list[tuple[Floats, int, float]]:
+def _polished(system: System, starts: Sequence[Floats], low: tuple[int, ...], orders: tuple[int, ...]) -> list[Found]:
     """Different motions of the given harmonics that Newton's method reaches: coefficients, status, residual."""
     if not starts:
         return []
     u = rearranged(np.array(starts), low, orders)
     u, status, residual = harmonic_balance(copies(system, len(u)), orders, start=u)
-    found: list[tuple[Floats, int, float]] = []
+    found: list[Found] = []
     for one, code, error in zip(u, status, residual, strict=True):
-        if Status(code).ok and not any(_same(one, known) for known, _, _ in found):
+        if Status(code).ok and not _among(one, (known for known, _, _ in found)):
             found.append((one, int(code), float(error)))
     return found
 
 
-def _same(a: Floats, b: Floats) -> bool:
-    size = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1)) + 1e-12
-    return bool((np.abs(a - b).max(axis=1) < _SAME * size + 1e-12).all())
+def _among(u: Floats, known: Iterable[Floats]) -> bool:
+    return any(same(u, one) for one in known)
 
 
 def _has(u: Floats, orders: tuple[int, ...], parity: int) -> bool:
     """Does a motion have even (0) or odd (1) harmonics, beyond rounding?"""
     own = [c for h, where in columns(orders).items() if h % 2 == parity for c in range(where.start, where.stop)]
     return bool(np.abs(u[:, own]).max() > _ZERO * np.abs(u).max())
-
-
-def _from_branch(model: Model) -> list[Floats]:
-    """One-harmonic motions where the branch over the excitation passes its full value, and the linear start's."""
-    low = orders_for(model.system, 1)
-    direct, status, _ = harmonic_balance(model.system, low)
-    found = [direct[0]] if Status(status[0]).ok else []
-
-    def raised(share: float) -> System:
-        return model.system.raised(np.array([2.0 * share]))
-
-    try:
-        curve, start = start_of_branch(raised, 1)
-    except InputError:
-        return found
-    path, _ = follow_branch(curve, start, 1500, (-1.0, 1.0))
-    for a, b in pairwise(path.points):
-        if (a[-1] - 0.5) * (b[-1] - 0.5) <= 0 and a[-1] != b[-1]:
-            part = (0.5 - a[-1]) / (b[-1] - a[-1])
-            found.append(curve.coefficients(a + part * (b - a)))
-    return found
 
 
 def from_grid(system: System) -> tuple[tuple[int, ...], list[Floats]]:
@@ -147,7 +202,7 @@ def from_grid(system: System) -> tuple[tuple[int, ...], list[Floats]]:
 
     Notes
     -----
-    Source: none needed; amplitudes to twice the angle where the cubic restoring equals the linear, at most 2 rad.
+    Amplitudes as far as `largest_roll`.
 
     Examples
     --------
@@ -156,76 +211,23 @@ def from_grid(system: System) -> tuple[tuple[int, ...], list[Floats]]:
     3
     """
     low = orders_for(system, 1)
-    starts = _grid(largest_roll(system), _SIZES, _ANGLES, columns(low)[1].start, 3 if low[0] == 0 else 2)
+    starts = grid_of_roll(largest_roll(system), _SIZES, _ANGLES, columns(low)[1].start, 3 if low[0] == 0 else 2)
     return low, [u for u, _, _ in _polished(system, list(starts), low, low)]
 
 
-def largest_roll(system: System) -> float:
-    """Roll amplitude up to which motions are sought: twice that where the cubic restoring equals the linear.
-
-    Parameters
-    ----------
-    system : System    one condition
-
-    Returns
-    -------
-    float              at most 2; 1.5 without a cubic restoring [rad]
-
-    Notes
-    -----
-    Source: closed form, K_phi phi = K_phiphiphi phi^3; the bounds are ours.
-
-    Examples
-    --------
-    >>> largest_roll(Model(np.eye(3), {"K_phi": -1.0, "K_phiphiphi": -4.0}, 0.8, (0, 1, 0), (0, 0, 0)).system)
-    1.0
-    """
-    stiffness = np.abs(system.linear[0, 1, 1])
-    cubic = (system.powers[:, 1] == 3) & (system.powers.sum(axis=1) == 3) & (system.modulus == 0)
-    hard: float = np.abs(system.coefficients[0, 1, cubic]).sum()
-    if system.knots.shape[1]:
-        table = system.arm[0, 1] * system.cubics[0, :, 3]
-        hard += np.abs(np.diff(table, prepend=0.0)).sum()
-    return float(min(2.0, 2.0 * np.sqrt(stiffness / hard))) if hard > 0 else 1.5
-
-
-def _grid(largest: float, sizes: int, angles: int, column: int, width: int) -> Floats:
-    """Starts (n, 3, width) with roll alone: amplitudes times phases, in the two columns from `column`."""
-    amplitude = largest * (np.arange(sizes) + 1) / sizes
-    phase = 2 * np.pi * np.arange(angles) / angles
-    start = np.zeros((sizes * angles, 3, width))
-    start[:, 1, column] = np.outer(amplitude, np.cos(phase)).ravel()
-    start[:, 1, column + 1] = np.outer(amplitude, np.sin(phase)).ravel()
-    return start
-
-
-def _heeled_starts(system: System) -> list[Floats]:
-    """Starts with harmonics (0, 1, 2) that heel to either side."""
-    heels, sizes, angles = _HEELED_STARTS
-    largest, starts = largest_roll(system), []
-    for heel in largest * np.arange(-heels, heels + 1) / (2 * heels):
-        if heel != 0:
-            some = _grid(largest, sizes, angles, 1, 5)
-            some[:, 1, 0] = heel
-            starts += list(some)
-    return starts
-
-
-def _doubled(
-    system: System, motions: list[Floats], orders: tuple[int, ...], harmonics: int
-) -> list[tuple[Floats, int, float]]:
+def _doubled(system: System, motions: list[Floats], orders: tuple[int, ...], harmonics: int) -> list[Found]:
     """Motions of two wave periods reached from those of one by a disturbance at half the frequency."""
     low, full, slow, starts = orders_of(_LOW, 2), orders_of(harmonics, 2), slowed(system, 2), []
     first = columns(low)[1].start
     for u in motions:
         start = np.repeat(rearranged(u[None], orders, low, factor=2), _FEW * 2 * _FEW, axis=0)
-        start += _grid(float(np.abs(u[1]).max()), _FEW, 2 * _FEW, first, start.shape[2])
+        start += grid_of_roll(float(np.abs(u[1]).max()), _FEW, 2 * _FEW, first, start.shape[2])
         starts += list(start)
     begun = [rearranged(u[None], low, full)[0] for u, _, _ in _polished(slow, starts, low, low) if _has(u, low, 1)]
     begun += _beside(slow, [rearranged(u[None], orders, full, factor=2)[0] for u in motions], full, 2)
-    found: list[tuple[Floats, int, float]] = []
+    found: list[Found] = []
     for one in _polished(slow, begun, full, full):
-        if _has(one[0], full, 1) and not any(_same(_turned(one[0], full, 1), u) for u, _, _ in found):
+        if _has(one[0], full, 1) and not _among(_turned(one[0], full, 1), (u for u, _, _ in found)):
             found.append(one)
     return found
 

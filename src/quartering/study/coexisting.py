@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields
 
 from quartering.doors import takes
@@ -29,8 +30,22 @@ class JudgedMotion(Motion):
         return self.verdict.stable
 
 
+class JudgedMotions(list[JudgedMotion]):
+    """Motions from the smallest roll to the largest, each judged, and what the search for them left open.
+
+    Parameters
+    ----------
+    motions : iterable of JudgedMotion
+    left_open : sequence of str    as in `quartering.motion.search.Motions`; empty where every trace was followed to its end
+    """
+
+    def __init__(self, motions: Iterable[JudgedMotion], left_open: Sequence[str] = ()) -> None:
+        super().__init__(motions)
+        self.left_open = tuple(left_open)
+
+
 @takes(model="Model")
-def all_motions(model: Model, harmonics: int = 9) -> list[JudgedMotion]:
+def all_motions(model: Model, harmonics: int = 9) -> JudgedMotions:
     """Every periodic motion found in one condition, from the smallest roll to the largest, each judged.
 
     Parameters
@@ -42,7 +57,8 @@ def all_motions(model: Model, harmonics: int = 9) -> list[JudgedMotion]:
     -------
     list of JudgedMotion    motions of the wave's period, leaning ones among them (each beside its mirror image), and of twice
                             that (``periods`` is 2); ``verdict`` and ``stable`` beside all that a `Motion` has; empty when
-                            none was found: the ship may capsize in this condition
+                            none was found: the ship may capsize in this condition.  Its attribute ``left_open`` says in
+                            sentences which traces of motions could not be followed
 
     Raises
     ------
@@ -63,9 +79,10 @@ def all_motions(model: Model, harmonics: int = 9) -> list[JudgedMotion]:
     """
     with small_matrices():
         motions = periodic_motions(model, harmonics)
-    return [
+    judged = (
         JudgedMotion(
             **{own.name: getattr(motion, own.name) for own in fields(motion)}, verdict=stability(model, motion)
         )
         for motion in motions
-    ]
+    )
+    return JudgedMotions(judged, motions.left_open)

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
-from quartering.conventions import InputError, RangeWarning, in_unit, written
+from quartering.conventions import InputError, in_unit, written
 from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
+from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
-from quartering.study.conditions import evaluate
-from quartering.study.loadings import LOADING_AXES, loaded, own_value
+from quartering.stability.kind import Kind
+from quartering.study.loadings import LOADING_AXES, own_value
+from quartering.study.trials import Trials
 
 CURES = ("roll_damping", "gm", "gyradius_roll", "speed", "wave_height", "K_ppp", "K_prr")
 """Values tried when none are named: loading, condition, and the coefficients the paper finds decisive (as multipliers)."""
 
 _REACH, _STEPS = 5.0, 33
+_INSIDE = 1e-6
+"""How far below minus the margin the exponent is at a cure [1/s]: beyond what a verdict's error may turn."""
+
+_SECTIONS, _ROUNDS = 16, 4
+_NUDGES = (0.0, 1e-4, 1e-3, 1e-2)
 
 
 @dataclass(frozen=True)
@@ -31,7 +37,7 @@ class Cure:
     ----------
     parameter : str    loading value, condition, or coefficient
     now : float        its value; 1 for a coefficient, which is multiplied
-    needed : float     the value at which the leading exponent is minus the margin
+    needed : float     the value at which the leading exponent is 1e-6 1/s below minus the margin
     unit : str
     """
 
@@ -46,15 +52,26 @@ class Cure:
         return self.needed / self.now - 1.0
 
     @property
+    def rounded(self) -> float:
+        """The value needed as the sentence gives it: three digits, a coefficient's factor to a hundredth, never short of it."""
+        digits = 2 if self._factor else 2 - math.floor(math.log10(abs(self.needed)))
+        away = math.ceil if self.needed > self.now else math.floor
+        return round(away(self.needed * 10.0**digits) * 10.0**-digits, digits)
+
+    @property
+    def _factor(self) -> bool:
+        return "_" in self.parameter and self.parameter[0] in "YKN"
+
+    @property
     def sentence(self) -> str:
         """The change in words."""
-        more = "more" if self.change > 0 else "less"
-        if "_" in self.parameter and self.parameter[0] in "YKN":
-            if self.needed < 0:
-                return f"{self.parameter} times {self.needed:.2f}"
-            return f"{abs(self.change):.0%} {more} {self.parameter}"
+        more, told = "more" if self.change > 0 else "less", self.rounded
+        if self._factor:
+            if told <= 0:
+                return f"{self.parameter} times {told:.2f}"
+            return f"{abs(told - self.now):.0%} {more} {self.parameter}"
         unit, name = in_unit(self.unit), written(self.parameter)
-        return f"{abs(self.needed - self.now):.3g}{unit} {more} {name} ({self.now:.3g} -> {self.needed:.3g}{unit})"
+        return f"{abs(told - self.now):.3g}{unit} {more} {name} ({self.now:.3g} -> {told:.3g}{unit})"
 
 
 @takes(ship="Ship", wave="Wave")
@@ -66,7 +83,8 @@ def cures(
     *,
     parameters: Sequence[str] = CURES,
     margin: float = 0.0,
-    harmonics: int = 3,
+    harmonics: int = 1,
+    form: Form = "stf",
 ) -> list[Cure]:
     """Smallest change of each parameter that makes the motion stable with a margin, the smallest relative change first.
 
@@ -78,11 +96,13 @@ def cures(
     heading : float            [deg]
     parameters : sequence      "gm", "gyradius_roll", "gyradius_yaw", "roll_damping", "speed", "wave_height", or coefficients
     margin : float             the leading exponent must be below minus this [1/s]
-    harmonics : int            of the steady motion
+    harmonics : int            of the steady motion, as in `steady_motion`: those of the verdict that is to change
+    form : str                 of the diffraction force
 
     Returns
     -------
-    list of Cure               empty when the motion is stable with that margin already, or no change up to fivefold helps
+    list of Cure               empty when the motion is stable with that margin already, when no change up to fivefold helps,
+                               and when the ship is unstable on course without any wave: no matter of this condition
 
     Raises
     ------
@@ -90,8 +110,9 @@ def cures(
 
     Notes
     -----
-    Each parameter alone, over a fifth to five times its value, in steps of 5 %, then refined to 1e-6; coefficients that are
-    zero cannot be multiplied.  Source: [H71] Figs. 20-22 (what restores stability).
+    Each parameter alone, over a fifth to five times its value, in steps of 5 %, then between two of them to 1e-6; coefficients
+    that are zero cannot be multiplied.  At every cure the motion of the ship itself is stable with the margin.
+    Source: [H71] Figs. 20-22 (what restores stability).
 
     Examples
     --------
@@ -101,7 +122,9 @@ def cures(
     >>> [one.parameter for one in found]
     ['K_prr', 'roll_damping']
     """
-    return list(seek(ship, wave, speed, heading, parameters=parameters, margin=margin, harmonics=harmonics))[-1]
+    return list(seek(ship, wave, speed, heading, parameters=parameters, margin=margin, harmonics=harmonics, form=form))[
+        -1
+    ]
 
 
 def seek(
@@ -112,17 +135,18 @@ def seek(
     *,
     parameters: Sequence[str] = CURES,
     margin: float = 0.0,
-    harmonics: int = 3,
+    harmonics: int = 1,
+    form: Form = "stf",
 ) -> Iterator[list[Cure]]:
     """The search of `cures` in small steps, for whoever has others to serve meanwhile.
 
     Parameters
     ----------
-    ship, wave, speed, heading, parameters, margin, harmonics    as in `cures`
+    ship, wave, speed, heading, parameters, margin, harmonics, form    as in `cures`
 
     Yields
     ------
-    list of Cure    found so far, after each ship that was tried
+    list of Cure    found so far, after each step of the search
 
     Raises
     ------
@@ -142,28 +166,16 @@ def seek(
     if not margin >= 0:
         raise InputError(f"margin = {margin} 1/s; give zero or a rate by which disturbances must die out")
 
-    def exponent(one: Ship, at_speed: float, height: float) -> float:
-        with warnings.catch_warnings():  # the search looks at ships far from the one asked about
-            warnings.simplefilter("ignore", RangeWarning)
-            found = evaluate(
-                one,
-                np.array([at_speed]),
-                np.array([heading]),
-                np.array([wave.length]),
-                np.array([[height]]),
-                harmonics=harmonics,
-            )
-        return float(np.nan_to_num(float(found["exponent"][0, 0]), nan=np.inf))
-
-    found: list[Cure] = []
-    stable = exponent(ship, speed, wave.height) < -margin
+    trials, found = Trials(ship, wave, float(speed), float(heading), harmonics, form), list[Cure]()
     yield found
-    for name in () if stable else parameters:
-        now, unit, at = _handle(ship, wave, speed, name, exponent)
+    exponent, kind = trials.as_it_is()
+    done = exponent < -margin or kind == Kind.COURSE_IN_CALM_WATER
+    for name in () if done else parameters:
+        now, unit = _present(ship, wave, float(speed), name)
         if now == 0.0:  # nothing to multiply: roll damping by a component method is no fraction of critical
             continue
         needed = None
-        for needed in _nearest(lambda factor, at=at, now=now: at(now * factor) + margin):  # type: ignore[misc]  # noqa: B007
+        for needed in _nearest(trials, name, margin):  # noqa: B007
             yield found
         if needed is not None:
             found = sorted([*found, Cure(name, now, now * needed, unit)], key=_size)
@@ -174,54 +186,46 @@ def _size(cure: Cure) -> float:
     return float(abs(np.log(abs(cure.needed / cure.now))))
 
 
-def _handle(
-    ship: Ship, wave: Wave, speed: float, name: str, exponent: Callable[[Ship, float, float], float]
-) -> tuple[float, str, Callable[[float], float]]:
-    """Present value, unit, and the leading exponent as a function of one parameter."""
+def _present(ship: Ship, wave: Wave, speed: float, name: str) -> tuple[float, str]:
+    """Present value of a parameter, and its unit."""
     if name == "speed":
-        return speed, "m/s", lambda value: exponent(ship, value, wave.height)
+        return speed, "m/s"
     if name == "wave_height":
-        return wave.height, "m", lambda value: exponent(ship, speed, value)
-    now = own_value(ship, name)
-    unit = "m" if name in LOADING_AXES and name != "roll_damping" else "1"
-    return now, unit, lambda value: exponent(loaded(ship, {name: value}), speed, wave.height)
+        return wave.height, "m"
+    return own_value(ship, name), "m" if name in LOADING_AXES and name != "roll_damping" else "1"
 
 
-def _nearest(excess: Callable[[float], float]) -> Iterator[float | None]:
-    """Factor nearest to 1 (in ratio) at which `excess` passes from above to below zero: the last of what comes."""
-    factors = np.geomspace(1.0, _REACH, _STEPS)
+def _nearest(trials: Trials, name: str, margin: float) -> Iterator[float | None]:
+    """Factor nearest to 1 (in ratio) with which the motion is stable: the last of what comes; None where there is none."""
+    ladder = np.geomspace(1.0, _REACH, _STEPS)
+    sides = [side[: trials.reach(name, side)] for side in (ladder, 1.0 / ladder)]
+    low, high = trials.span(name, float(sides[1][-1]), float(sides[0][-1]))
+    yield None
     crossings: list[float] = []
-    for side in (factors, 1.0 / factors):
-        before = float(side[0])
-        for factor in side[1:]:
-            try:
-                value = excess(float(factor))
-            except InputError:  # the ship or wave does not exist that far: no damping above 1, no wave that breaks
-                break
+    for side in sides:
+        factors = side[(side >= low) & (side <= high)]
+        if factors.size < 2:
+            continue
+        stable = np.flatnonzero(trials.exponents(name, factors) < -margin - _INSIDE)
+        yield None
+        if stable.size and stable[0] > 0:
+            crossing = _settled(trials, name, margin, float(factors[stable[0] - 1]), float(factors[stable[0]]))
             yield None
-            if value < 0:
-                crossing = None
-                for crossing in _refined(excess, before, float(factor)):  # noqa: B007
-                    yield None
-                crossings += [] if crossing is None else [crossing]
-                break
-            before = float(factor)
+            crossings += [] if crossing is None else [crossing]
     yield min(crossings, key=lambda f: abs(np.log(f))) if crossings else None
 
 
-def _refined(excess: Callable[[float], float], unstable: float, stable: float) -> Iterator[float | None]:
-    """Factor where the sign changes, on its stable side: the last of what comes, after each ship that is tried.
-
-    Brent's method is begun anew with one value more until it lacks none: it asks for the same ones each time.
-    """
-    known: dict[float, float] = {}
-    while True:
-        try:
-            root = float(brentq(known.__getitem__, unstable, stable, xtol=1e-6))
-        except KeyError as lacking:
-            factor = float(lacking.args[0])
-            known[factor] = min(excess(factor), 1e6)
-            yield None
-        else:
-            yield root
-            return
+def _settled(trials: Trials, name: str, margin: float, unstable: float, stable: float) -> float | None:
+    """Factor between two at which the exponent is just below minus the margin, by the ship itself; None where it is nowhere."""
+    for _ in range(_ROUNDS):
+        factors = np.geomspace(unstable, stable, _SECTIONS + 1)
+        inside = trials.exponents(name, factors) < -margin - _INSIDE
+        if not inside.any():
+            return None
+        first = max(1, int(inside.argmax()))
+        unstable, stable = float(factors[first - 1]), float(factors[first])
+    for nudge in _NUDGES:  # the equations were interpolated
+        factor = stable * (1.0 + nudge * math.copysign(1.0, stable - unstable))
+        if trials.settled(name, np.array([factor]))[0] < -margin - 0.5 * _INSIDE:
+            return factor
+    return None

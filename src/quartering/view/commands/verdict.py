@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from rich.table import Table
@@ -23,6 +23,7 @@ from quartering.motion.of_ship import equations
 from quartering.motion.steady import Motion, advice, steady_motion, within_limit
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.verdict import Verdict, stability
+from quartering.study.beside import Way, capsizes_on_the_way, other_stable_motions
 from quartering.study.cure import Cure, seek
 from quartering.view.commands.conditions import condition
 from quartering.view.ship_options import option_words
@@ -30,6 +31,37 @@ from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import estimated_words, exponents_words
 
 _MOST_CURES = 3
+
+
+class Beside(NamedTuple):
+    """What stands beside a stable motion.
+
+    Parameters
+    ----------
+    capsizes : dict            from which beginning the ship capsizes before it comes to the motion, and when [s]
+    others : list of float     largest roll of other stable motions [deg]
+    """
+
+    capsizes: dict[Way, float]
+    others: list[float]
+
+    @property
+    def sentences(self) -> list[str]:
+        """What is to be said of it."""
+        said = []
+        if self.capsizes:
+            beginnings = [f"{_BEGINNINGS[way]} after {time:.0f} s" for way, time in self.capsizes.items()]
+            said.append(f"Stable motion, capsizes on the way: {', '.join(beginnings)}.")
+        if self.others:
+            sizes = ", ".join(f"{roll:.3g}" for roll in self.others)
+            said.append(f"Other stable motions exist in this wave: also {sizes} deg, largest roll over a cycle.")
+        return said
+
+
+_BEGINNINGS: Final[dict[Way, str]] = {
+    "upright": "from upright in the whole wave", "raised": "with the wave raised in three steps of ten periods"
+}  # fmt: skip
+_NOTHING: Final = Beside({}, [])
 
 
 class Examined(NamedTuple):
@@ -42,6 +74,9 @@ class Examined(NamedTuple):
     model: Model
     motion: Motion
     verdict: Verdict
+    harmonics: int = 1
+    form: Form = "stf"
+    beside: Beside = _NOTHING
 
 
 def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int = 1, form: Form = "stf") -> Examined:
@@ -50,7 +85,17 @@ def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int 
     motion = within_limit(model, steady_motion(model, harmonics, start="rest"))
     if motion.status.ok:
         warn_of_polynomial(one, math.degrees(motion.peak[1]))
-    return Examined(one, wave, speed, heading, model, motion, stability(model, motion))
+    verdict = stability(model, motion)
+    return Examined(one, wave, speed, heading, model, motion, verdict, harmonics, form, _beside(model, motion, verdict))
+
+
+def _beside(model: Model, motion: Motion, verdict: Verdict) -> Beside:
+    """What stands beside a motion; asked of a stable one, the way to it where roll passes half the capsize limit."""
+    if not verdict.stable:
+        return _NOTHING
+    others = other_stable_motions(model, motion)
+    steep = motion.peak[1] > 0.5 * model.capsize_limit.radians or bool(others)
+    return Beside(capsizes_on_the_way(model) if steep else {}, [math.degrees(roll) for roll in others])
 
 
 def helps(found: Examined) -> list[Cure]:
@@ -62,7 +107,8 @@ def helps(found: Examined) -> list[Cure]:
 def seek_help(found: Examined) -> Iterator[list[Cure]]:
     """The search of `helps` in small steps: what has been found so far."""
     if not found.verdict.stable and found.motion.status.ok:
-        for some in seek(found.ship, found.wave, found.speed, found.heading):
+        at = (found.ship, found.wave, found.speed, found.heading)
+        for some in seek(*at, harmonics=found.harmonics, form=found.form):
             yield some[:_MOST_CURES]
 
 
@@ -79,6 +125,8 @@ def judge(
         show_json(facts(found, healing))
         return
     show(found.verdict.sentence)
+    for sentence in found.beside.sentences:
+        show(sentence)
     if healing:
         show("Each of these alone restores stability: " + "; ".join(cure.sentence for cure in healing) + ".")
     if found.motion.status.ok:
@@ -181,6 +229,7 @@ def facts(found: Examined, healing: list[Cure] | None) -> dict[str, object]:
         "strongest": list(v.strongest), "roll_share": v.roll_share, "liouville": v.liouville,
         "mean_jacobian": v.mean_jacobian, "advice": advice(motion, found.model.capsize_limit), "residual": motion.residual,
         "natural_roll_frequency": coefficients(one, 0.0, 0.0).roll_frequency,
+        "capsizes_on_the_way": found.beside.capsizes, "other_stable_rolls_deg": found.beside.others,
         "cures": None if healing is None else [
             {"parameter": c.parameter, "now": c.now, "needed": c.needed, "unit": c.unit} for c in healing
         ],

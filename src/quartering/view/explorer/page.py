@@ -210,7 +210,7 @@ class Page:
             await self._show_scene(state, of)
             await self._fill_map(state, of)
             return
-        self._say(headline(found), [*notes, *beyond(found)])
+        self._say(headline(found), [*found.beside.sentences, *notes, *beyond(found)])
         await self._show_scene(state, of)
         for step in (self._fill_panel, self._fill_map, self._fill_cures):
             if self.state is not state:

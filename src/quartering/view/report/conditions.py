@@ -77,7 +77,9 @@ def worst_conditions(source: Source, by: Measure) -> list[Condition]:
 def judged(source: Source, why: str, condition: Condition) -> Judged:
     """One condition judged by itself."""
     found = _examined(source, condition)
-    return Judged(why, found.verdict.sentence, [cure.sentence for cure in helps(found)])
+    return Judged(
+        why, " ".join([found.verdict.sentence, *found.beside.sentences]), [cure.sentence for cure in helps(found)]
+    )
 
 
 def sensitivities(source: Source, condition: Condition) -> Sensitivities | None:

@@ -1,0 +1,124 @@
+"""What stands beside a stable verdict: capsizing on the way to the motion, and other stable motions in the same wave."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+
+from quartering.motion.ensemble import capsize_times
+from quartering.motion.equations import Model
+from quartering.motion.homotopy import carried
+from quartering.motion.search import from_grid
+from quartering.motion.steady import Motion, roll_peaks, steady_motions
+from quartering.motion.water import Strips
+from quartering.stability.assessment import assess
+from quartering.stability.kind import Kind
+from quartering.threads import small_matrices
+
+Way = Literal["upright", "raised"]
+"""How a ship comes to its motion: met upright by the whole wave, or by a wave raised in three steps."""
+
+_STEPS, _PERIODS = 3, 10
+_SAME_ROLL = 0.02
+
+
+def capsizes_on_the_way(model: Model) -> dict[Way, float]:
+    """From which beginnings the ship capsizes before it comes to a steady motion, and after how long.
+
+    Parameters
+    ----------
+    model : Model
+
+    Returns
+    -------
+    dict             "upright", from rest in the whole wave, ten periods; "raised", from rest in a third of the wave, two thirds
+                     and the whole, ten periods each: the time of the capsize from the beginning [s]; empty when there is none
+
+    Notes
+    -----
+    A stable motion attracts only what is near it: a transient may pass the model's ``capsize_limit`` first.
+    Source: [H71] eq. (3), integrated; [Thompson89] for the use.
+
+    Examples
+    --------
+    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.1, "K_phiphiphi": 1.0}
+    >>> capsizes_on_the_way(Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0, 0)))
+    {}
+    """
+    found: dict[Way, float] = {}
+    time, _ = capsize_times(model, np.zeros((1, 4)), _PERIODS)
+    if np.isfinite(time[0]):
+        found["upright"] = float(time[0])
+    state, each = np.zeros((1, 4)), _PERIODS * 2 * np.pi / model.frequency
+    for i in range(_STEPS):
+        time, state = capsize_times(raised(model, (i + 1) / _STEPS), state, _PERIODS)
+        if np.isfinite(time[0]):
+            found["raised"] = i * each + float(time[0])
+            break
+    return found
+
+
+def raised(model: Model, share: float) -> Model:
+    """The same ship in the same wave at a share of its height."""
+    strips = model.strips
+    return Model(
+        model.inertia,
+        model.terms,
+        model.frequency,
+        share * model.force_cos,
+        share * model.force_sin,
+        share * model.force_mean,
+        source=model.source,
+        references=model.references,
+        autopilot=model.autopilot,
+        restoring=model.restoring,
+        water=None if model.water is None else (share * model.water[0], share * model.water[1]),
+        strips=None if strips is None else Strips(strips.x, strips.lever, strips.c, share * strips.water),
+        told_vanishing=model.told_vanishing,
+        openings=model.openings,
+    )
+
+
+def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> list[float]:
+    """Largest roll over a cycle of the other stable motions of the wave's period in one condition.
+
+    Parameters
+    ----------
+    model : Model
+    motion : Motion    the one that is known
+    harmonics : int    of the motions sought, odd; at least 3
+
+    Returns
+    -------
+    list of float      the smallest first, below the model's ``capsize_limit`` [rad]
+
+    Notes
+    -----
+    From the grid of one-harmonic starts and its motions carried over to more harmonics, as in `all_motions`, which looks
+    further: for leaning motions and such of two periods too.  Source: [Krack19].
+
+    Examples
+    --------
+    >>> from quartering.motion.steady import steady_motion
+    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.00808, "K_phiphiphi": 0.9795}
+    >>> model = Model(np.eye(3), terms, 0.83386, (0, 0.00918, 0), (0, 0, 0))
+    >>> [round(roll, 2) for roll in other_stable_motions(model, steady_motion(model, 3, start="rest"))]
+    [0.66]
+    """
+    system = model.system
+    with small_matrices():
+        low, seeds = from_grid(system)
+        own, many, _, _ = steady_motions(system, max(3, harmonics), start="rest")
+        ends = [one for one in carried(system, seeds, low, many) if one is not None]
+    # The motion that is known may be one of one harmonic, which rolls otherwise than the same one with more of them.
+    same_with_more = float(roll_peaks(own, many)[0])
+    rolls: list[float] = []
+    for u in ends:
+        peak = float(roll_peaks(u[None], many)[0])
+        known = [*rolls, float(motion.peak[1]), same_with_more]
+        if peak > model.capsize_limit.radians or any(abs(peak - one) <= _SAME_ROLL * peak for one in known):
+            continue
+        if assess(system, u[None], many, 1e-9).kind[0] == Kind.STABLE:
+            rolls.append(peak)
+    return sorted(rolls)
