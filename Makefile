@@ -45,8 +45,11 @@ tests-quick:
 tests-all:
 	$(PYTEST)
 
+# GALLERY=False builds every page but runs none of the examples, which take minutes.
+GALLERY ?= True
+
 docs: $(VENV)/.docs
-	$(BIN)/sphinx-build --fail-on-warning --keep-going --quiet docs build/docs
+	$(BIN)/sphinx-build -D plot_gallery=$(GALLERY) --fail-on-warning --keep-going --quiet docs build/docs
 	@echo "build/docs/index.html"
 
 # The explorer is tested in Chromium; where it is missing and apt-get can bring it, it is brought.
