@@ -45,10 +45,10 @@ FAULTS = {
     "pair, unit": ("bilge_keels", "30 kg,0.3 m", 'bilge_keel_length = 30 kg; unit "kg" is not known for a length'),
     "pair, number": ("bilge_keels", "abc,0.3 m", f"bilge_keel_length = 'abc'; {NO_NUMBER}; it is from 0 m to 1 L = 121.9 m"),
     "pair, missing": ("bilge_keels", "30", "bilge_keels: breadth is missing; give length, breadth, such as {length: 0.25 L"),
-    "coefficient, number": ("factors", "K_ppp=abc", "factors: K_ppp = 'abc'; it is a finite number, such as {K_ppp: 1.0}"),
-    "coefficient, unit": ("values", "K_ppp=2 m", "values: K_ppp = '2 m'; it is a finite number, such as {K_ppp: -2.0e8}"),
+    "coefficient, number": ("factors", "K_ppp=abc", "factors: K_ppp = 'abc'; it is a finite number, such as {K_p: 1.0}"),
+    "coefficient, unit": ("values", "K_ppp=2 m", "values: K_ppp = '2 m'; it is a finite number, such as {N_r: -2.0e9}"),
     "coefficient, name": ("values", "K_ppq=2", 'coefficient "K_ppq" is unknown; the nearest known name is "K_vpp"'),
-    "coefficients": ("factors", "K_ppp", "factors = 'K_ppp'; it is coefficients with a number each, such as {K_ppp: 1.0}"),
+    "coefficients": ("factors", "K_ppp", "factors = 'K_ppp'; it is coefficients with a number each, such as {K_p: 1.0}"),
     "name": ("opnings", "40 deg", "opnings is unknown; did you mean openings?"),
     "name of loading": ("gmm", "1 m", "gmm is unknown; did you mean gm?"),
 }  # fmt: skip

@@ -450,7 +450,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
     Option("values", "coefficients", "coefficients you know, in SI about G, by name; they replace the estimates",
            key="coefficients", home="overrides", typed="Mapping[str, float]", example="{N_r: -2.0e9}", also=("values",)),
     Option("factors", "coefficients", "factors on coefficients, however they were found", home="multipliers",
-           typed="Mapping[str, float]", example="{K_ppp: 1.0}", also=("multipliers",)),
+           typed="Mapping[str, float]", example="{K_p: 1.0}", also=("multipliers",)),
     # The condition
     Option("speed", "speed", place="condition", low=0, high=100, usual="15 kn", axis=True, hint="heading tells the direction"),
     Option("heading", "angle", place="condition", low=-180, high=360, usual=60, axis=True,

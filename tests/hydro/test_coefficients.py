@@ -24,10 +24,10 @@ from quartering.hydro.manoeuvring import clarke_derivatives, hull_lift, to_si
 from quartering.hydro.moments import hull_moments, section_table
 from quartering.hydro.rolldamping import fraction_of_critical
 from quartering.hydro.strip import frequency_floor, hydrodynamics
-from quartering.names import KNOWN, RESTORING_NAMES, RUDDER_NAMES, canonical, dimension, unit
+from quartering.names import CUBIC_NAMES, KNOWN, RESTORING_NAMES, RUDDER_NAMES, canonical, dimension, unit
 
 SHIPS = sorted(entry.name.removesuffix(".yaml") for entry in (files("quartering.hull") / "library").iterdir())
-S60 = ship("series60-cb60").with_(ends="strips", righting="polynomial")  # its terms are what is tested
+S60 = ship("series60-cb60").with_(ends="strips", righting="polynomial", drag="cubic")  # its terms are what is tested
 SPEED = 0.25 * np.sqrt(GRAVITY * S60.hull.length)
 OMEGA = np.concatenate([[0.0], np.geomspace(0.005, 12.0, 200)])
 
@@ -272,6 +272,13 @@ def test_terms_beyond_the_cubics_are_passed_on():
 def test_a_multiplier_of_a_term_without_value_is_refused_with_the_nearest_name():
     with pytest.raises(InputError, match=r"K_p\|p\|"):
         coefficients(S60.with_(factors={"K_p|p|": 2.0}), 0.5, SPEED)
+
+
+def test_drag_by_strips_is_one_coefficient_among_the_estimates():
+    table = coefficients(S60.with_(drag="strips", drag_coefficient=0.9), 0.5, SPEED).table()
+    entry = {one.name: one for one in table}["C_D"]
+    assert (entry.value, entry.unit, entry.kind, entry.estimated) == (0.9, "1", "cross-flow", True)
+    assert not {name for row in CUBIC_NAMES for name in row} & {one.name for one in table}
 
 
 def test_the_table_names_unit_source_and_kind_of_every_coefficient_in_a_fixed_order():

@@ -176,15 +176,15 @@ def test_a_slice_goes_to_a_table_with_units(stored, tmp_path):
 
 
 def test_a_cut_takes_the_nearest_value_of_a_dimension_or_a_loading():
-    ds = qt.sweep(SHIP, 5.0, [60.0, 30.0], LENGTH, [1.0, 2.0], gm=[0.6, 0.9, 1.2], K_ppp=[1.0, 2.0])
-    one = cut(ds, gm=1.0, K_ppp=1.9, heading=35.0)
+    ds = qt.sweep(SHIP, 5.0, [60.0, 30.0], LENGTH, [1.0, 2.0], gm=[0.6, 0.9, 1.2], N_v=[1.0, 2.0])
+    one = cut(ds, gm=1.0, N_v=1.9, heading=35.0)
     np.testing.assert_array_equal(one["roll"].values, ds["roll"].isel(loading=3, heading=1).values)
-    assert (float(one["gm"]), float(one["K_ppp"]), float(one["heading"])) == (0.9, 2.0, 30.0)
-    two = cut(ds, K_ppp=1.0)
+    assert (float(one["gm"]), float(one["N_v"]), float(one["heading"])) == (0.9, 2.0, 30.0)
+    two = cut(ds, N_v=1.0)
     np.testing.assert_array_equal(two["gm"].values, [0.6, 0.9, 1.2])
     np.testing.assert_array_equal(two["roll"].values, ds["roll"].isel(loading=[0, 2, 4]).values)
     for wrong in ("gmm", "resonance", "verdict"):
-        with pytest.raises(qt.InputError, match=r"can be cut at .*wave_height.*gm, K_ppp"):
+        with pytest.raises(qt.InputError, match=r"can be cut at .*wave_height.*gm, N_v"):
             cut(ds, **{wrong: 1.0})
 
 
@@ -221,7 +221,7 @@ def test_probabilities_are_repeatable_and_agree_with_plain_random_draws():
 
 def test_what_is_certain_has_probability_zero_or_one():
     steady = grid(SHIP, [0.0], [90.0], [LENGTH], [0.2], gm=[0.6, 1.0])
-    found = uncertain(steady, {"K_ppp": "10%"}, draws=16)
+    found = uncertain(steady, {"N_v": "10%"}, draws=16)
     assert found["probability_unstable"].dims[0] == "loading"
     assert found["probability_unstable"].values.max() == 0.0
     assert float(found["probability_error"].max()) == pytest.approx(1 / 18)

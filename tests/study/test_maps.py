@@ -51,10 +51,10 @@ def test_wave_heights_share_forces_but_not_answers():
 
 def test_loading_axes_are_the_changed_ship():
     conditions = {"speed": SPEED, "heading": 45.0, "wave_length": LENGTH, "wave_height": 2.0}
-    ds = qt.sweep(SHIP, **conditions, gm=[0.6, 1.0], K_ppp=[0.5, 2.0])
+    ds = qt.sweep(SHIP, **conditions, gm=[0.6, 1.0], N_v=[0.5, 2.0])
     assert dict(ds.sizes)["loading"] == 4
     assert ds["gm"].values.tolist() == [0.6, 0.6, 1.0, 1.0]
-    alone = qt.sweep(SHIP.with_(gm=1.0, factors={"K_ppp": 0.5}), **conditions)
+    alone = qt.sweep(SHIP.with_(gm=1.0, factors={"N_v": 0.5}), **conditions)
     assert float(ds["roll"].isel(loading=2).squeeze()) == pytest.approx(float(alone["roll"].squeeze()), rel=1e-12)
     assert float(ds["exponent"].isel(loading=2).squeeze()) == pytest.approx(
         float(alone["exponent"].squeeze()), rel=1e-9

@@ -22,7 +22,7 @@ RATIOS, HEIGHTS = np.array([0.55, 0.8, 1.1, 1.7]), [0.5, 2.0, 4.0]
 
 CASES = {
     "the paper's method": ("series60-cb60", {}, {}),
-    "several loadings": ("series60-cb60", {}, {"gm": [0.6, 0.9, 1.2], "K_ppp": [0.5, 2.0]}),
+    "several loadings": ("series60-cb60", {}, {"gm": [0.6, 0.9, 1.2], "N_v": [0.5, 2.0]}),
     "steepness": ("wigley", {}, {"steepness": [0.01, 0.03]}),
     "three harmonics": ("dtmb5415", {}, {"harmonics": 3}),
     "five harmonics": ("series60-cb60", {}, {"harmonics": 5, "gm": [0.5, 0.7]}),

@@ -388,7 +388,7 @@ def test_blocks_cover_the_grid_once():
         (10, 9, 300, 77),
     ):
         wanted = grid(
-            SHIP, 5.0, np.linspace(0, 180, points), LENGTH, np.linspace(0.5, 3, heights), K_ppp=np.linspace(0.5, 2, gms)
+            SHIP, 5.0, np.linspace(0, 180, points), LENGTH, np.linspace(0.5, 3, heights), N_v=np.linspace(0.5, 2, gms)
         ).in_blocks_of(size)
         seen = np.zeros((gms, points), int)
         for block in wanted.blocks:

@@ -60,9 +60,9 @@ def test_hull_prints_hydrostatics_and_draws_the_body_plan(run, tmp_path):
 def test_coefficients_names_the_source_of_every_number(run):
     entries = json.loads(run("coefficients", "series60-cb60", "--speed", "0.25Fn", "--json").stdout)["coefficients"]
     by_name = {entry["name"]: entry for entry in entries}
-    assert "estimated" in by_name["K_ppp"]["source"]
+    assert "estimated" in by_name["C_D"]["source"]
     assert by_name["Y_v"]["kind"] == "regression"
-    assert by_name["K_ppp"]["unit"] == "kg m2 s"
+    assert by_name["C_D"]["unit"] == "1"
     assert all(entry["source"] for entry in entries)
 
 
@@ -140,7 +140,9 @@ def test_verdict_with_an_autopilot_is_that_of_the_library(run):
 
 def test_unstable_verdict_offers_cures(run, tmp_path):
     file = tmp_path / "restless.yaml"
-    file.write_text("base: series60-cb60\nname: restless\nmultipliers: {K_prr: -60}\nvelocities: absolute\n")
+    file.write_text(
+        "base: series60-cb60\nname: restless\nmultipliers: {K_prr: -60}\nvelocities: absolute\ndrag: cubic\n"
+    )
     words = " ".join(
         run(
             "verdict", file, "--heading", "30", "--speed", "8.6", "--wave-length", "1L", "--wave-height", "4"
@@ -332,7 +334,7 @@ def test_a_map_names_its_waves_its_estimates_and_the_ship_without_waves(run):
     assert "Estimated: velocity derivatives" in words
     summary = json.loads(run("polar", "series60-cb60", *SMALL_MAP, "--json").stdout)
     ship = qt.ship("series60-cb60")
-    assert {"Y_v", "K_ppp"} <= set(summary["estimated"])
+    assert {"Y_v", "C_D"} <= set(summary["estimated"])
     expected = calm_water_exponents(ship, summary["speeds"][0]["speed"])
     assert [z["re"] for z in summary["speeds"][0]["calm_water"]] == pytest.approx(list(expected.real))
 

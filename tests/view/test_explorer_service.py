@@ -58,7 +58,7 @@ def test_polar_is_that_of_the_library(explorer):
         np.testing.assert_allclose(np.array(served[name], dtype=float), ds[name].values, rtol=1e-12)
         assert served["units"][name] == ds[name].attrs["units"]
     assert served["verdict"][0][0][0] == "stable"
-    assert "K_ppp" in served["estimated_coefficients"]
+    assert "C_D" in served["estimated_coefficients"]
     assert ask(explorer, "/api/polar", query=MAP) == (405, {"error": "/api/polar takes POST, not GET"})
 
 

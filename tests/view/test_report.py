@@ -92,13 +92,13 @@ def test_hydrostatics_and_coefficients_are_those_of_the_ship(page):
     text = words(page)
     floats = qt.hydrostatics(SHIP)
     assert f"displaced volume {floats.volume:.5g} m3" in text
-    for name, source in (("Y_v", "Clarke"), ("K_ppp", "cross-flow drag")):
+    for name, source in (("Y_v", "Clarke"), ("C_D", "strip by strip")):
         assert re.search(rf"{name} -?[\d.e+]+ .{{0,40}}estimated: [^.]*{source}", text), name
 
 
 def test_estimated_values_are_marked_and_derived_ones_are_not(page):
     marked = re.findall(r'<tr class="marked"><td>([^<]*)</td>', page)
-    assert {"GM", "Y_v", "K_ppp"} <= set(marked)
+    assert {"GM", "Y_v", "C_D"} <= set(marked)
     assert not {"KG", "Y_vdot", "m"} & set(marked)
 
 

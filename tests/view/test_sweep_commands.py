@@ -113,7 +113,7 @@ def test_uncertainty_writes_probabilities(case, tmp_path):
         "sweep",
         folder / "my.yaml",
         "--uncertainty",
-        "K_ppp=20%,gm=5%",
+        "K_p=20%,gm=5%",
         "--draws",
         16,
         "-o",

@@ -78,7 +78,7 @@ def test_tornado_lists_the_largest_effects_first(run, tmp_path):
     result = run("--tornado", "10%", "-o", "tornado.svg", "--json")
     facts = json.loads(result.stdout)
     names = [row["parameter"] for row in facts["parameters"]]
-    assert names.index("gm") < names.index("K_ppp")
+    assert names.index("gm") < names.index("N_r")
     assert facts["change"] == 0.1
     assert (tmp_path / "tornado.svg").exists()
 
@@ -96,7 +96,7 @@ def test_the_next_step_a_tornado_names_can_be_taken(run):
     [
         ((), "nothing to vary"),
         (("--gm", "0.8"), "nothing to vary"),
-        (("--coefficient", "K_ppp"), "K_ppp=0.2:2"),
+        (("--coefficient", "K_ppp"), "K_p=0.2:2"),
         (("--tornado", "10%", "--gm", "0.5:1"), "leave the ranges out"),
         (("--tornado", "200%"), "below 1"),
         (("--gm", "0.5:1", "-o", "gm.txt"), "must end in"),

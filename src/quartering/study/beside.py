@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -62,21 +63,13 @@ def capsizes_on_the_way(model: Model) -> dict[Way, float]:
 def raised(model: Model, share: float) -> Model:
     """The same ship in the same wave at a share of its height."""
     strips = model.strips
-    return Model(
-        model.inertia,
-        model.terms,
-        model.frequency,
-        share * model.force_cos,
-        share * model.force_sin,
-        share * model.force_mean,
-        source=model.source,
-        references=model.references,
-        autopilot=model.autopilot,
-        restoring=model.restoring,
+    return replace(
+        model,
+        force_cos=share * model.force_cos,
+        force_sin=share * model.force_sin,
+        force_mean=share * model.force_mean,
         water=None if model.water is None else (share * model.water[0], share * model.water[1]),
         strips=None if strips is None else Strips(strips.x, strips.lever, strips.c, share * strips.water),
-        told_vanishing=model.told_vanishing,
-        openings=model.openings,
     )
 
 
