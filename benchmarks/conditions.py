@@ -43,12 +43,14 @@ FOUND = (Status.CONVERGED, Status.CONVERGED_BY_FOLLOWING)
 
 def systems(drag="cubic"):
     """The conditions in blocks, with a cubic righting moment; cross-flow drag as cubics over ground, or by strips in water."""
-    ship = qt.ship("series60-cb60")
+    ship = qt.paper_ship("series60-cb60")
+    if drag == "strips":
+        ship = ship.with_(velocities="relative", drag="strips")
     length = ship.hull.length
     speeds = np.array([0.15, 0.2, 0.25]) * np.sqrt(9.81 * length)
     lengths = np.linspace(0.5, 2.4, 20) * length
     u, mu, wave = (a.ravel() for a in np.meshgrid(speeds, np.linspace(2.5, 177.5, 37), lengths, indexing="ij"))
-    base = ship_system(ship, 2 * np.pi / wave, u, mu, drag=drag)
+    base = ship_system(ship, 2 * np.pi / wave, u, mu)
     cubic = base.system.powers.sum(axis=1) <= 3
     blocks = []
     for steepness in np.linspace(1 / 200, 1 / 40, 14):

@@ -23,7 +23,7 @@ PLAIN, BY_SCIPY = 100, 2
 
 def ensemble():
     """A model and the components of a made-up sea: equal forces over 0.2 to 1.2 rad/s, random phases."""
-    model = qt.equations(qt.ship("series60-cb60"), qt.Wave(150.0, 4.0), 7.5, 45.0)
+    model = qt.equations(qt.paper_ship("series60-cb60"), qt.Wave(150.0, 4.0), 7.5, 45.0)
     frequency = np.linspace(0.2, 1.2, COMPONENTS)
     force = np.tile((model.force_cos - 1j * model.force_sin) / 7, (COMPONENTS, 1))
     phase = np.random.default_rng(1971).uniform(0, 2 * np.pi, (REALISATIONS, COMPONENTS))

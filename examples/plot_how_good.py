@@ -109,7 +109,7 @@ def sections(picture: Path | None) -> None:
 def s175(picture: Path | None) -> None:
     """Sway, roll and yaw at zero speed beside SCORES."""
     rows = read("reference/s175_scores.csv")
-    ship = qt.ship("s175").with_(gm=1.066, gyradius_roll=9.65, gyradius_yaw=70.0, roll_damping=0.0)
+    ship = qt.ship("s175").with_(ends="strips", gm=1.066, gyradius_roll=9.65, gyradius_yaw=70.0, roll_damping=0.0)
     figure, panels = plt.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
     fine = np.unique(np.concatenate([np.linspace(0.2, 0.63, 80), np.linspace(0.305, 0.33, 51)]))
     for heading, colour in ((30.0, BLUE), (60.0, RED), (90.0, GREEN)):
@@ -214,7 +214,7 @@ def wigley(picture: Path | None) -> None:
 
 def series60(picture: Path | None) -> None:
     """The forms of the wave force over heading and over wave length, and what the ends of the ship do."""
-    ship = qt.ship("series60-cb60")
+    ship = qt.ship("series60-cb60").with_(ends="strips")
     length = ship.hull.length
     headings, ratios = np.arange(0.0, 181.0, 15.0), np.array([0.5, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0])
     over_heading = compared(ship, [length], headings)

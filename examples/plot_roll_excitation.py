@@ -158,7 +158,7 @@ def draw_ends(moments: plt.Axes, motion: plt.Axes, words: str, dash: str, found:
 
 def main(picture: str = "") -> None:
     figure, (along, moments, motion) = plt.subplots(1, 3, figsize=(13, 5.2), layout="constrained")
-    draw_along(along, qt.ship("series60-cb60"))
+    draw_along(along, qt.ship("series60-cb60").with_(ends="strips"))
     for name, dash, words in (("series60-cb60", "-", "Series 60"), ("wigley", "--", "Wigley")):
         ship = qt.ship(name)
         panels = qt.bem_forces(ship, RATIOS * ship.hull.length, [90.0])

@@ -52,7 +52,7 @@ def pytest_terminal_summary(terminalreporter, config):
     left, skipped = config.stash.get(LEFT_OUT, {}), len(terminalreporter.stats.get("skipped", []))
     if soak := left.get("soak", 0):
         terminalreporter.line(
-            f"{soak} tests of the long tier were left out (kills, peak memory): `make soak` runs them"
+            f"{soak} tests of the long tier were left out (kills, peak memory, samples by chance): `make soak` runs them"
         )
     if config.option.markexpr == "quick" and (others := left.get("others", 0)):
         terminalreporter.line(f"{others} tests of the other tiers were left out: `make test` runs them")

@@ -81,6 +81,7 @@ def test_linear_and_quadratic_damping_without_errors_is_found_exactly(
 
 @pytest.mark.parametrize("form", ["quadratic", "cubic"])
 @pytest.mark.parametrize("memory", [0.0, 0.9, 0.97])
+@pytest.mark.soak
 def test_intervals_hold_the_truth_as_often_as_they_say(form: str, memory: float) -> None:
     """Authority: the coefficients put in, 40 seeded records of errors of 0.1 deg, white and correlated.
 
@@ -98,6 +99,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(form: str, memory: float)
     assert np.all(held[: 5 if memory < 0.95 else 4] >= 34), held
 
 
+@pytest.mark.soak
 def test_intervals_are_not_wider_than_they_need_be() -> None:
     """Authority: scatter of the estimates over 40 seeded records; half width of 0.95 is 1.96 deviations if exact."""
     clean = free_decay(TIME, (0.2, 0.0), 0.6, 0.02, quadratic=0.3)

@@ -195,6 +195,7 @@ def _edge():
 
 
 @pytest.mark.filterwarnings("ignore::quartering.RangeWarning")
+@pytest.mark.soak
 def test_probabilities_are_repeatable_and_agree_with_plain_random_draws():
     """Agreement: share of unstable verdicts over 400 pseudo-random draws of the same distribution, within 4 errors."""
     from quartering.study.conditions import evaluate_block
