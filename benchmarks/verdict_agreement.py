@@ -76,7 +76,7 @@ def random_table(count):
 
 def ship_motions(name, steepness, harmonics):
     """Motions of a built-in ship reached from rest, all over a map of headings, wave lengths and two speeds, judged."""
-    ship = qt.ship(name)
+    ship = qt.paper_ship(name)
     length = ship.hull.length
     axes = (
         np.array([0.1, 0.2]) * np.sqrt(9.81 * length),
