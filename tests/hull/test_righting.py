@@ -65,6 +65,7 @@ def test_heeled_box_keeps_its_volume_about_the_centreline(box: tuple[float, ...]
 @pytest.mark.parametrize("name", SHIPS)
 @settings(deadline=None, max_examples=6)
 @given(st.floats(1.0, 60.0))
+@pytest.mark.soak
 def test_heeled_ship_displaces_its_upright_volume(name: str, angle: float) -> None:
     # agreement with another way: polygons clipped edge by edge, areas by the shoelace formula
     hull, phi = ship(name).hull, np.radians(angle)

@@ -25,7 +25,7 @@ def ship_of(name, ends="strips"):
     return qt.ship(name).with_(ends=ends)
 
 
-@pytest.fixture(scope="module", params=["series60-cb60", "wigley"])
+@pytest.fixture(scope="module", params=[pytest.param("series60-cb60", marks=pytest.mark.soak), "wigley"])
 def panels(request):
     pytest.importorskip("capytaine", reason="the extra `bem` (Capytaine) is not installed")
     ship = qt.ship(request.param)
@@ -97,6 +97,7 @@ def test_three_dimensional_ends_halve_the_error_of_the_held_moment_at_least(meas
     assert with_ends["lever over draught"].max() < measured[1]["lever over draught"].max()
 
 
+@pytest.mark.soak
 def test_strips_and_panels_part_at_the_ends_of_the_ship():
     """Sway-roll added mass, column by column of panels: the two outer eighths hold 96 % of the difference."""
     pytest.importorskip("capytaine")

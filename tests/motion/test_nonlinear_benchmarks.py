@@ -99,6 +99,7 @@ def softening(zeta, frequency, force):
 @pytest.mark.parametrize(
     "row", [r for r in SOFTENING if r["zeta"] == 0.05 and r["Omega"] in (0.85, 1.0)], ids=lambda r: f"w={r['Omega']:g}"
 )
+@pytest.mark.soak
 def test_safe_basin_of_the_softening_oscillator_is_eroded_above_the_melnikov_force(row):
     """Melnikov's force, first order in damping: below it the basin's edge is smooth, well above it the basin is eaten into."""
     assert row["F_M"] == pytest.approx(

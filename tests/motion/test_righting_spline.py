@@ -111,6 +111,7 @@ def test_samples_leave_an_aliasing_error_below_1e_8():
     assert np.abs(u[0] - usual).max() < 1e-8 * np.abs(usual).max()
 
 
+@pytest.mark.soak
 def test_error_falls_with_the_fifth_power_of_the_number_of_harmonics():
     """The third derivative of the spline jumps: the moment's harmonics fall as n^-4, the roll's as n^-6, their sum as n^-5.
 

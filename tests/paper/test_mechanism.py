@@ -27,6 +27,7 @@ def quoted(*cells: str) -> bool:
 
 
 @pytest.mark.parametrize("steepness", [50, 30, 20])
+@pytest.mark.soak
 def test_page_quotes_the_four_statements(steepness):
     assert quoted(*made.stated(steepness))
 
@@ -38,6 +39,7 @@ def test_page_quotes_the_factor_each_coefficient_needs(heading):
 
 
 @pytest.mark.parametrize("heading", [15.0, 30.0, 45.0])
+@pytest.mark.soak
 def test_page_quotes_the_smallest_change(heading):
     assert quoted(*made.search(heading))
 

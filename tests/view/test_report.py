@@ -285,6 +285,7 @@ def unpacked(stream: bytes) -> bytes:
         return b""
 
 
+@pytest.mark.soak
 def test_pdf_has_pages(tmp_path, page):
     try:
         write_pdf(page, tmp_path / "page.pdf")
