@@ -1,7 +1,8 @@
 """Leading Floquet exponents against the growth of a disturbance: random systems, integrated in time by equations of their own.
 
 Nothing here is the library's but the systems' numbers: right-hand side and Jacobian are written out, the motion and its
-variation are integrated, Newton's method closes the motion on itself, and the growth is that of the integrated map applied 2^30 times.
+variation are integrated, Newton's method closes the motion on itself, and the growth is that of the integrated map applied
+2^30 times.
 """
 
 import numpy as np

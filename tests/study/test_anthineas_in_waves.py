@@ -41,7 +41,7 @@ def roll_over_measured(ship, run):
 
 @pytest.mark.parametrize("run", [10, 15, 17, 22])
 def test_roll_at_resonance_and_in_the_highest_long_wave_is_within_15_per_cent_of_the_measured(damped, run):
-    """Model tests at Ecole Centrale de Nantes (head of tests/data/anthineas_beam_waves.csv); 15 % is our aim, not their spread."""
+    """Model tests at Ecole Centrale de Nantes (tests/data/anthineas_beam_waves.csv); 15 % is our aim, not their spread."""
     assert roll_over_measured(damped, run) == pytest.approx(1.0, abs=0.15)
 
 
