@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from quartering.conventions import InputError, RangeWarning
+from quartering.conventions import GRAVITY, InputError, RangeWarning
 from quartering.hull.contour import along
 from quartering.hull.heeled import cross_curve, deck_angle
 from quartering.hull.hydrostatics import hydrostatics
@@ -17,6 +17,8 @@ from quartering.hull.offsets import Hull, box_hull
 from quartering.hull.readers import available_ships
 from quartering.hull.righting import righting_arm, righting_polynomial
 from quartering.hull.ship import Loading, Ship, ship
+from quartering.hydro.coefficients import coefficients
+from quartering.hydro.contributions import righting_moment
 
 SHIPS = [entry.name for entry in available_ships()]
 
@@ -133,6 +135,20 @@ def test_work_of_the_righting_arm_is_what_g_rises_over_b(name: str) -> None:
     angles, weights = np.polynomial.legendre.leggauss(8)
     work = phi / 2 * (weights @ righting_arm(loaded, np.degrees(phi / 2 * (angles + 1))))
     assert work == pytest.approx(kg * (np.cos(phi) - 1) - (b_heeled - b_upright), rel=0.01)
+
+
+@pytest.mark.parametrize("name", SHIPS)
+def test_small_heel_is_righted_by_gm_with_the_default_curve(name: str) -> None:
+    # closed form: K_phi = -rho g V GM
+    loaded = ship(name)
+    assert loaded.righting == "spline"
+    exact = -loaded.loading.density * GRAVITY * hydrostatics(loaded).volume * loaded.loading.gm
+    table = {entry.name: entry.value for entry in coefficients(loaded, 0.5, 0.0).table()}
+    assert table["K_phi"] == pytest.approx(exact, rel=1e-9)
+    moment = righting_moment(loaded)
+    assert moment is not None
+    assert moment.derivative(0.0) == pytest.approx(exact, rel=1e-9)
+    assert moment.value(1e-6) / 1e-6 == pytest.approx(exact, rel=1e-9)
 
 
 def test_fit_of_a_wall_sided_ship_has_the_cubic_of_its_series() -> None:

@@ -171,17 +171,17 @@ def righting_spline(ship: Ship) -> OddSpline:
 
     Notes
     -----
-    Its slope at 0 is GM to 0.1 %, not exactly.  Source: `righting_arm`.
+    Its slope at 0 is GM, as that of the curve.  Source: `righting_arm`.
     Valid: as `righting_arm`; beyond the deck edge a watertight deck at the top of the offsets.
 
     Examples
     --------
     >>> from quartering.hull.ship import ship
-    >>> round(righting_spline(ship("box")).slope, 3)
+    >>> righting_spline(ship("box")).slope
     1.0
     """
     angles = np.arange(SPLINE_STEP, SPLINE_END + 1.0, SPLINE_STEP)
-    return odd_spline(angles, _arm(ship, np.radians(angles))[0])
+    return odd_spline(angles, _arm(ship, np.radians(angles))[0], slope=ship.loading.gm)
 
 
 def polynomial_miss(ship: Ship, max_angle: float) -> float:

@@ -48,13 +48,14 @@ class OddSpline:
         return OddSpline(factor * self.slope, factor * self.cubic, self.knots, factor * self.jumps, self.end)
 
 
-def odd_spline(angles: ArrayLike, values: ArrayLike) -> OddSpline:
+def odd_spline(angles: ArrayLike, values: ArrayLike, slope: float | None = None) -> OddSpline:
     """Spline through points and their mirror images.
 
     Parameters
     ----------
     angles : (n,) float    ascending, from 0 or above; 0 with value 0 may be left out [deg]
     values : (n,) float
+    slope : float, optional    at 0 where it is known, per radian; else what the points make it
 
     Returns
     -------
@@ -66,7 +67,8 @@ def odd_spline(angles: ArrayLike, values: ArrayLike) -> OddSpline:
 
     Notes
     -----
-    Without a change of cubic at the last angle but one (not-a-knot); no bend at 0, since the curve is odd.
+    Without a change of cubic at the last angle but one (not-a-knot); no bend at 0, since the curve is odd. A given slope is
+    met exactly, by a change of cubic halfway to the first angle, where no point is.
     Source: closed form of the interpolating spline.
 
     Examples
@@ -74,9 +76,9 @@ def odd_spline(angles: ArrayLike, values: ArrayLike) -> OddSpline:
     >>> spline = odd_spline([10, 20, 30, 40], np.radians([10, 20, 30, 40]) ** 3)
     >>> round(spline.cubic, 9), bool(np.abs(spline.jumps).max() < 1e-9)
     (1.0, True)
+    >>> odd_spline([10, 20, 30, 40], np.sin(np.radians([10, 20, 30, 40])), slope=1.0).slope
+    1.0
     """
-    from scipy.interpolate import CubicSpline
-
     x, y = (np.asarray(array, dtype=float) for array in (angles, values))
     if x.ndim != 1 or x.shape != y.shape or not (np.isfinite(x).all() and np.isfinite(y).all()):
         raise InputError(f"righting curve: {x.shape} angles and {y.shape} values; give a number for each angle")
@@ -90,6 +92,24 @@ def odd_spline(angles: ArrayLike, values: ArrayLike) -> OddSpline:
         raise InputError(
             f"righting curve: angles {x.tolist()} deg; give at least {_FEWEST} above 0, ascending; to port it is mirrored"
         )
-    knots = np.radians(np.append(0.0, x))
-    cubics = CubicSpline(knots, np.append(0.0, y), bc_type=((2, np.zeros(())), "not-a-knot")).c
+    knots, points = np.radians(np.append(0.0, x)), np.append(0.0, y)
+    if slope is None:
+        return _joined(knots, _cubics(knots, points))
+    # A spline is linear in its points: the one that has the given slope is a sum of two, with different points halfway.
+    knots, points = np.insert(knots, 1, 0.5 * knots[1]), np.insert(points, 1, slope * 0.5 * knots[1])
+    without, by_point = _cubics(knots, points), _cubics(knots, np.eye(knots.size)[1])
+    made = without + (slope - without[2, 0]) / by_point[2, 0] * by_point
+    made[2, 0] = slope  # to the last digit
+    return _joined(knots, made)
+
+
+def _cubics(knots: Floats, points: Floats) -> Floats:
+    """Coefficients (4, pieces) of the interpolating spline, highest power first."""
+    from scipy.interpolate import CubicSpline
+
+    return np.asarray(CubicSpline(knots, points, bc_type=((2, np.zeros(())), "not-a-knot")).c)
+
+
+def _joined(knots: Floats, cubics: Floats) -> OddSpline:
+    """The spline of given cubics between knots (n,), the last two of which belong to one cubic."""
     return OddSpline(float(cubics[2, 0]), float(cubics[0, 0]), knots[1:-2], np.diff(cubics[0])[:-1], float(knots[-1]))
