@@ -73,8 +73,8 @@ def change_of_stability(
     K2 follows from the mean of the variational matrix A(t), whose derivative along the motion is exact. The exponent is
     lambda with y' = A y = y(t) e^{lambda t}: at phases held, d lambda = <l dA r> + (lambda - <l A r>) d w / w, the mean over
     a cycle, with the right and left periodic vectors r, l and l r = 1. The mean is taken at equal phases: to rounding where
-    the products are smooth, to 1e-6 with a modulus, drag by strips or a spline.  Source: [H71] eqs. (8)-(13); perturbation of a simple
-    eigenvalue (closed form).  Valid: the leading multiplier is simple.
+    the products are smooth, to 1e-6 with a modulus, drag by strips or a spline.  Source: [H71] eqs. (8)-(13); perturbation
+    of a simple eigenvalue (closed form).  Valid: the leading multiplier is simple.
 
     Examples
     --------
