@@ -171,7 +171,7 @@ def test_what_was_added_before_does_not_count():
     [
         (S60.with_(factors={"K_p": 0.5}), r"K_p \(.*times 0.5\).*leave out"),
         (replace(S60, overrides={"K_p": -1e8}), r"K_p \(given\).*leave out"),
-        (replace(S60, overrides={"K_ppp": -1e8}), r"K_ppp \(given\).*leave it out"),
+        (replace(S60, drag="cubic", overrides={"K_ppp": -1e8}), r"K_ppp \(given\).*leave it out"),
         (replace(S60, multipliers={QUADRATIC: 2.0}), r"multiplier.*K_p\|p\|"),
         (qt.ship("s175").with_(measured="blanke-christensen-1993"), r"measured: none"),
     ],

@@ -155,7 +155,7 @@ def test_spline_of_a_ship_keeps_to_her_righting_arm_where_the_polynomial_does_no
 
 def test_polynomial_that_misses_within_the_motion_is_warned_of_and_the_spline_is_not():
     """The box's polynomial misses her curve by 7 % between 10 and 15 deg; warnings are errors here."""
-    box, wave = qt.ship("box").with_(ends="strips", righting="polynomial"), qt.Wave(430.0, 8.0)
+    box, wave = qt.ship("box").with_(ends="strips", righting="polynomial"), qt.Wave(430.0, 12.0)
     with pytest.warns(qt.RangeWarning, match='righting="spline"'):
         qt.polar(box, wave, [0.0], [90.0])
     assert float(qt.polar(box.with_(righting="spline"), wave, [0.0], [90.0])["roll_peak"].max()) > 10.0

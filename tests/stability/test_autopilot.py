@@ -99,7 +99,7 @@ def test_a_course_unstable_ship_is_cured_at_the_gain_routh_asks_for():
     Series 60, C_B 0.80, at 11 m/s and 10 deg to waves of her length: course-unstable without waves.
     """
     wave, speed, heading, gain, lag = qt.Wave(121.92, 0.1), 11.0, 10.0, 0.1, 2.0
-    ship = qt.ship("series60-cb80")
+    ship = qt.paper_ship("series60-cb80")  # |q| q would damp the course in any wave
     bare = qt.equations(ship, wave, speed, heading)
     assert qt.stability(bare, qt.steady_motion(bare, 3)).kind == "course-in-calm-water"
     steered = qt.equations(ship.with_(autopilot=qt.Autopilot(gain, 0.0, lag)), wave, speed, heading)

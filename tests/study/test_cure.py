@@ -75,7 +75,7 @@ def test_a_stable_motion_needs_no_cure_and_a_negative_margin_is_refused():
 
 SPECIMENS = [
     (SHIP, WAVE, SPEED, HEADING),
-    (qt.ship("dtmb5415"), qt.Wave(200.0, 10.0), 14.0, 50.0),  # ends in a jump: motions appear and vanish at folds
+    (paper_ship("dtmb5415"), qt.Wave(200.0, 10.0), 14.0, 50.0),  # ends in a jump: motions appear and vanish at folds
 ]
 
 

@@ -14,6 +14,7 @@ from quartering.view.cli import app
 from quartering.view.plots.tornado import tornado_picture
 from quartering.view.plots.vary import vary_picture
 
+PAPER = ("--velocities", "absolute", "--drag", "cubic", "--ends", "strips", "--righting", "polynomial")
 SHIP = paper_ship().with_(factors={"K_prr": -60.0})
 LENGTH = SHIP.hull.length
 AT = (qt.Wave(LENGTH, LENGTH / 30), 0.25 * np.sqrt(9.81 * LENGTH), 30.0)
@@ -44,7 +45,7 @@ def test_a_range_alone_is_enough(run, tmp_path):
 
 def test_json_holds_the_curves_and_the_flips(run):
     condition = ("--heading", "30", "--speed", "0.25Fn", "--wave-height", f"{LENGTH / 30}m")
-    facts = json.loads(run("--coefficient", "K_prr=-60:0:7", *condition, "--velocities", "absolute", "--json").stdout)
+    facts = json.loads(run("--coefficient", "K_prr=-60:0:7", *condition, *PAPER, "--json").stdout)
     assert len(facts["roll"]) == len(facts["exponent"]) == 7
     (flip,) = facts["flips"]
     assert flip["below"] == "roll"
@@ -98,7 +99,7 @@ def test_the_next_step_a_tornado_names_can_be_taken(run):
         (("--gm", "0.8"), "nothing to vary"),
         (("--coefficient", "K_ppp"), "K_p=0.2:2"),
         (("--tornado", "10%", "--gm", "0.5:1"), "leave the ranges out"),
-        (("--tornado", "200%"), "below 1"),
+        (("--tornado", "200%"), "less than 1"),
         (("--gm", "0.5:1", "-o", "gm.txt"), "must end in"),
         (("--gm", "0.5:1", "--kg", "5:6"), "leave one out"),
     ],

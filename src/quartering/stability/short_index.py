@@ -53,10 +53,11 @@ def roll_cubic(system: System, factors: str) -> Floats:
 def through_water(system: System, displacement: Complex) -> Complex:
     """Phasors (n, 3) of sway, roll, yaw relative to the water, from those over ground."""
     relative = np.array(displacement)
+    w = np.where(system.finite, system.frequency, np.nan)
     for state, mode in ((SWAY, 0), (YAW, 2)):
         for one in np.flatnonzero(system.extra == state):
             inputs = system.inputs[:, one]  # -w0 or -w1
-            relative[:, mode] += (inputs[:, 1] - 1j * inputs[:, 2]) / (1j * system.frequency)
+            relative[:, mode] += (inputs[:, 1] - 1j * inputs[:, 2]) / (1j * w)
     return relative
 
 
