@@ -82,6 +82,7 @@ def changed(ship: Ship, given: Mapping[str, Any], where: str | None = None) -> S
     wanted |= _grouped(ship, wanted, where, sizes)
     database = _database(ship, wanted, where)
     _check_draught_of_database(ship, floating, database, wanted)
+    _check_panels(ship, database, wanted, where)
     hull = _solved_by(ship, floating, wanted, where, database)
     numbers = {name: _checked(name, wanted[name], where, sizes) for name in _LOADING if name in wanted}
     density = numbers.pop("water_density", loading.density)
@@ -246,6 +247,26 @@ def _check_draught_of_database(ship: Ship, hull: Hull, database: Database | None
         raise InputError(
             f"{ship.name}: {database.name} is of draught {ship.hull.draught:g} m, and {hull.draught:g} m is asked "
             'for; give the database of that draught too, or database="none"'
+        )
+
+
+def _check_panels(ship: Ship, database: Database | None, given: Mapping[str, Any], where: str) -> None:
+    """Refuse panels beside a database, and a correction of strips that panels take the place of."""
+    if checked(OPTIONS["hydrodynamics"], given.get("hydrodynamics", ship.hydrodynamics), where) != "panels":
+        return
+    if database is not None:
+        raise Refused(
+            "hydrodynamics",
+            f"hydrodynamics = panels, and {database.name} gives added mass, damping and wave forces too; leave one of the two "
+            "out (hydrodynamics: strips, or database: none)",
+            where,
+        )
+    if given.get("ends") == "three-dimensional":
+        raise Refused(
+            "ends",
+            'ends = "three-dimensional" corrects the strips, and panels take their place; leave one of the two out (ends, or '
+            "hydrodynamics: panels)",
+            where,
         )
 
 
