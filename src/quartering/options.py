@@ -21,7 +21,7 @@ from quartering.units import Kind as UnitKind
 
 Kind = Literal[
     "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "steepness", "frequency",
-    "roll angle", "rate", "word", "text", "file", "group", "coefficients", "table",
+    "roll angle", "rate", "growth rate", "word", "text", "file", "group", "coefficients", "table",
 ]  # fmt: skip
 Place = Literal["ship", "loading", "condition"]
 Bound = float | str | None

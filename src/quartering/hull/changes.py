@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +16,7 @@ from quartering.hull.offsets import Hull, at_draught, scaled, with_depth
 from quartering.hull.own_database import DATABASE_IS, Database, database_of, database_of_keys
 from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
+from quartering.hull.roll_period import gyradius_of_period
 from quartering.names import term
 from quartering.options import (
     OPTIONS,
@@ -429,12 +429,9 @@ def _note_of_damping(ship: Ship, made: Ship) -> dict[str, str]:
 
 
 def _rolling(ship: Ship, given: Mapping[str, Any], where: str) -> Ship:
-    """The ship with the radius of gyration that gives it a natural roll period.
-
-    The water that moves along is known one room further on, so this is the one call of a room to the right; see there.
-    """
+    """The ship with the radius of gyration that gives it a natural roll period."""
     period = _checked("roll_period", given["roll_period"], where, sizes_of(ship.hull))
-    radius = import_module("quartering.hydro.freeroll").gyradius_of_period(ship, period, where)
+    radius = gyradius_of_period(ship, period, where)
     note = {"gyradius_roll": f"derived: natural roll period {period:.4g} s, with the water that moves along"}
     loading = replace(ship.loading, gyradius_roll=radius)
     return replace(ship, loading=loading, provenance={**ship.provenance, **note})
