@@ -347,3 +347,15 @@ def test_cells_without_an_answer_are_grouped_with_advice(run, tmp_path):
         unanswered = int((ds["verdict"] == int(Kind.NO_ANSWER)).sum())
     assert unanswered > 0
     assert f"{unanswered} cells without an answer" in " ".join(result.stdout.split())
+
+
+MAIN = "import sys; from quartering.view.cli import main; sys.argv = ['quartering', *sys.argv[1:]]; main()"
+
+
+@pytest.mark.parametrize("words", [["--help"], ["hull", "--help"], ["hul", "wigley"]], ids=" ".join)
+def test_options_of_other_commands_left_unread_change_nothing(words):
+    """What the script says, which reads the options of the command named alone, is what the whole application says."""
+    alone = subprocess.run([sys.executable, "-c", MAIN, *words], capture_output=True, text=True, check=False)
+    whole = CliRunner().invoke(app, words, prog_name="quartering")
+    assert alone.returncode == whole.exit_code
+    assert (alone.stdout + alone.stderr).split() == whole.output.split()  # lines are as wide as the terminal
