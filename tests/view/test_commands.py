@@ -1,6 +1,7 @@
 """The command line as a user meets it: what it prints, writes, refuses, and how it exits."""
 
 import json
+import os
 import subprocess
 import sys
 from dataclasses import replace
@@ -355,7 +356,8 @@ MAIN = "import sys; from quartering.view.cli import main; sys.argv = ['quarterin
 @pytest.mark.parametrize("words", [["--help"], ["hull", "--help"], ["hul", "wigley"]], ids=" ".join)
 def test_options_of_other_commands_left_unread_change_nothing(words):
     """What the script says, which reads the options of the command named alone, is what the whole application says."""
-    alone = subprocess.run([sys.executable, "-c", MAIN, *words], capture_output=True, text=True, check=False)
-    whole = CliRunner().invoke(app, words, prog_name="quartering")
-    assert alone.returncode == whole.exit_code
-    assert (alone.stdout + alone.stderr).split() == whole.output.split()  # lines are as wide as the terminal
+    wide = {"COLUMNS": "80", "TERMINAL_WIDTH": "80"}
+    command = [sys.executable, "-c", MAIN, *words]
+    alone = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **wide})
+    whole = CliRunner().invoke(app, words, prog_name="quartering", env=wide, terminal_width=78)
+    assert (alone.returncode, alone.stdout + alone.stderr) == (whole.exit_code, whole.output)
