@@ -17,6 +17,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from quartering.hull import roll_period as _roll_period
+
 if TYPE_CHECKING:
     from quartering.conventions import DamageWarning, InputError, RangeWarning
     from quartering.hull.autopilot import Autopilot
@@ -139,6 +141,14 @@ __all__ = [
     "vary",
     "wave_forces",
 ]
+
+
+@_roll_period.find_by
+def _gyradius_of_period(ship: Ship, period: float, where: str) -> float:
+    """Radius of gyration in roll of a natural roll period, which `hull` is told and `hydro` works out."""
+    from quartering.hydro.freeroll import gyradius_of_period
+
+    return gyradius_of_period(ship, period, where)
 
 
 def __getattr__(name: str) -> Any:

@@ -25,6 +25,7 @@ _ARGUMENTS = (
     Option("yaw", "roll angle", "off course, at the start", usual=0.0),
     Option("rudder_angle", "roll angle", "at the start", usual=0.0),
     Option("change", "ratio", "of one value at a time", low=0, above=True, high=1, usual=0.1, hint="less than 1"),
+    Option("margin", "growth rate", "at which disturbances must die out at least", low=0, high=100, usual=0.0),
     Option("density", "density", "of the water", low=0, above=True, usual="1025 kg/m3"),
     Option("time_factor", "ratio", "on the times of a record", low=0, above=True, usual=1.0,
            hint="of a model of 1:68 sqrt(68)"),

@@ -21,7 +21,7 @@ from quartering.units import Kind as UnitKind
 
 Kind = Literal[
     "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "steepness", "frequency",
-    "roll angle", "rate", "word", "text", "file", "group", "coefficients", "table",
+    "roll angle", "rate", "growth rate", "word", "text", "file", "group", "coefficients", "table",
 ]  # fmt: skip
 Place = Literal["ship", "loading", "condition"]
 Bound = float | str | None
@@ -65,6 +65,7 @@ class Option:
     title : str                   group of dials it stands in
     also : tuple of str           other keys a ship file may have for it
     hint : str                    said after the range
+    needs : mapping               word -> (module, extra) that must be installed for it
     """
 
     name: str
@@ -89,6 +90,7 @@ class Option:
     title: str = "Loading"
     also: tuple[str, ...] = ()
     hint: str = ""
+    needs: Mapping[str, tuple[str, str]] | None = None
 
     @property
     def numeric(self) -> bool:
@@ -319,11 +321,29 @@ def _slip(of: Option, given: Any, sizes: Sizes) -> str:
 def _word(of: Option, given: Any, where: str) -> str:
     words = of.words or {}
     if isinstance(given, str) and given in words:
+        _check_installed(of, given, where)
         return given
     near = get_close_matches(str(given), words, n=1, cutoff=0.4)
     allowed = ", ".join(f'"{word}" ({meaning})' for word, meaning in words.items())
     hint = f'; did you mean "{near[0]}"?' if near else f'; try "{of.default}"' if of.default else ""
     raise Refused(of.name, f"{of.name} = {quoted(given)}; allowed are {allowed}{hint}", where, of.group)
+
+
+def _check_installed(of: Option, word: str, where: str) -> None:
+    """Refuse a word that rests on a package which is not there, with what to install."""
+    module, extra = (of.needs or {}).get(word, ("", ""))
+    if not module:
+        return
+    from importlib.util import find_spec  # few options need anything
+
+    if find_spec(module) is None:
+        raise Refused(
+            of.name,
+            f"{of.name} = {word!r}; that needs {module.capitalize()}, which is not installed; install it with "
+            f"`pip install 'quartering[{extra}]'`, or take \"{of.default}\"",
+            where,
+            of.group,
+        )
 
 
 def _text(of: Option, given: Any, where: str) -> Any:
@@ -394,6 +414,9 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
            words={"spline": "the curve itself", "polynomial": "odd, to phi^7, as in the paper"}),
     Option("sections", "word", "section coefficients", default="auto", home="hull.section_method",
            words={"auto": "the section's own contour", "lewis": "its Lewis form", "close-fit": "its own contour"}),
+    Option("hydrodynamics", "word", "added mass, damping and wave forces at zero speed, where no database gives them",
+           default="strips", home="hydrodynamics", needs={"panels": ("capytaine", "bem")},
+           words={"strips": "strip theory", "panels": "three-dimensional panels of Capytaine, solved once for a hull"}),
     Option("ends", "word", "water round stem and stern", default="three-dimensional", home="hull.ends", words=_ENDS),
     Option("drag_coefficient", "ratio", "cross-flow drag of the sections", low=0, high=10,
            usual=0.8, default=0.8, home="drag_coefficient"),

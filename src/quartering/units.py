@@ -10,7 +10,8 @@ from typing import Final, Literal, NamedTuple
 from quartering.conventions import GRAVITY, InputError, as_float
 
 Kind = Literal[
-    "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "frequency", "roll angle", "rate"
+    "length", "wave length", "speed", "mass", "angle", "time", "density", "area", "ratio", "frequency", "roll angle", "rate",
+    "growth rate",
 ]  # fmt: skip
 
 _LENGTHS: Final = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048}
@@ -27,6 +28,7 @@ _UNITS: Final[dict[str, dict[str, float]]] = {
     "frequency": {"rad/s": 1.0, "Hz": 2.0 * math.pi},
     "roll angle": {"rad": 1.0, "deg": math.pi / 180.0},
     "rate": {"rad/s": 1.0, "deg/s": math.pi / 180.0},
+    "growth rate": {"1/s": 1.0, "1/min": 1.0 / 60.0},
 }
 """Kind -> unit -> factor to the unit a bare number has: m, m/s, kg, deg, s, kg/m3, m2, rad/s; rad for angles of a state."""
 
@@ -34,6 +36,7 @@ _SHIP_UNITS: Final = ("L", "B", "T")
 BARE: Final[dict[Kind, str]] = {
     "length": "m", "wave length": "m", "speed": "m/s", "mass": "kg", "angle": "deg", "time": "s", "density": "kg/m3",
     "area": "m2", "ratio": "1", "frequency": "rad/s", "roll angle": "rad", "rate": "rad/s",
+    "growth rate": "1/s",
 }  # fmt: skip
 """Kind -> the unit a bare number has."""
 

@@ -73,6 +73,34 @@ def test_a_stable_motion_needs_no_cure_and_a_negative_margin_is_refused():
         cures(SHIP, WAVE, SPEED, HEADING, margin=-1.0)
 
 
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"margin": "x"}, "margin = 'x'; that is no finite number with a unit"),
+        ({"margin": None}, "margin = None; that is no finite number"),
+        ({"margin": float("inf")}, "margin = inf 1/s; that is no finite number"),
+        ({"margin": [1.0, 2.0]}, "one number is wanted here"),
+        ({"margin": "1 m"}, 'margin = 1 m; unit "m" is not known'),
+        ({"parameters": "gm"}, "parameters = 'gm'; they are a list of names"),
+        ({"parameters": None}, "parameters = None; they are a list of names"),
+        ({"parameters": ["gmm"]}, "parameters: gmm is unknown; did you mean gm"),
+        ({"parameters": ["heading"]}, "parameters: heading is unknown"),
+        ({"parameters": [3]}, "parameters: 3 is unknown; known are speed"),
+        ({"harmonics": "x"}, "harmonics='x': give an odd number"),
+        ({"form": 3}, "form 3 given; allowed: paper"),
+    ],
+)
+def test_an_argument_that_cannot_be_is_refused_in_one_message(given, words):
+    with pytest.raises(qt.InputError, match=words):
+        cures(SHIP, WAVE, SPEED, HEADING, **given)
+
+
+def test_a_margin_may_carry_a_unit():
+    """0.6 a minute is 0.01 a second."""
+    one, other = (cures(SHIP, WAVE, SPEED, HEADING, parameters=["roll_damping"], margin=m) for m in ("0.6 1/min", 0.01))
+    assert one == other
+
+
 SPECIMENS = [
     (SHIP, WAVE, SPEED, HEADING),
     (paper_ship("dtmb5415"), qt.Wave(200.0, 10.0), 14.0, 50.0),  # ends in a jump: motions appear and vanish at folds

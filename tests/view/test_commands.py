@@ -1,6 +1,7 @@
 """The command line as a user meets it: what it prints, writes, refuses, and how it exits."""
 
 import json
+import os
 import subprocess
 import sys
 from dataclasses import replace
@@ -347,3 +348,16 @@ def test_cells_without_an_answer_are_grouped_with_advice(run, tmp_path):
         unanswered = int((ds["verdict"] == int(Kind.NO_ANSWER)).sum())
     assert unanswered > 0
     assert f"{unanswered} cells without an answer" in " ".join(result.stdout.split())
+
+
+MAIN = "import sys; from quartering.view.cli import main; sys.argv = ['quartering', *sys.argv[1:]]; main()"
+
+
+@pytest.mark.parametrize("words", [["--help"], ["hull", "--help"], ["hul", "wigley"]], ids=" ".join)
+def test_options_of_other_commands_left_unread_change_nothing(words):
+    """What the script says, which reads the options of the command named alone, is what the whole application says."""
+    wide = {"COLUMNS": "80", "TERMINAL_WIDTH": "80"}
+    command = [sys.executable, "-c", MAIN, *words]
+    alone = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **wide})
+    whole = CliRunner().invoke(app, words, prog_name="quartering", env=wide, terminal_width=78)
+    assert (alone.returncode, alone.stdout + alone.stderr) == (whole.exit_code, whole.output)

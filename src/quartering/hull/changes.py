@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +16,7 @@ from quartering.hull.offsets import Hull, at_draught, scaled, with_depth
 from quartering.hull.own_database import DATABASE_IS, Database, database_of, database_of_keys
 from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
+from quartering.hull.roll_period import gyradius_of_period
 from quartering.names import term
 from quartering.options import (
     OPTIONS,
@@ -82,6 +82,7 @@ def changed(ship: Ship, given: Mapping[str, Any], where: str | None = None) -> S
     wanted |= _grouped(ship, wanted, where, sizes)
     database = _database(ship, wanted, where)
     _check_draught_of_database(ship, floating, database, wanted)
+    _check_panels(ship, database, wanted, where)
     hull = _solved_by(ship, floating, wanted, where, database)
     numbers = {name: _checked(name, wanted[name], where, sizes) for name in _LOADING if name in wanted}
     density = numbers.pop("water_density", loading.density)
@@ -249,6 +250,26 @@ def _check_draught_of_database(ship: Ship, hull: Hull, database: Database | None
         )
 
 
+def _check_panels(ship: Ship, database: Database | None, given: Mapping[str, Any], where: str) -> None:
+    """Refuse panels beside a database, and a correction of strips that panels take the place of."""
+    if checked(OPTIONS["hydrodynamics"], given.get("hydrodynamics", ship.hydrodynamics), where) != "panels":
+        return
+    if database is not None:
+        raise Refused(
+            "hydrodynamics",
+            f"hydrodynamics = panels, and {database.name} gives added mass, damping and wave forces too; leave one of the two "
+            "out (hydrodynamics: strips, or database: none)",
+            where,
+        )
+    if given.get("ends") == "three-dimensional":
+        raise Refused(
+            "ends",
+            'ends = "three-dimensional" corrects the strips, and panels take their place; leave one of the two out (ends, or '
+            "hydrodynamics: panels)",
+            where,
+        )
+
+
 def _solved_by(ship: Ship, hull: Hull, given: Mapping[str, Any], where: str, database: Database | None) -> Hull:
     """The hull with its numerical choices; the same one where none differs, since a hull is solved once."""
     chosen = {
@@ -408,12 +429,9 @@ def _note_of_damping(ship: Ship, made: Ship) -> dict[str, str]:
 
 
 def _rolling(ship: Ship, given: Mapping[str, Any], where: str) -> Ship:
-    """The ship with the radius of gyration that gives it a natural roll period.
-
-    The water that moves along is known one room further on, so this is the one call of a room to the right; see there.
-    """
+    """The ship with the radius of gyration that gives it a natural roll period."""
     period = _checked("roll_period", given["roll_period"], where, sizes_of(ship.hull))
-    radius = import_module("quartering.hydro.freeroll").gyradius_of_period(ship, period, where)
+    radius = gyradius_of_period(ship, period, where)
     note = {"gyradius_roll": f"derived: natural roll period {period:.4g} s, with the water that moves along"}
     loading = replace(ship.loading, gyradius_roll=radius)
     return replace(ship, loading=loading, provenance={**ship.provenance, **note})

@@ -17,6 +17,7 @@ Linear = Literal["default", "strip"]
 Velocities = Literal["relative", "absolute"]
 Righting = Literal["spline", "polynomial"]
 Sections = Literal["auto", "lewis", "close-fit"]
+Hydrodynamics = Literal["strips", "panels"]
 Ends = Literal["strips", "three-dimensional"]
 Drag = Literal["strips", "cubic"]
 
@@ -66,6 +67,8 @@ class ShipOptions(TypedDict, total=False):
     """Righting curve in the equations: spline (the curve itself), polynomial (odd, to phi^7, as in the paper)."""
     sections: Sections | None
     """Section coefficients: auto (the section's own contour), lewis (its Lewis form), close-fit (its own contour)."""
+    hydrodynamics: Hydrodynamics | None
+    """Added mass, damping and wave forces at zero speed, where no database gives them: strips (strip theory), panels  ..."""
     ends: Ends | None
     """Water round stem and stern: strips (none), three-dimensional (the water finds its way round them)."""
     drag_coefficient: float | str | None

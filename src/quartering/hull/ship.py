@@ -12,7 +12,7 @@ from quartering.hull.autopilot import Autopilot, Rudder
 from quartering.hull.changes import changed
 from quartering.hull.loading import Loading
 from quartering.hull.offsets import Hull
-from quartering.hull.option_types import Drag, Linear, Righting, ShipOptions, Velocities
+from quartering.hull.option_types import Drag, Hydrodynamics, Linear, Righting, ShipOptions, Velocities
 from quartering.hull.own_database import Database
 from quartering.hull.own_measured import MeasuredFile
 from quartering.hull.roll_method import BilgeKeels, RollMethod, roll_damping_note
@@ -52,6 +52,7 @@ class Ship:
     roll_method : str                        "fraction" (of critical), "ikeda" or "ikeda-simplified"
     bilge_keels : (float, float) or None     length and breadth of one of the pair [m]
     database : Database or None              own coefficients and wave forces in place of strip theory
+    hydrodynamics : str                      without a database, those of "strips" or of "panels"
     drag : str                               of the cross-flow: "strips", or "cubic" coefficients
     velocities : str                         lift acts on the velocity "relative" to the water, or "absolute", as in the paper
     particulars : mapping of str to value    what else is known of it, by option: depth, openings, windage, ..
@@ -75,6 +76,7 @@ class Ship:
     database: Database | None = None
     velocities: Velocities = "relative"
     drag: Drag = "strips"
+    hydrodynamics: Hydrodynamics = "strips"
     particulars: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

@@ -1,9 +1,9 @@
 """Wave forces by three-dimensional panels: Capytaine at zero speed, on a mesh made from the same hull.
 
 Capytaine has x to the bow, y to port, z up, phasors of e^{-i w t} and the elevation 1 at its origin; the direction the
-wave runs towards is counted from x to y. Here its origin stands at the calm plane over G. Half a turn about x changes the
-sign of sway and yaw and makes the direction -mu; the conjugate belongs to e^{+i w t}; the factor i moves time zero to
-where the surface at G passes its mean level on the way down.
+wave runs towards is counted from x to y. Here its origin stands at the calm plane over G, or for a bare hull amidships. Half a
+turn about x changes the sign of sway and yaw and makes the direction -mu; the conjugate belongs to e^{+i w t}; the factor i
+moves time zero to where the surface at the origin passes its mean level on the way down.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -20,7 +20,8 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import GRAVITY, HEADING_CONVENTION, MODES, REFERENCE_POINT, InputError
 from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.mesh import hull_panels
+from quartering.hull.mesh import Panels, hull_panels
+from quartering.hull.offsets import Hull
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.told import count, numbers
@@ -158,35 +159,93 @@ def _quiet() -> Iterator[None]:
         logger.setLevel(level)
 
 
+class _Body(NamedTuple):
+    """A hull as it is solved: water, the origin, and how far the point of the moments is over it.
+
+    Parameters
+    ----------
+    name : str
+    half : Panels        of the starboard half
+    x, height : float    origin, forward of midship at the calm plane; point of the moments over it [m]
+    density : float      of the water [kg/m3]
+    """
+
+    name: str
+    half: Panels
+    x: float
+    height: float
+    density: float
+
+
+def shortest_wave(half: Panels) -> float:
+    """Length of the shortest wave that panels resolve, six times the widest of them [m]."""
+    return _PANELS_PER_WAVE * float(np.sqrt(np.linalg.norm(half.area_vectors, axis=1).max()))
+
+
+def hull_solution(hull: Hull, half: Panels, omega: Floats, mu: Floats, density: float) -> dict[str, NDArray[Any]]:
+    """Radiation and wave forces of a hull at zero speed, about midship at the calm plane, in body axes.
+
+    Parameters
+    ----------
+    hull : Hull
+    half : Panels         of it, from `hull_panels`
+    omega : (f,) float    ascending, 0 among them or not; forces are those of the ones above 0 [rad/s]
+    mu : (h,) float       ascending [deg]
+    density : float       of the water [kg/m3]
+
+    Returns
+    -------
+    dict    "added_mass", "damping" (f, 3, 3); "froude_krylov", "diffraction" (waves, h, 3): phasors of e^{+i omega t} per metre
+            of amplitude, the surface amidships passing its mean level on the way down at t = 0
+
+    Raises
+    ------
+    InputError    as `bem_hydrodynamics`
+
+    Notes
+    -----
+    Source: [Ancellin19], linear potential flow.  Valid: as `bem_forces`.
+    """
+    body = _Body(hull.name, half, 0.0, 0.0, density)
+    still = omega[omega == 0.0]
+    parts = [_run(body, w, direction, True) for w, direction in ((still, mu[:0]), (omega[still.size :], mu)) if w.size]
+    found = {name: np.concatenate([_matrix(one, theirs) for one in parts]) for name, theirs, _ in _RADIATION}
+    return found | {name: _phasors(parts[-1], theirs) for name, theirs in _FORCES.items()}
+
+
 def _solved(ship: Ship, omega: Floats, mu: Floats, panels: tuple[int, int], lid: bool) -> xr.Dataset:
-    """Capytaine's own dataset: radiation, and diffraction for every heading."""
+    """Capytaine's own dataset of a ship about G: radiation, and diffraction for every heading."""
     if not isinstance(panels, (tuple, list)) or len(panels) != 2:
         raise InputError(
             f"panels = {quoted(panels)}; they are two numbers, along the ship and down its side; try (40, 12)"
         )
     panels = count("panels along the ship", panels[0], 2, 40), count("panels down its side", panels[1], 2, 12)
-    capytaine = _capytaine()
+    _capytaine()
     half = hull_panels(ship.hull, *panels)
-    widest = float(np.sqrt(np.linalg.norm(half.area_vectors, axis=1).max()))
     shortest = 2 * np.pi * GRAVITY / float(omega.max()) ** 2
-    if shortest < _PANELS_PER_WAVE * widest:
+    if shortest < shortest_wave(half):
         raise InputError(
-            f"a wave of {shortest:.3g} m is too short for panels of {widest:.3g} m; it must be {_PANELS_PER_WAVE:.0f} "
-            f"times as long; give more panels than {panels[0]} x {panels[1]}, or longer waves"
+            f"a wave of {shortest:.3g} m is too short for panels of {shortest_wave(half) / _PANELS_PER_WAVE:.3g} m; it must be "
+            f"{_PANELS_PER_WAVE:.0f} times as long; give more panels than {panels[0]} x {panels[1]}, or longer waves"
         )
-    x_g = hydrostatics(ship).lcb
-    points = (half.vertices - np.array([x_g, 0.0, 0.0])) * np.array([1.0, -1.0, -1.0])
+    height = ship.loading.kg - ship.hull.draught
+    return _run(_Body(ship.name, half, hydrostatics(ship).lcb, height, ship.loading.density), omega, mu, lid)
+
+
+def _run(of: _Body, omega: Floats, mu: Floats, lid: bool) -> xr.Dataset:
+    """Capytaine's own dataset: radiation, and diffraction for every heading."""
+    capytaine = _capytaine()
+    points = (of.half.vertices - np.array([of.x, 0.0, 0.0])) * np.array([1.0, -1.0, -1.0])
     with _quiet():
-        starboard = capytaine.Mesh(vertices=points, faces=half.quads)
+        starboard = capytaine.Mesh(vertices=points, faces=of.half.quads)
         mesh = capytaine.ReflectionSymmetricMesh(starboard, plane="xOz")
-        centre = (0.0, 0.0, ship.loading.kg - ship.hull.draught)
         body = capytaine.FloatingBody(
             mesh=mesh, lid_mesh=mesh.generate_lid() if lid else None,
-            dofs=capytaine.rigid_body_dofs(only=list(_DOFS), rotation_center=centre),
+            dofs=capytaine.rigid_body_dofs(only=list(_DOFS), rotation_center=(0.0, 0.0, of.height)),
         )  # fmt: skip
         ascending, back = np.unique(omega, return_inverse=True)
         coords: dict[str, Any] = {
-            "omega": ascending, "radiating_dof": list(_DOFS), "rho": ship.loading.density, "g": GRAVITY, "water_depth": np.inf
+            "omega": ascending, "radiating_dof": list(_DOFS), "rho": of.density, "g": GRAVITY, "water_depth": np.inf
         }  # fmt: skip
         direction, order = np.unique(np.radians(-mu), return_inverse=True)
         if mu.size:
@@ -197,7 +256,7 @@ def _solved(ship: Ship, omega: Floats, mu: Floats, panels: tuple[int, int], lid:
         )
     names = [name for name in ("added_mass", "diffraction_force") if name in solved]
     if not names or any(bool(np.isnan(solved[name].to_numpy()).any()) for name in names):
-        raise InputError(f"{ship.name}: Capytaine could not solve every wave; its log says why, try other panels")
+        raise InputError(f"{of.name}: Capytaine could not solve every wave; its log says why, try other panels")
     wanted = {"omega": back} | ({"wave_direction": order} if mu.size else {})
     for name in wanted:  # the solver sorts, and a single value may have lost its dimension
         if name not in solved.dims:
@@ -205,24 +264,36 @@ def _solved(ship: Ship, omega: Floats, mu: Floats, panels: tuple[int, int], lid:
     return solved.isel(wanted)
 
 
+_RADIATION: Final = (("added_mass", "added_mass", "A"), ("damping", "radiation_damping", "B"))
+_FORCES: Final = {"froude_krylov": "Froude_Krylov_force", "diffraction": "diffraction_force"}
+
+
+def _matrix(solved: xr.Dataset, theirs: str) -> Floats:
+    """Added mass or damping (f, 3, 3) in body axes."""
+    values = solved[theirs].sel(influenced_dof=list(_DOFS), radiating_dof=list(_DOFS))
+    turn = _HALF_TURN[:, None] * _HALF_TURN
+    return np.asarray(values.transpose("omega", "influenced_dof", "radiating_dof").to_numpy() * turn)
+
+
+def _phasors(solved: xr.Dataset, theirs: str) -> NDArray[np.complex128]:
+    """A force (f, h, 3) in body axes, of e^{+i omega t}."""
+    values = solved[theirs].sel(influenced_dof=list(_DOFS)).transpose("omega", "wave_direction", "influenced_dof")
+    return np.asarray(1j * np.conj(values.to_numpy()) * _HALF_TURN)
+
+
 def _radiation(solved: xr.Dataset) -> xr.Dataset:
     dims = ("frequency", "mode", "mode_of_motion")
-    turn = _HALF_TURN[:, None] * _HALF_TURN
-    fields = {}
-    for ours, theirs, letter in (("added_mass", "added_mass", "A"), ("damping", "radiation_damping", "B")):
-        values = solved[theirs].sel(influenced_dof=list(_DOFS), radiating_dof=list(_DOFS))
-        matrix = values.transpose("omega", "influenced_dof", "radiating_dof").to_numpy() * turn
-        fields[ours] = (dims, matrix, {"units": _UNITS, "symbol": letter, "long_name": ours.replace("_", " ")})
+    fields = {
+        ours: (dims, _matrix(solved, theirs), {"units": _UNITS, "symbol": letter, "long_name": ours.replace("_", " ")})
+        for ours, theirs, letter in _RADIATION
+    }
     omega = np.atleast_1d(solved["omega"].to_numpy()).astype(float)
     axis = ("frequency", omega, {"units": "rad/s", "symbol": "omega", "long_name": "wave frequency"})
     return xr.Dataset(fields, coords={"frequency": axis, "mode": list(MODES), "mode_of_motion": list(MODES)})
 
 
 def _forces(solved: xr.Dataset) -> dict[str, Any]:
-    parts: dict[str, NDArray[np.complex128]] = {}
-    for ours, theirs in (("froude_krylov", "Froude_Krylov_force"), ("diffraction", "diffraction_force")):
-        values = solved[theirs].sel(influenced_dof=list(_DOFS)).transpose("omega", "wave_direction", "influenced_dof")
-        parts[ours] = 1j * np.conj(values.to_numpy()) * _HALF_TURN
+    parts = {ours: _phasors(solved, theirs) for ours, theirs in _FORCES.items()}
     parts["total"] = parts["froude_krylov"] + parts["diffraction"]
     units = "N/m (sway), N m/m (roll, yaw)"
     return {

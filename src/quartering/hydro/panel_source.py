@@ -1,31 +1,47 @@
-"""Three-dimensional panels (Capytaine) at zero speed as a source of hydrodynamics."""
+"""Three-dimensional panels (Capytaine) at zero speed as a source of hydrodynamics.
+
+A hull is solved once, about midship at the calm plane and in sea water: loading, G and water density then only move and scale
+what is there, as they do with a database. The solution is kept on disk, since it takes half a minute.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache, partial
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 import numpy as np
-import xarray as xr
+from numpy.typing import NDArray
 
-from quartering.conventions import GRAVITY
+from quartering.cache import remembered
+from quartering.conventions import GRAVITY, WATER_DENSITY
+from quartering.digest import fingerprint, source_digest
 from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.mesh import Panels, hull_panels
+from quartering.hull.offsets import Hull
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.bem import PANELS, bem_forces
+from quartering.hydro.bem import PANELS, hull_solution, shortest_wave
 from quartering.hydro.moments import HullMoments, Moments
 from quartering.hydro.source import AtRest, Held, Hydrodynamics
 from quartering.hydro.tabled import Surfaces, force_surfaces, tabled_moments
-from quartering.hydro.transfer import transfer, transfer_matrix
 
-FREQUENCIES: Final = tuple(np.linspace(0.3, 1.6, 27).tolist())
-"""w sqrt(B/2g) solved for: from near the limit at zero frequency to waves of 1.2 B [1]."""
+FREQUENCIES: Final = tuple(np.linspace(0.2, 1.6, 29).round(9).tolist())
+"""w sqrt(B/2g) solved for, besides 0: waves of 78 B to 1.2 B; those the panels do not resolve are left out [1]."""
 HEADINGS: Final = tuple(np.arange(0.0, 181.0, 10.0).tolist())
 """Headings solved for [deg]."""
+WORDS: Final = "panels (Capytaine)"
 
 
-class _Panels(NamedTuple):
-    """What is solved: hashable, so that it is solved once for a ship."""
+class Mesh(NamedTuple):
+    """What is solved for: hashable, so that it is solved once for a hull.
+
+    Parameters
+    ----------
+    frequencies : tuple of float    w sqrt(B/2g), ascending, above 0 [1]
+    headings : tuple of float       0 to 180, ascending [deg]
+    panels : (int, int)             along the ship and from keel to waterline, on each side
+    """
 
     frequencies: tuple[float, ...]
     headings: tuple[float, ...]
@@ -49,7 +65,8 @@ def panel_source(
 
     Returns
     -------
-    Hydrodynamics                   at zero speed, between those frequencies and headings; forces in sway, roll, yaw
+    Hydrodynamics                   at zero speed, between those frequencies and headings, added mass and damping from 0; forces
+                                    in sway, roll, yaw
 
     Notes
     -----
@@ -62,62 +79,65 @@ def panel_source(
     >>> panel_source(ship("wigley")).words
     'panels (Capytaine)'
     """
-    solve = _Panels(frequencies, headings, panels)
-    centre = hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught
-    unit = float(np.sqrt(2 * GRAVITY / ship.hull.beam))
+    hull, ratio, mesh = ship.hull, ship.loading.density / WATER_DENSITY, Mesh(frequencies, headings, panels)
+    centre = hydrostatics(ship).lcb, ship.loading.kg - hull.draught
+    omega = _frequencies(hull, mesh)
 
     def solved(frequency: Floats) -> Moments:
-        return _moments(ship, solve).at(frequency).about(*centre)
+        return _moments(hull, mesh, ratio).at(frequency).about(*centre)
 
-    words = "panels (Capytaine)"
     return Hydrodynamics(
         ship=ship,
         kind="database",
-        words=words,
+        words=WORDS,
         method=f"Capytaine, {panels[0]} x {panels[1]} panels a side, zero speed; speed terms of strip theory without those of "
         "the aft end",
         references=("Ancellin19",),
-        force_words=f"{words}, zero speed, with speed terms of strip theory",
+        force_words=f"{WORDS}, zero speed, with speed terms of strip theory",
         force_references=("STF70", "Ancellin19"),
         centre=centre,
-        radiation=partial(_moments, ship, solve),
+        radiation=partial(_moments, hull, mesh, ratio),
         solved=solved,
-        held=Held((frequencies[0] * unit, frequencies[-1] * unit), False, (headings[0], headings[-1])),
-        at_rest=partial(_at_rest, ship, solve),
+        held=Held((float(omega[0]), float(omega[-1])), True, (headings[0], headings[-1])),
+        at_rest=partial(_at_rest, hull, mesh, ratio),
     )
 
 
 @lru_cache(maxsize=8)
-def _solution(ship: Ship, solve: _Panels) -> xr.Dataset:
-    """Forces, added mass and damping about G, ascending in frequency."""
-    omega = np.array(solve.frequencies) * np.sqrt(2 * GRAVITY / ship.hull.beam)
-    return bem_forces(ship, 2 * np.pi * GRAVITY / omega**2, solve.headings, panels=solve.panels)
+def _half(hull: Hull, panels: tuple[int, int]) -> Panels:
+    return hull_panels(hull, *panels)
+
+
+def _frequencies(hull: Hull, mesh: Mesh) -> Floats:
+    """Frequencies of the waves, as far as the panels resolve them [rad/s]."""
+    omega = np.array(mesh.frequencies) * np.sqrt(2 * GRAVITY / hull.beam)
+    highest = np.sqrt(2 * np.pi * GRAVITY / shortest_wave(_half(hull, mesh.panels)))
+    return np.asarray(omega[omega <= highest])
 
 
 @lru_cache(maxsize=8)
-def _moments(ship: Ship, solve: _Panels) -> HullMoments:
-    ds, (x, z) = _solution(ship, solve), _centre(ship)
-    a, b = (transfer(ds[name].to_numpy(), x, z) for name in ("added_mass", "damping"))
-    return tabled_moments(ds["frequency"].to_numpy(), a, b, None)
+def _solution(hull: Hull, mesh: Mesh) -> Mapping[str, NDArray[Any]]:
+    """Arrays of `hull_solution` in sea water, zero frequency first; from disk where the hull was solved before."""
+    half, omega = _half(hull, mesh.panels), np.append(0.0, _frequencies(hull, mesh))
+    content = (half.vertices, half.quads, omega, mesh.headings)
+    name = f"panels-{fingerprint([source_digest('hull', 'hydro'), *content])}"
+    return remembered(name, lambda: hull_solution(hull, half, omega, np.array(mesh.headings), WATER_DENSITY))
 
 
 @lru_cache(maxsize=8)
-def _forces(ship: Ship, solve: _Panels) -> tuple[Surfaces, ...]:
-    """Splines of forces about midship, whose phases stand for the surface there."""
-    ds, (x, z) = _solution(ship, solve), _centre(ship)
-    omega, mu = ds["frequency"].to_numpy(), ds["heading"].to_numpy()
-    phase = np.exp(-1j * omega[:, None] ** 2 / GRAVITY * x * np.cos(np.radians(mu)))[..., None]
-    forces = {}
-    for name in ("froude_krylov", "diffraction"):
-        parts = ds[name].transpose("wave_length", "heading", "part", "mode").to_numpy()
-        forces[name] = phase * (parts[:, :, 0] - 1j * parts[:, :, 1]) @ transfer_matrix(x, z)
-    return force_surfaces(omega, mu, forces)
+def _moments(hull: Hull, mesh: Mesh, ratio: float) -> HullMoments:
+    found = _solution(hull, mesh)
+    a, b = ratio * found["added_mass"], ratio * found["damping"]
+    return tabled_moments(_frequencies(hull, mesh), a[1:], b[1:], a[0])
 
 
-def _at_rest(ship: Ship, solve: _Panels, frequency: Floats, heading: Floats) -> AtRest:
-    return {one.name: one.at(frequency, heading) for one in _forces(ship, solve)}
+@lru_cache(maxsize=8)
+def _forces(hull: Hull, mesh: Mesh) -> tuple[Surfaces, ...]:
+    """Splines of forces in sea water."""
+    found = _solution(hull, mesh)
+    forces = {name: found[name] for name in ("froude_krylov", "diffraction")}
+    return force_surfaces(_frequencies(hull, mesh), np.array(mesh.headings), forces)
 
 
-def _centre(ship: Ship) -> tuple[float, float]:
-    """G from midship at the calm plane, forward and down [m]."""
-    return hydrostatics(ship).lcb, ship.hull.draught - ship.loading.kg
+def _at_rest(hull: Hull, mesh: Mesh, ratio: float, frequency: Floats, heading: Floats) -> AtRest:
+    return {one.name: ratio * one.at(frequency, heading) for one in _forces(hull, mesh)}

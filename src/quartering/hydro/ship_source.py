@@ -32,7 +32,7 @@ class Choice(NamedTuple):
 
 SOURCES: Final[dict[str, Choice]] = {
     "database": Choice(database_source, lambda ship: ship.database is not None),
-    "panels": Choice(panel_source, lambda _: False),  # no ship asks for them: they are asked for by name
+    "panels": Choice(panel_source, lambda ship: ship.hydrodynamics == "panels"),
     "strips": Choice(strip_source, lambda _: True),
 }
 """Name -> source; a ship's own is the first that it asks for."""
@@ -45,7 +45,7 @@ def source_of(ship: Ship, by: str | None = None) -> Hydrodynamics:
     Parameters
     ----------
     ship : Ship
-    by : str         one of `SOURCES`; None: its own database where it has one, else strips
+    by : str         one of `SOURCES`; None: its own database where it has one, else what it asks for
 
     Returns
     -------

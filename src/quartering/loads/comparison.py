@@ -26,7 +26,7 @@ MEANINGS: Final[dict[str, str]] = {
     PRESSURE_ALONE: "pressure of the undisturbed wave alone, no diffraction",
     **FORMS,
     PANELS: "three-dimensional panels (Capytaine) at zero speed",
-    OWN: "the ship's own database at zero speed, with the ship's terms of speed",
+    OWN: "the ship's own database, or its panels, at zero speed, with the ship's terms of speed",
 }
 """Form of the wave force -> what it is."""
 MOST_CONDITIONS: Final = 100_000
@@ -58,8 +58,8 @@ def compare_forces(
                wave amplitude [N/m; N m/m about G]; difference (form, wave_length, heading, mode) and
                largest_difference (form, wave_length, mode): modulus of the difference from "stf", over the largest force
                of "stf" at any heading in that wave and mode [1]; forms "froude-krylov", "paper", "paper-corrected",
-               "relative-motion", "stf", "bem", and "database" for a ship with its own (NaN where that does not hold
-               the condition)
+               "relative-motion", "stf", "bem", and "database" for a ship with its own or with panels (NaN where that does
+               not hold the condition)
 
     Raises
     ------
@@ -120,8 +120,8 @@ def _add_lift(force: dict[str, Phasors], ship: Ship, length: Floats, mu: Floats,
     """Add the force of lift and measured added mass in moving water to every form but the paper's."""
     k, heading = (v.ravel() for v in np.meshgrid(2 * np.pi / length, mu, indexing="ij"))
     u = np.full(k.size, float(speed))
-    # lift is what the potential flow lacks: the ship's own database has no part in it, and need not hold the condition
-    lift = relative_phasors(replace(ship, database=None), k, u, heading)
+    # lift is what the potential flow lacks: a database or panels have no part in it, and need not hold the condition
+    lift = relative_phasors(replace(ship, database=None, hydrodynamics="strips"), k, u, heading)
     for form in set(force) - {PRESSURE_ALONE, "paper"}:
         force[form] = force[form] + lift.reshape(length.size, mu.size, 3)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final, Literal, get_args
+from typing import Final, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +25,13 @@ FORMS: Final[dict[str, str]] = {
     "stf": "Salvesen, Tuck and Faltinsen: with forward speed, from the potentials on the section contours",
 }
 """Diffraction form -> what it is."""
+
+
+def checked_form(form: str) -> Form:
+    """A form of the diffraction force, refused when it is none."""
+    if form not in get_args(Form):
+        raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
+    return cast(Form, form)
 
 
 def wave_force_phasors(
@@ -80,8 +87,7 @@ def wave_force_phasors(
     >>> omega.round(3).tolist(), bool((diffraction[1] == 0).all())    # the second overtakes a following sea
     ([0.99, -1.01], True)
     """
-    if form not in get_args(Form):
-        raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
+    checked_form(form)
     k, U, mu = (
         v.copy()
         for v in np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, dtype=float)) for v in (wavenumber, speed, heading)))

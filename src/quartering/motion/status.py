@@ -52,6 +52,6 @@ _ADVICE = {
     " broaching are possible; change speed or heading",
     Status.BEYOND_CAPSIZE_LIMIT: "the motion rolls past the capsize limit, the least of the vanishing angle, the heel"
     " at which openings go under and 90 deg; treat as capsize risk and try a lower wave",
-    Status.OUTSIDE_DATABASE: "outside the frequencies or headings of the ship's own database: compute it further, or try"
-    " longer waves, less speed or other headings",
+    Status.OUTSIDE_DATABASE: "outside the frequencies or headings of the ship's own database or panels: compute it further, or"
+    " try longer waves, less speed or other headings",
 }

@@ -11,9 +11,12 @@ import numpy as np
 from quartering.conventions import InputError, in_unit, written
 from quartering.doors import takes
 from quartering.hull.ship import Ship
-from quartering.hull.told import condition
+from quartering.hull.told import condition, number
 from quartering.loads.forces import Form
+from quartering.loads.strip_forces import checked_form
 from quartering.loads.waves import Wave
+from quartering.names import term
+from quartering.options import quoted, unknown
 from quartering.stability.kind import Kind
 from quartering.study.loadings import LOADING_AXES, own_value
 from quartering.study.trials import Trials
@@ -95,7 +98,7 @@ def cures(
     speed : float              [m/s]
     heading : float            [deg]
     parameters : sequence      "gm", "gyradius_roll", "gyradius_yaw", "roll_damping", "speed", "wave_height", or coefficients
-    margin : float             the leading exponent must be below minus this [1/s]
+    margin : float             the leading exponent must be below minus this, >= 0 [1/s]
     harmonics : int            of the steady motion, as in `steady_motion`: those of the verdict that is to change
     form : str                 of the diffraction force
 
@@ -106,7 +109,7 @@ def cures(
 
     Raises
     ------
-    InputError                 a margin below zero, an unknown parameter
+    InputError                 a margin below zero, an unknown parameter or form, harmonics as `steady_motion`
 
     Notes
     -----
@@ -163,8 +166,7 @@ def seek(
     [[]]
     """
     speed, heading = condition(ship, speed, heading)
-    if not margin >= 0:
-        raise InputError(f"margin = {margin} 1/s; give zero or a rate by which disturbances must die out")
+    margin, form, parameters = number(ship, "margin", margin), checked_form(form), _names(parameters)
 
     trials, found = Trials(ship, wave, float(speed), float(heading), harmonics, form), list[Cure]()
     yield found
@@ -180,6 +182,23 @@ def seek(
         if needed is not None:
             found = sorted([*found, Cure(name, now, now * needed, unit)], key=_size)
             yield found
+
+
+def _names(parameters: Sequence[str]) -> tuple[str, ...]:
+    """Parameters to try, refused when they are no list, or one is none that can be changed by a factor."""
+    if isinstance(parameters, str) or not isinstance(parameters, (Sequence, np.ndarray)):
+        raise InputError(f"parameters = {quoted(parameters)}; they are a list of names; try {list(CURES[:2])}")
+    known = ("speed", "wave_height", *LOADING_AXES)
+    for name in parameters:
+        try:
+            if name not in known:
+                term(str(name))
+        except InputError:
+            message = unknown(str(name), (*known, *CURES)).words
+            raise InputError(
+                f"parameters: {message}; a coefficient by its name, such as K_ppp, may stand too"
+            ) from None
+    return tuple(map(str, parameters))
 
 
 def _size(cure: Cure) -> float:

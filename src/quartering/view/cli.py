@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import sys
-from typing import Annotated
+from collections.abc import Callable, Sequence
+from typing import Annotated, Any
 
 from quartering.view.interrupts import quiet_start
 
@@ -86,6 +87,24 @@ for _command in _COMMANDS:
     )
 
 
+def _leave_unread(words: Sequence[str]) -> None:
+    """Leave the options of every command but the one named unread: for a list of commands their names and lines suffice."""
+    named = next((word for word in words if not word.startswith("-")), "")
+    for info in app.registered_commands:
+        if info.callback is not None and info.callback.__name__.replace("_", "-") != named:
+            info.callback = _with_line_alone(info.callback)
+
+
+def _with_line_alone(command: Callable[..., Any]) -> Callable[[], None]:
+    """A command of the same name and line, without options, that is never run."""
+
+    def shown() -> None:
+        raise NotImplementedError
+
+    shown.__name__, shown.__doc__ = command.__name__, command.__doc__
+    return shown
+
+
 def main() -> None:
     """Entry point of the ``quartering`` command."""
     if sys.stdout is None or sys.stderr is None:  # closed by the shell: nothing could be told
@@ -101,6 +120,7 @@ def main() -> None:
             "all processors\n"
         )
         sys.exit(BAD_INPUT)
+    _leave_unread(sys.argv[1:])
     try:
         app()
     except KeyboardInterrupt:  # between the imports and the command

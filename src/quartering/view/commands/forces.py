@@ -74,7 +74,10 @@ def _chosen(forms: Sequence[str], one: Ship) -> list[str]:
         raise InputError(f"form {unknown[0]!r} given; allowed: {', '.join(MEANINGS)}; try '{MEASURE}'")
     without_own = wave_source(one).source is None
     if OWN in forms and without_own:
-        raise InputError(f"--form {OWN}: {one.name} has no database of its own; give one in the ship file (database:)")
+        raise InputError(
+            f"--form {OWN}: {one.name} has no database of its own; give one in the ship file (database:), or write "
+            "hydrodynamics: panels"
+        )
     without = {PANELS, OWN} if without_own else {PANELS}
     return [form for form in MEANINGS if (form in (*forms, MEASURE) if forms else form not in without)]
 
