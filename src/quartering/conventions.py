@@ -120,7 +120,9 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "verdict": Symbol("", "1", "is the motion stable, and if not by which mechanism"),
     "status": Symbol("", "1", "whether the condition has an answer"),
     "capsizes_on_the_way": Symbol(
-        "", "1", "does the ship capsize before it comes to its stable motion, from upright or with the wave raised in steps"
+        "",
+        "1",
+        "does the ship capsize before it comes to its stable motion, from upright or with the wave raised in steps",
     ),
 }
 """Name -> letter, unit and meaning: labels of every table, dataset and plot come from here."""

@@ -1,7 +1,7 @@
 """Whether ships capsize before they come to a steady motion: histories of many conditions, a row of them abreast.
 
-All histories stand at the same phase of their waves: with theta = omega t the equations are d(state)/d(theta) = f/omega, and the
-wave's cosine and sine are numbers alike in all lanes. A row takes as many steps a cycle as its conditions need.
+All histories stand at the same phase of their waves: with theta = omega t the equations are d(state)/d(theta) = f/omega, and
+the wave's cosine and sine are numbers alike in all lanes. A row takes as many steps a cycle as its conditions need.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -70,19 +70,20 @@ def _march(first, last, program, parts, waves, cycles, limit, states, times):
     ``states`` (rows, s, W) go on until |roll| passes ``limit`` (rows, W), and stay there; ``times`` (rows, W) is when that was,
     in cycles, NaN before.
     """
-    lanes, h = row_of_lanes(parts, WIDTH), np.empty(WIDTH)
-    room, total = room_for(program, lanes), np.empty((program.states, WIDTH))
+    width = limit.shape[1]
+    lanes, h = row_of_lanes(parts, width), np.empty(width)
+    room, total = room_for(program, lanes), np.empty((program.states, width))
     roll, steps = program.displacements[1], waves.shape[1] // 2
     for row in range(first, last):
-        gather(row * WIDTH, parts.frequency.size, parts, lanes)
+        gather(row * width, parts.frequency.size, parts, lanes)
         y, going = states[row], np.isnan(times[row]).sum()
-        for l in range(WIDTH):
+        for l in range(width):
             h[l] = 2 * np.pi / steps / lanes.frequency[l]
         for n in range(cycles * steps):
             if going == 0:
                 break
             _step(program, lanes, h, waves, 2 * n, y, room, total)
-            for l in range(WIDTH):
+            for l in range(width):
                 if np.isnan(times[row, l]):
                     for s in range(y.shape[0]):
                         y[s, l] += h[l] / 6.0 * total[s, l]
@@ -91,13 +92,14 @@ def _march(first, last, program, parts, waves, cycles, limit, states, times):
                         going -= 1
 
 
-def capsizes_before(system: System, limit: Floats) -> Floats:
+def capsizes_before(system: System, limit: Floats, width: int = WIDTH) -> Floats:
     """When ships capsize that meet their wave upright, and such whose wave is raised in three steps.
 
     Parameters
     ----------
     system : System       n conditions, all numbers finite
     limit : (n,) float    roll angle that counts as a capsize [rad]
+    width : int           conditions abreast; with one width no condition feels its neighbours to the last digit
 
     Returns
     -------
@@ -122,14 +124,14 @@ def capsizes_before(system: System, limit: Floats) -> Floats:
     for each in np.unique(steps):
         chosen = np.flatnonzero(steps == each)
         some = system.each(lambda array, chosen=chosen: array[chosen])  # type: ignore[misc]
-        times[chosen] = _capsizes(some, np.asarray(limit, dtype=float)[chosen], int(each))
+        times[chosen] = _capsizes(some, np.asarray(limit, dtype=float)[chosen], int(each), width)
     return times * (2 * np.pi / system.frequency)[:, None]
 
 
-def _capsizes(system: System, limit: Floats, steps: int) -> Floats:
+def _capsizes(system: System, limit: Floats, steps: int, width: int) -> Floats:
     """`capsizes_before` in cycles, with a number of steps each."""
-    rows = -(-system.count // WIDTH)
-    lanes = np.minimum(np.arange(rows * WIDTH), system.count - 1).reshape(rows, WIDTH)
+    rows = -(-system.count // width)
+    lanes = np.minimum(np.arange(rows * width), system.count - 1).reshape(rows, width)
     waves = waves_at(np.pi * np.arange(2 * steps) / steps, system.inputs.shape[2])
     angle = np.ascontiguousarray(limit[lanes])
 
@@ -137,9 +139,9 @@ def _capsizes(system: System, limit: Floats, steps: int) -> Floats:
         at = system.raised(np.array([share]))
         in_threads(_march, rows, at.program, at.parts, waves, PERIODS, angle, states, times, smallest=1)
 
-    found = np.full((2, rows, WIDTH), np.nan)
-    further(1.0, np.zeros((rows, system.states, WIDTH)), found[0])
-    states = np.zeros((rows, system.states, WIDTH))
+    found = np.full((2, rows, width), np.nan)
+    further(1.0, np.zeros((rows, system.states, width)), found[0])
+    states = np.zeros((rows, system.states, width))
     for i in range(RAISED_IN):
         before = np.isfinite(found[1])
         further((i + 1) / RAISED_IN, states, found[1])

@@ -22,6 +22,8 @@ Way = Literal["upright", "raised"]
 
 _STEEP: Final = 0.5
 """Share of the capsize limit past which a stable motion is asked for the way to it."""
+_FEW: Final = 4
+"""Lanes of a row for one condition: as many as a processor works on together."""
 _SAME_ROLL = 0.02
 
 
@@ -48,7 +50,7 @@ def capsizes_on_the_way(model: Model) -> dict[Way, float]:
     >>> capsizes_on_the_way(Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0, 0)))
     {}
     """
-    times = capsizes_before(model.system, np.array([model.capsize_limit.radians]))[0]
+    times = capsizes_before(model.system, np.array([model.capsize_limit.radians]), width=_FEW)[0]
     return {way: float(time) for way, time in zip(get_args(Way), times, strict=True) if np.isfinite(time)}
 
 

@@ -162,9 +162,7 @@ class _Blocks(BackendArray):
         u, mu, length, *rest = wanted[1:] if self.with_loading else wanted
         sizes = self.shape[1:4] if self.with_loading else self.shape[:3]
         points = np.ravel_multi_index(np.ix_(u, mu, length), sizes).ravel()
-        out = np.full(
-            (loadings.size, points.size, *(r.size for r in rest)), UNKNOWN.get(self.name, np.nan), self.dtype
-        )
+        out = np.full((loadings.size, points.size, *(r.size for r in rest)), UNKNOWN.get(self.name, np.nan), self.dtype)
         for i, (l0, l1, p0, p1) in enumerate(self.store.content["blocks"]):
             inside = np.flatnonzero((loadings >= l0) & (loadings < l1)), np.flatnonzero((points >= p0) & (points < p1))
             if i in self.missing or not (inside[0].size and inside[1].size):
