@@ -119,6 +119,11 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "multiplier_modulus": Symbol("|mu|", "1", "moduli of the Floquet multipliers of (v, phi, p, r)"),
     "verdict": Symbol("", "1", "is the motion stable, and if not by which mechanism"),
     "status": Symbol("", "1", "whether the condition has an answer"),
+    "capsizes_on_the_way": Symbol(
+        "",
+        "1",
+        "does the ship capsize before it comes to its stable motion, from upright or with the wave raised in steps",
+    ),
 }
 """Name -> letter, unit and meaning: labels of every table, dataset and plot come from here."""
 

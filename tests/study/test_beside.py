@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.study.beside import capsizes_on_the_way, other_stable_motions, raised
+from quartering.study.beside import capsizes_on_the_way, other_stable_motions
 from quartering.view.commands.verdict import examine, facts
 
 DESTROYER = qt.ship("dtmb5415").with_(velocities="absolute", righting="polynomial", drag="cubic")
@@ -30,10 +30,10 @@ def test_the_wave_at_a_share_of_its_height_is_a_lower_wave():
     for ship in (qt.ship("dtmb5415"), DESTROYER):
         model = qt.equations(ship, qt.Wave(150.0, 3.0), 7.0, 60.0)
         lower = qt.equations(ship, qt.Wave(150.0, 1.0), 7.0, 60.0)
-        third = raised(model, 1 / 3)
+        third = model.system.raised(np.array([1 / 3]))
         for name in ("cos", "sin", "inputs", "strips", "linear", "coefficients"):
             np.testing.assert_allclose(
-                getattr(third.system, name), getattr(lower.system, name), rtol=1e-12, atol=1e-15, err_msg=name
+                getattr(third, name), getattr(lower.system, name), rtol=1e-12, atol=1e-15, err_msg=name
             )
 
 

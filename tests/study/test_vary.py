@@ -123,7 +123,9 @@ def test_tornado_flips_are_those_of_the_cures():
     """Agreement with another search: root finding on the exponent itself."""
     names = ["roll_damping", "K_prr", "gyradius_roll"]
     ds = qt.tornado(RESTLESS, WAVE, SPEED, HEADING, parameters=names, harmonics=3)
-    found = {cure.parameter: cure.needed for cure in cures(RESTLESS, WAVE, SPEED, HEADING, parameters=names, harmonics=3)}
+    found = {
+        cure.parameter: cure.needed for cure in cures(RESTLESS, WAVE, SPEED, HEADING, parameters=names, harmonics=3)
+    }
     assert "K_prr" in found
     for name, needed in found.items():
         assert float(ds["flip"].sel(parameter=name)) == pytest.approx(needed, rel=1e-4)

@@ -343,7 +343,19 @@ def test_a_map_names_its_waves_its_estimates_and_the_ship_without_waves(run):
 def test_cells_without_an_answer_are_grouped_with_advice(run, tmp_path):
     (tmp_path / "tender.yaml").write_text("base: series60-cb60\nname: tender\nloading: {gm: 0.02 B}\n")
     steep = ["--speed", "0.25Fn", "--headings", "10:50:9", "--wave-lengths", "1.9L:2.3L:5", "--steepness", "1/15"]
-    result = run("polar", "tender.yaml", *steep, "--velocities", "absolute", "--drag", "cubic", "--righting", "polynomial", "-o", "map.nc")
+    result = run(
+        "polar",
+        "tender.yaml",
+        *steep,
+        "--velocities",
+        "absolute",
+        "--drag",
+        "cubic",
+        "--righting",
+        "polynomial",
+        "-o",
+        "map.nc",
+    )
     with xr.open_dataset(tmp_path / "map.nc") as ds:
         unanswered = int((ds["verdict"] == int(Kind.NO_ANSWER)).sum())
     assert unanswered > 0

@@ -1,4 +1,4 @@
-"""Whether a condition has an answer, and what to do when it has none."""
+"""Whether a condition has an answer, what to do when it has none, and whether a ship gets to its motion."""
 
 from __future__ import annotations
 
@@ -55,3 +55,33 @@ _ADVICE = {
     Status.OUTSIDE_DATABASE: "outside the frequencies or headings of the ship's own database or panels: compute it further, or"
     " try longer waves, less speed or other headings",
 }
+
+
+class OnTheWay(IntEnum):
+    """From which beginnings a ship capsizes before it comes to its stable motion.
+
+    Notes
+    -----
+    Stored as int8 in datasets, with CF ``flag_values`` and ``flag_meanings``; see `capsizes_before` for the beginnings.
+
+    Examples
+    --------
+    >>> OnTheWay.BOTH.label, OnTheWay.NO.capsizes
+    ('stable motion, capsizes on the way', False)
+    """
+
+    NOT_ASKED = -1
+    NO = 0
+    FROM_UPRIGHT = 1
+    WAVE_RAISED = 2
+    BOTH = 3
+
+    @property
+    def capsizes(self) -> bool:
+        """Does it capsize from one of them?"""
+        return self > OnTheWay.NO
+
+    @property
+    def label(self) -> str:
+        """Name as shown to people."""
+        return "stable motion, capsizes on the way" if self.capsizes else self.name.lower().replace("_", " ")

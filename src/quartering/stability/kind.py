@@ -13,6 +13,7 @@ from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.floquet import Floquet
 
 _MOSTLY_ROLL, _HARDLY_ROLL = 0.6, 0.25
+_NEAR = 0.5
 
 
 class Kind(IntEnum):
@@ -153,3 +154,24 @@ def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
     modulus = np.abs(result.multipliers[:, 0])
     kind = np.where(modulus < 1.0, Kind.STABLE, kind)
     return np.where(np.isfinite(modulus), kind, Kind.NO_ANSWER).astype(np.int8)
+
+
+def near_fold(result: Floquet) -> NDArray[np.bool_]:
+    """Stable motions on whose branch a fold is near.
+
+    Parameters
+    ----------
+    result : Floquet    n motions
+
+    Returns
+    -------
+    (n,) bool
+
+    Notes
+    -----
+    At a fold of symmetric motions a half-period multiplier is -1, as the disturbance follows the motion into its mirror image;
+    away from folds roll's two are complex.  Here: one that is real, below -1/2.  Only symmetric motions are told.
+    Source: [Krack19]; the half is this library's.
+    """
+    half = np.nan_to_num(result.half)
+    return np.asarray(((np.abs(half.imag) <= 1e-9 * np.abs(half)) & (half.real < -_NEAR)).any(axis=1))

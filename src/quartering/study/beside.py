@@ -2,25 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Literal
+from typing import Final, Literal, get_args
 
 import numpy as np
+from numpy.typing import NDArray
 
-from quartering.motion.ensemble import capsize_times
-from quartering.motion.equations import Model
+from quartering.motion.approach import capsizes_before
+from quartering.motion.equations import Floats, Model, System
 from quartering.motion.homotopy import carried
 from quartering.motion.search import from_grid
+from quartering.motion.status import OnTheWay
 from quartering.motion.steady import Motion, roll_peaks, steady_motions
-from quartering.motion.water import Strips
-from quartering.stability.assessment import assess
-from quartering.stability.kind import Kind
+from quartering.stability.assessment import Assessment, assess
+from quartering.stability.kind import Kind, near_fold
 from quartering.threads import small_matrices
 
 Way = Literal["upright", "raised"]
 """How a ship comes to its motion: met upright by the whole wave, or by a wave raised in three steps."""
 
-_STEPS, _PERIODS = 3, 10
+_STEEP: Final = 0.5
+"""Share of the capsize limit past which a stable motion is asked for the way to it."""
+_FEW: Final = 4
+"""Lanes of a row for one condition: as many as a processor works on together."""
 _SAME_ROLL = 0.02
 
 
@@ -47,30 +50,40 @@ def capsizes_on_the_way(model: Model) -> dict[Way, float]:
     >>> capsizes_on_the_way(Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0, 0)))
     {}
     """
-    found: dict[Way, float] = {}
-    time, _ = capsize_times(model, np.zeros((1, 4)), _PERIODS)
-    if np.isfinite(time[0]):
-        found["upright"] = float(time[0])
-    state, each = np.zeros((1, 4)), _PERIODS * 2 * np.pi / model.frequency
-    for i in range(_STEPS):
-        time, state = capsize_times(raised(model, (i + 1) / _STEPS), state, _PERIODS)
-        if np.isfinite(time[0]):
-            found["raised"] = i * each + float(time[0])
-            break
+    times = capsizes_before(model.system, np.array([model.capsize_limit.radians]), width=_FEW)[0]
+    return {way: float(time) for way, time in zip(get_args(Way), times, strict=True) if np.isfinite(time)}
+
+
+def on_the_way(system: System, judged: Assessment, peaks: Floats, limit: float) -> NDArray[np.int8]:
+    """Whether ships capsize before they come to their stable motions, asked where it may be.
+
+    Parameters
+    ----------
+    system : System         n conditions
+    judged : Assessment     of their motions
+    peaks : (n,) float      largest roll over a cycle [rad]
+    limit : float           roll angle that counts as a capsize [rad]
+
+    Returns
+    -------
+    (n,) int8               values of `OnTheWay`
+
+    Notes
+    -----
+    Asked of stable motions that roll past half the limit, and of those near a fold (`near_fold`), beside which a larger motion
+    stands or none.  Source: [Thompson89] for the use.
+
+    Examples
+    --------
+    See `judged` of `quartering.study.conditions`, which calls this.
+    """
+    found = np.full(system.count, int(OnTheWay.NOT_ASKED), dtype=np.int8)
+    steep = np.nan_to_num(peaks) > _STEEP * limit
+    asked = np.flatnonzero((judged.kind == Kind.STABLE) & (steep | near_fold(judged.floquet)))
+    if asked.size:
+        times = capsizes_before(system.each(lambda array: array[asked]), np.full(asked.size, limit))
+        found[asked] = np.isfinite(times) @ [int(OnTheWay.FROM_UPRIGHT), int(OnTheWay.WAVE_RAISED)]
     return found
-
-
-def raised(model: Model, share: float) -> Model:
-    """The same ship in the same wave at a share of its height."""
-    strips = model.strips
-    return replace(
-        model,
-        force_cos=share * model.force_cos,
-        force_sin=share * model.force_sin,
-        force_mean=share * model.force_mean,
-        water=None if model.water is None else (share * model.water[0], share * model.water[1]),
-        strips=None if strips is None else Strips(strips.x, strips.lever, strips.c, share * strips.water),
-    )
 
 
 def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> list[float]:

@@ -81,11 +81,11 @@ def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.ge
 
 
 def counted(found: Arrays) -> dict[str, int]:
-    """Numbers of conditions by verdict and status, and of those beyond the fit of the righting arm.
+    """Numbers of conditions by verdict, status and way to the motion, and of those beyond the fit of the righting arm.
 
     Parameters
     ----------
-    found : mapping of str to array    verdict, status, beyond
+    found : mapping of str to array    `FLAGS` and beyond
 
     Returns
     -------
@@ -93,8 +93,12 @@ def counted(found: Arrays) -> dict[str, int]:
 
     Examples
     --------
-    >>> counted({"verdict": np.array([0, 0, 1]), "status": np.array([0, 0, 0]), "beyond": np.array(0)})
-    {'verdict 0': 2, 'verdict 1': 1, 'status 0': 3}
+    >>> found = {"verdict": np.array([0, 0, 1]), "status": np.array([0, 0, 0]), "capsizes_on_the_way": np.array([0, 1, -1])}
+    >>> counted({**found, "beyond": np.array(0)}) == {
+    ...     "verdict 0": 2, "verdict 1": 1, "status 0": 3,
+    ...     "capsizes_on_the_way -1": 1, "capsizes_on_the_way 0": 1, "capsizes_on_the_way 1": 1,
+    ... }
+    True
     """
     counts: dict[str, int] = {}
     for name in FLAGS:

@@ -15,11 +15,12 @@ from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.validity import warn_of_conditions, warn_outside_database
 from quartering.motion.of_ship import ShipSystem
-from quartering.motion.status import Status
+from quartering.motion.status import OnTheWay, Status
 from quartering.motion.steady import roll_peaks, steady_motions
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
+from quartering.study.beside import on_the_way
 from quartering.study.grid import Grid
 from quartering.study.shared import part_of, systems
 from quartering.threads import spread
@@ -34,12 +35,14 @@ ACCURACY = 5e-6
 RESULTS: dict[str, tuple[int, ...]] = {
     "sway": (), "roll": (), "yaw": (), "roll_peak": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (), "index": (),
     "q": (3,), "q_paper": (3,), "slow": (2,), "first_order": (), "exponent": (), "calm_exponent": (),
-    "multiplier_modulus": (4,), "verdict": (), "status": (),
+    "multiplier_modulus": (4,), "verdict": (), "status": (), "capsizes_on_the_way": (),
 }  # fmt: skip
 """Name of every result and the shape it adds to the shape of the conditions; of more modes, with an autopilot, the largest."""
 
-FLAGS = ("verdict", "status")
-"""Results that are small integers."""
+FLAGS = {"verdict": Kind, "status": Status, "capsizes_on_the_way": OnTheWay}
+"""Results that are small integers, and what these mean."""
+UNKNOWN = {"verdict": Kind.NO_ANSWER, "status": Status.NOT_FINITE, "capsizes_on_the_way": OnTheWay.NOT_ASKED}
+"""What stands there where nothing is known."""
 
 
 def evaluate(
@@ -87,8 +90,7 @@ def evaluate(
     m, heights = wave_height.shape
     results: dict[str, NDArray[np.generic]] = {name: np.full((m, heights, *s), np.nan) for name, s in RESULTS.items()}
     results["encounter_frequency"] = np.full(m, np.nan)
-    results["verdict"] = np.full((m, heights), int(Kind.NO_ANSWER), dtype=np.int8)
-    results["status"] = np.zeros((m, heights), dtype=np.int8)
+    results |= {name: np.full((m, heights), int(UNKNOWN[name]), dtype=np.int8) for name in FLAGS}
     limit = capsize_limit(ship).angle
     rows = max(1, BLOCK // heights)
     parts = [slice(start, min(start + rows, m)) for start in range(0, m, rows)]
@@ -182,6 +184,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
     result = assess(system, u, orders, ACCURACY, detail="map")
     f = result.first_order
+    way = on_the_way(system, result, np.radians(largest), float(np.radians(limit)))
     first = 1 if orders[0] == 0 else 0
     sway, roll, yaw = np.hypot(u[:, :, first], u[:, :, first + 1]).T
     growth = np.where(np.isfinite(u).all(axis=(1, 2)), f.growth, np.nan)
@@ -192,6 +195,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
         "q": f.q, "q_paper": f.q_paper, "slow": f.slow[:, :2], "first_order": growth,
         "exponent": result.floquet.growth, "calm_exponent": result.calm[:, 0].real,
         "multiplier_modulus": np.abs(result.floquet.multipliers[:, :4]), "verdict": result.kind, "status": status,
+        "capsizes_on_the_way": way,
     }  # fmt: skip
 
 

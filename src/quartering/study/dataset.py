@@ -18,12 +18,10 @@ from quartering.hydro.coefficients import coefficients
 from quartering.hydro.freedamping import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.forces import Form, form_words
-from quartering.motion.status import Status
 from quartering.names import unit
 from quartering.options import OPTIONS
 from quartering.stability.first_order import RESONANCES
-from quartering.stability.kind import Kind
-from quartering.study.conditions import RESULTS
+from quartering.study.conditions import FLAGS, RESULTS
 from quartering.study.loadings import CHOICE_AXES, VALUE
 
 EXTRA_DIMS = {
@@ -128,7 +126,7 @@ def attributes(name: str) -> dict[str, object]:
     if name in CHOICE_AXES:
         known["flag_values"] = np.arange(len(CHOICE_AXES[name]), dtype=np.int8)
         known["flag_meanings"] = " ".join(CHOICE_AXES[name])
-    flags = {"verdict": Kind, "status": Status}.get(name)
+    flags = FLAGS.get(name)
     if flags is not None:
         known["flag_values"] = np.array([int(flag) for flag in flags], dtype=np.int8)
         known["flag_meanings"] = " ".join(flag.name.lower() for flag in flags)

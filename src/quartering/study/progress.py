@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from quartering.motion.status import Status
+from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
 from quartering.study.estimate import duration
 
@@ -98,7 +98,7 @@ def summary(counts: Mapping[str, int], seconds: float) -> dict[str, Any]:
 
     Returns
     -------
-    dict    conditions, stable, unstable, failed, by_verdict, failures (status, count, advice), seconds
+    dict    conditions, stable, unstable, failed, by_verdict, failures (status, count, advice), capsize_on_the_way, seconds
 
     Examples
     --------
@@ -116,6 +116,7 @@ def summary(counts: Mapping[str, int], seconds: float) -> dict[str, Any]:
         "failures": [
             {"status": f.status.name.lower(), "count": f.conditions, "advice": f.advice} for f in failures(counts)
         ],
+        "capsize_on_the_way": sum(counts.get(f"capsizes_on_the_way {int(way)}", 0) for way in OnTheWay if way.capsizes),
         "beyond_fitted_righting_arm": counts.get("beyond", 0),
         "seconds": seconds,
     }

@@ -12,6 +12,7 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError
+from quartering.motion.status import OnTheWay
 from quartering.stability.kind import Kind
 from quartering.study.grid import CONDITION_AXES, STEEPNESS
 from quartering.study.loadings import coded
@@ -19,6 +20,7 @@ from quartering.study.loadings import coded
 Measure = Literal["roll", "margin"]
 OF_CONDITIONS: Final = frozenset({*CONDITION_AXES, STEEPNESS, "resonance", "rank"})
 """Coordinates of a result that say nothing of its loadings."""
+ON_THE_WAY: Final = "capsizes_on_the_way"
 _OF = {"roll": "roll_peak", "margin": "exponent"}
 
 
@@ -34,7 +36,7 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
     Returns
     -------
     xarray.Dataset             along ``rank``, the worst first: every coordinate of the condition, roll_peak [deg], exponent
-                               [1/s], verdict; fewer where fewer conditions have an answer
+                               [1/s], verdict, capsizes_on_the_way; fewer where fewer conditions have an answer
 
     Raises
     ------
@@ -62,8 +64,32 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
         dim: xr.DataArray(index, dims="rank")
         for dim, index in zip(values.dims, np.unravel_index(ranked, values.shape), strict=True)
     }
-    chosen = result[["roll_peak", "exponent", "verdict"]].isel(where).load()
+    names = ["roll_peak", "exponent", "verdict", *({ON_THE_WAY} & set(result.data_vars))]
+    chosen = result[names].isel(where).load()
     return chosen.assign_coords(rank=np.arange(1, ranked.size + 1))
+
+
+def capsizing(result: xr.Dataset) -> xr.DataArray:
+    """Conditions whose ship capsizes before it comes to its stable motion.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
+
+    Returns
+    -------
+    xarray.DataArray of bool
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> bool(capsizing(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).any())
+    False
+    """
+    if ON_THE_WAY not in result:
+        return xr.zeros_like(result["verdict"], dtype=bool)
+    return result[ON_THE_WAY] > int(OnTheWay.NO)
 
 
 def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> xr.Dataset:
@@ -76,8 +102,8 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
 
     Returns
     -------
-    xarray.Dataset             roll_peak [deg] and exponent [1/s] at their largest, unstable and without_answer: shares of the
-                               conditions [1]
+    xarray.Dataset             roll_peak [deg] and exponent [1/s] at their largest; unstable, without_answer and capsizing:
+                               shares of the conditions [1]
 
     Raises
     ------
@@ -106,6 +132,7 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
     shares = {
         "unstable": ((verdict > int(Kind.STABLE)).mean(others), "share of conditions that are unstable"),
         "without_answer": ((verdict == int(Kind.NO_ANSWER)).mean(others), "share of conditions without an answer"),
+        "capsizing": (capsizing(result).mean(others), "share of conditions that are stable, but capsize on the way"),
     }
     for name, (values, meaning) in shares.items():
         largest[name] = values.assign_attrs(units="1", long_name=meaning, symbol="")

@@ -13,14 +13,10 @@ from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from quartering.conventions import InputError
-from quartering.motion.status import Status
-from quartering.stability.kind import Kind
-from quartering.study.conditions import FLAGS, RESULTS
+from quartering.study.conditions import FLAGS, RESULTS, UNKNOWN
 from quartering.study.dataset import described
 from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid
 from quartering.study.store import Store, read_block, read_store
-
-_UNKNOWN = {"verdict": int(Kind.NO_ANSWER), "status": int(Status.NOT_FINITE)}
 
 
 def open_result(folder: str | Path, *, partial: bool = False) -> xr.Dataset:
@@ -166,9 +162,7 @@ class _Blocks(BackendArray):
         u, mu, length, *rest = wanted[1:] if self.with_loading else wanted
         sizes = self.shape[1:4] if self.with_loading else self.shape[:3]
         points = np.ravel_multi_index(np.ix_(u, mu, length), sizes).ravel()
-        out = np.full(
-            (loadings.size, points.size, *(r.size for r in rest)), _UNKNOWN.get(self.name, np.nan), self.dtype
-        )
+        out = np.full((loadings.size, points.size, *(r.size for r in rest)), UNKNOWN.get(self.name, np.nan), self.dtype)
         for i, (l0, l1, p0, p1) in enumerate(self.store.content["blocks"]):
             inside = np.flatnonzero((loadings >= l0) & (loadings < l1)), np.flatnonzero((points >= p0) & (points < p1))
             if i in self.missing or not (inside[0].size and inside[1].size):

@@ -20,7 +20,7 @@ from quartering.study.dataset import heading_of, plain_attributes
 from quartering.study.grid import Grid
 from quartering.study.seal import DamagedError, is_sound, read_index, read_variable
 
-LAYOUT = 1
+LAYOUT = 2
 """Number of the layout of the folder; another one is refused."""
 MANIFEST = "case.json"
 _BLOCKS = "blocks"
@@ -333,7 +333,7 @@ def code_digest() -> str:
     >>> len(code_digest())
     16
     """
-    own = (f"study/{name}.py" for name in ("conditions", "shared", "grid", "loadings", "case_values"))
+    own = (f"study/{name}.py" for name in ("conditions", "beside", "shared", "grid", "loadings", "case_values"))
     return source_digest("hull", "hydro", "loads", "motion", "stability", *own)
 
 

@@ -18,10 +18,12 @@ from quartering.hydro.freedamping import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
+from quartering.motion.status import OnTheWay
 from quartering.names import DRAG_NAME
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
 from quartering.study.loadings import CHOICE_AXES
+from quartering.study.query import capsizing
 from quartering.units import quantity
 
 if TYPE_CHECKING:
@@ -34,6 +36,8 @@ _ESTIMATED = {"regression": "velocity derivatives ", "cross-flow drag": "cubic d
 
 _LOADING = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
 
+
+WAY_WORDS = "the ship capsizes on the way, from upright or with the wave raised in three steps"
 
 OVER_GROUND = " Lift and drag act on velocities over ground (absolute), as in the paper."
 
@@ -222,6 +226,18 @@ def value_words(name: str, value: float, unit: str) -> str:
     if name in CHOICE_AXES:
         return CHOICE_AXES[name][int(value)]
     return f"{float(value):.4g}{in_unit(unit)}"
+
+
+def verdict_words(one: xr.Dataset) -> str:
+    """Verdict of one condition of a result.
+
+    Examples
+    --------
+    >>> import xarray as xr
+    >>> verdict_words(xr.Dataset({"verdict": 1})), verdict_words(xr.Dataset({"verdict": 0, "capsizes_on_the_way": 3}))
+    ('roll', 'stable motion, capsizes on the way')
+    """
+    return OnTheWay.BOTH.label if bool(capsizing(one)) else Kind(int(one["verdict"])).label
 
 
 def wave_words(ds: xr.Dataset) -> str:

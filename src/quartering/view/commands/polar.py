@@ -22,13 +22,14 @@ from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.polar import polar
+from quartering.study.query import capsizing
 from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import bar
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import estimated_names, exponents_words, notes, speed_words, wave_words
+from quartering.view.wording import WAY_WORDS, estimated_names, exponents_words, notes, speed_words, wave_words
 
 MOST_CONDITIONS = 1_000_000
 """Largest map: about 1 GB of results."""
@@ -120,6 +121,7 @@ class Summary(NamedTuple):
     verdicts: dict[str, int]
     no_answer: dict[str, int]
     calm_water: np.ndarray
+    capsize_on_the_way: int
 
 
 def _summary(one: Ship, ds: xr.Dataset) -> Summary:
@@ -132,6 +134,7 @@ def _summary(one: Ship, ds: xr.Dataset) -> Summary:
         {Kind(int(k)).label: int(n) for k, n in zip(kinds, counts, strict=True)},
         {Status(int(s)).name.lower(): int(n) for s, n in zip(statuses, failures, strict=True) if not Status(int(s)).ok},
         calm_water_exponents(one, float(ds["speed"])),
+        int(capsizing(ds).sum()),
     )
 
 
@@ -184,6 +187,8 @@ def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
         if Status[status.upper()] is Status.BEYOND_CAPSIZE_LIMIT:
             advice = capsize_advice(capsize_limit(one))
         show(f"{n} cells without an answer: {advice}.")
+    if lost := sum(s.capsize_on_the_way for s in summary):
+        show(f"{lost} cells with a stable motion that is not reached: {WAY_WORDS}.")
     unsteady = [speed_words(s.speed, length) for s in summary if s.calm_water.real.max() > _NEUTRAL]
     if unsteady:
         show(f"Course-unstable in calm water, without a rudder: at {'; '.join(unsteady)}.")

@@ -9,14 +9,13 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import InputError, headed, written
-from quartering.stability.kind import Kind
 from quartering.study.loadings import CHOICE_AXES, coded
 from quartering.study.query import OF_CONDITIONS, Measure, cut, sea_of, worst, worst_by, write_csv
 from quartering.study.result import open_result
 from quartering.study.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import value_words
+from quartering.view.wording import value_words, verdict_words
 
 
 def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
@@ -27,7 +26,7 @@ def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
     rows = [
         {name: float(found[name][i]) for name in (*names, "roll_peak", "exponent")}
         | {name: value_words(name, float(found[name][i]), "1") for name in names if name in CHOICE_AXES}
-        | {"verdict": Kind(int(found["verdict"][i])).label}
+        | {"verdict": verdict_words(found.isel(rank=i))}
         for i in range(found.sizes["rank"])
     ]
     if as_json:
@@ -69,7 +68,7 @@ def show_result(
         title += "; at " + ", ".join(
             f"{_head(name, part)} {value_words(name, value, '1')}" for name, value in taken.items()
         )
-    show(table(title, ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, (0, 1, 2, 3, 4, 5)))
+    show(table(title, ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, tuple(range(2 + len(_COLUMNS)))))
     show(*(f"Wrote {path}" for path in files.values() if path))
     names = [
         n
@@ -115,12 +114,12 @@ def split_cut(typed: str) -> tuple[str, float]:
         ) from None
 
 
-_COLUMNS = ("largest roll [deg]", "largest exponent [1/s]", "unstable", "no answer")
+_COLUMNS = ("largest roll [deg]", "largest exponent [1/s]", "unstable", "no answer", "capsizes on the way")
 
 
 def _row(line: xr.Dataset) -> tuple[str, ...]:
     place = [f"{float(line[name]):.4g}" if name in line.coords else "" for name in ("speed", "heading")]
-    shares = [f"{100 * float(line[name]):.1f} %" for name in ("unstable", "without_answer")]
+    shares = [f"{100 * float(line[name]):.1f} %" for name in ("unstable", "without_answer", "capsizing")]
     return (*place, f"{float(line['roll_peak']):.3g}", f"{float(line['exponent']):+.3g}", *shares)
 
 

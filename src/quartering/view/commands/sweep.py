@@ -25,6 +25,7 @@ from quartering.view.interrupts import stop_if_asked
 from quartering.view.output import claim, folder_named, write
 from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
+from quartering.view.wording import WAY_WORDS
 
 INTERRUPTED = 130
 _BETWEEN_LINES = 10.0
@@ -72,6 +73,8 @@ def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_
         show_json(facts | {"result": str(folder)})
         return
     _after(wanted, counts, facts["by_verdict"])
+    if facts["capsize_on_the_way"]:
+        show(f"{facts['capsize_on_the_way']:,} of the stable motions are not reached: {WAY_WORDS}.")
     show(f"Wrote {folder}")
     show(next_steps(f"quartering worst {folder}", f"quartering show {folder}", f"quartering report {folder}"))
 

@@ -90,12 +90,11 @@ def examine(one: Ship, wave: Wave, speed: float, heading: float, harmonics: int 
 
 
 def _beside(model: Model, motion: Motion, verdict: Verdict) -> Beside:
-    """What stands beside a motion; asked of a stable one, the way to it where roll passes half the capsize limit."""
+    """What stands beside a motion; asked of a stable one."""
     if not verdict.stable:
         return _NOTHING
     others = other_stable_motions(model, motion)
-    steep = motion.peak[1] > 0.5 * model.capsize_limit.radians or bool(others)
-    return Beside(capsizes_on_the_way(model) if steep else {}, [math.degrees(roll) for roll in others])
+    return Beside(capsizes_on_the_way(model), [math.degrees(roll) for roll in others])
 
 
 def helps(found: Examined) -> list[Cure]:

@@ -19,7 +19,7 @@ from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, own_words
 from quartering.hull.told import condition, number, numbers
 from quartering.loads.waves import Wave
-from quartering.motion.status import Status
+from quartering.motion.status import OnTheWay, Status
 from quartering.options import unknown
 from quartering.stability.kind import Kind
 from quartering.study.cure import Cure
@@ -210,6 +210,7 @@ def _map(ds: xr.Dataset) -> dict[str, Any]:
         **{name: ds[name].values for name in (*axes, *_RESULTS)},
         "verdict": names(ds["verdict"].values, Kind),
         "status": names(ds["status"].values, Status),
+        "capsizes_on_the_way": names(ds["capsizes_on_the_way"].values, OnTheWay),
         "units": {name: ds[name].attrs["units"] for name in (*axes, *_RESULTS)},
     }
 

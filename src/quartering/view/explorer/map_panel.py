@@ -14,6 +14,7 @@ from nicegui.events import GenericEventArguments
 from quartering.hull.righting import fitted_to
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.stability.kind import Kind
+from quartering.study.query import capsizing
 from quartering.view.explorer.answers import HEADINGS, RATIOS, Scene
 from quartering.view.plots import style
 
@@ -57,6 +58,7 @@ class MapPanel:
             self._roll = np.full((HEADINGS.size, RATIOS.size), np.nan)
             self._peak = self._roll.copy()
             self._kind = np.full(self._roll.shape, int(Kind.NO_ANSWER))
+            self._lost = np.zeros(self._roll.shape, dtype=bool)
             self._awaited = np.ones(HEADINGS.size, dtype=bool)
             with ui.element("div").classes("scale"):
                 ui.label("roll 0°")
@@ -86,12 +88,13 @@ class MapPanel:
         """Put a block of the map in its place; the first of a new map empties it."""
         if fresh:
             self._roll[:], self._peak[:], self._kind[:] = np.nan, np.nan, int(Kind.NO_ANSWER)
-            self._awaited[:] = True
+            self._lost[:], self._awaited[:] = False, True
         rows = np.searchsorted(HEADINGS, part["heading"].values)
         columns = np.searchsorted(RATIOS, part["wave_length"].values / self._length - 1e-6)
         at = np.ix_(rows, columns)
         self._peak[at] = part["roll_peak"].values[0]
         self._roll[at], self._kind[at] = part["roll"].values[0], part["verdict"].values[0]
+        self._lost[at] = capsizing(part).values[0]
         self._awaited[rows] = False
         self._send()
 
@@ -100,6 +103,7 @@ class MapPanel:
         self._map.props["roll"] = [float(v) if np.isfinite(v) else None for v in roll.ravel()]
         waiting = np.broadcast_to(self._awaited[:, None], roll.shape)
         self._map.props["kind"] = [None if w else int(k) for k, w in zip(self._kind.flat, waiting.flat, strict=True)]
+        self._map.props["crossed"] = np.flatnonzero(self._lost).tolist()
         if np.isfinite(roll).any():
             top = max(_LEAST_TOP, float(np.ceil(np.nanmax(roll))))
             self._map.props["top"] = top
@@ -109,11 +113,12 @@ class MapPanel:
     def _legend_words(self) -> str:
         stable, none = int((self._kind == Kind.STABLE).sum()), int((self._kind == Kind.NO_ANSWER).sum())
         calm = int((self._kind == Kind.COURSE_IN_CALM_WATER).sum())
-        unstable = self._kind.size - stable - none - calm
+        unstable, lost = self._kind.size - stable - none - calm, int(self._lost.sum())
         rows = [
-            ("", "every cell is stable", stable == self._kind.size),
+            ("", "every cell is stable", stable == self._kind.size and not lost),
             ("hatch", f"{unstable} of {self._kind.size} cells unstable", unstable),
             ("dots", f"{calm} course-unstable even in calm water", calm),
+            ("cross", f"{lost} stable, but the ship capsizes on the way", lost),
             ("grey", f"{none} without an answer", none),
             ("line", "encounter at the roll frequency n₂", "resonance" in self._lines),
             ("dash", "at 2 n₂", "twice" in self._lines),

@@ -13,7 +13,7 @@ export default {
     </div>`,
   props: {
     headings: Array, radii: Array, roll: Array, kind: Array, kinds: Object, top: Number,
-    chosen: Array, lines: Array, palette: Array, label: String, hatched: Array, dotted: Array,
+    chosen: Array, lines: Array, palette: Array, label: String, hatched: Array, dotted: Array, crossed: Array,
   },
   data() { return { told: "" }; },
   computed: {
@@ -22,9 +22,9 @@ export default {
       return [near(this.headings, this.chosen[0]), near(this.radii, this.chosen[1])];
     },
   },
-  mounted() { this.uid = `m${maps++}`; this.build(); this.paint(); this.mark(); this.draw(); },
+  mounted() { this.uid = `m${maps++}`; this.build(); this.paint(); this.mark(); this.draw(); this.cross(); },
   watch: {
-    roll() { this.paint(); }, kind() { this.paint(); }, top() { this.paint(); },
+    roll() { this.paint(); }, kind() { this.paint(); }, top() { this.paint(); }, crossed() { this.cross(); },
     chosen() { this.mark(); }, lines() { this.draw(); },
   },
   methods: {
@@ -70,6 +70,7 @@ export default {
         this.marks.push(this.make(overs, "path", { d: path, fill: "none" }));
       }
       this.curves = this.make(svg, "g", { "pointer-events": "none" });  // under the rings' labels
+      this.crosses = this.make(svg, "g", { "pointer-events": "none" });
       const frame = this.make(svg, "g", { class: "q-frame", "pointer-events": "none" });
       for (let angle = 0; angle < 360; angle += 30) {
         const side = angle > 180 ? -1 : 1, m = angle > 180 ? 360 - angle : angle;
@@ -109,6 +110,15 @@ export default {
         this.make(this.pointer, "circle", { cx: x, cy: y, r: 4.2, class: side > 0 ? "q-dot" : "q-dot q-mirror" });
       }
     },
+    cross() {  // stable motions that the ship capsizes before
+      this.crosses.replaceChildren();
+      for (const k of this.crossed || []) for (const side of [1, -1]) {
+        const [x, y] = this.place(this.headings[Math.floor(k / this.radii.length)], this.radii[k % this.radii.length], side);
+        if (side < 0 && Math.abs(x) < 1e-6) continue;
+        const d = `M${x - 1.3},${y - 1.3}l2.6,2.6m-2.6,0l2.6,-2.6`;
+        for (const name of ["q-cross-back", "q-cross"]) this.make(this.crosses, "path", { d, class: name });
+      }
+    },
     draw() {
       this.curves.replaceChildren();
       for (const line of this.lines) for (const side of [1, -1]) {
@@ -125,7 +135,8 @@ export default {
     words([i, j]) {
       const k = i * this.radii.length + j, roll = this.roll[k], kind = this.kinds[String(this.kind[k])] || "not yet computed";
       const size = roll === null || roll === undefined ? "" : `roll ${roll.toFixed(1)}°, `;
-      return `${this.headings[i]}°, λ = ${this.radii[j].toFixed(1)} L: ${size}${kind}`;
+      const way = (this.crossed || []).includes(k) ? ", capsizes on the way" : "";
+      return `${this.headings[i]}°, λ = ${this.radii[j].toFixed(1)} L: ${size}${kind}${way}`;
     },
     hover(event) { const at = this.cell(event); this.told = at ? 'cell ' + this.words(at) : ""; },
     choose(i, j) {

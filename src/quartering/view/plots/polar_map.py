@@ -19,8 +19,9 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from quartering.loads.waves import Wave, encounter_frequency
-from quartering.motion.status import Status
+from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
+from quartering.study.query import capsizing
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 
@@ -43,6 +44,10 @@ SCALE = "roll amplitude, fundamental [deg]"
 _DARK: dict[str, Any] = {
     "facecolor": "#4a4063", "edgecolor": "none", "labelcolor": "white", "framealpha": 1.0, "handlelength": 2.8,
 }  # fmt: skip
+_CROSS: dict[str, Any] = {
+    "marker": "x", "linestyle": "none", "color": "#ff4f79", "markersize": 4.2, "markeredgewidth": 1.3,
+}  # fmt: skip
+_OUTLINE_OF_CROSS = [effects.withStroke(linewidth=2.8, foreground="white")]
 _OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
@@ -118,6 +123,7 @@ def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:
     for side in (1.0, -1.0) if mirrored else (1.0,):
         mesh = draw_cells(ax, side * theta, r, roll, kind, colours)
         _resonances(ax, ds, side * theta, r)
+        _crosses(ax, ds, side)
     _dress(ax, ds, r, mirrored)
     return mesh
 
@@ -174,6 +180,14 @@ def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None
             drawn.set(path_effects=_OUTLINE)
 
 
+def _crosses(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
+    """A cross on each cell whose ship capsizes before it comes to its stable motion."""
+    i, j = np.nonzero(capsizing(ds).transpose("heading", "wave_length").values)
+    if i.size:
+        theta, r = np.radians(ds["heading"].values[i]), ds["wave_length"].values[j] / float(ds.attrs["ship_length"])
+        ax.plot(side * theta, r, gid="capsizes on the way", path_effects=_OUTLINE_OF_CROSS, zorder=3, **_CROSS)
+
+
 def _overtakes(ds: xr.Dataset) -> bool:
     """Does the ship overtake the wave in some cell?"""
     return bool(ds["encounter_frequency"].min() < 0)
@@ -200,7 +214,9 @@ def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
     stable = int((ds["verdict"] == Kind.STABLE).sum())
     unanswered = int((ds["verdict"] == Kind.NO_ANSWER).sum())
     unstable = ds["verdict"].size - stable - unanswered
-    counts = f"{stable} cells stable, {unstable} unstable" + (f", {unanswered} no answer" if unanswered else "")
+    lost = int(capsizing(ds).sum())
+    stable_words = f"{stable} cells stable" + (f" ({lost} capsize on the way)" if lost else "")
+    counts = f"{stable_words}, {unstable} unstable" + (f", {unanswered} no answer" if unanswered else "")
     ax.set_title(f"{speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}\n{counts}", pad=10)
 
 
@@ -238,6 +254,8 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
     if calm.any():
         label = "course-unstable even in calm water"
         made.append(Patch(facecolor="#31688e", edgecolor=COURSE_INK, hatch=HATCHES["course"], label=label))
+    if capsizing(ds).any():
+        made.append(Line2D([], [], label=OnTheWay.BOTH.label, path_effects=_OUTLINE_OF_CROSS, **_CROSS))
     if (verdict == Kind.NO_ANSWER).any():
         why = [Status(s).name.lower().replace("_", " ") for s in np.unique(ds["status"]) if not Status(s).ok]
         made.append(Patch(facecolor=GREY, label=f"no answer: {', '.join(why)}" if why else "no answer"))

@@ -10,13 +10,12 @@ import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError, RangeWarning, in_unit, written
 from quartering.loads.waves import Wave
-from quartering.stability.kind import Kind
 from quartering.study.loadings import loaded
 from quartering.study.query import OF_CONDITIONS, Measure, worst
 from quartering.study.sensitivity import sensitivity
 from quartering.view.commands.verdict import Examined, examine, helps
 from quartering.view.report.source import Source
-from quartering.view.wording import speed_words, value_words
+from quartering.view.wording import speed_words, value_words, verdict_words
 
 _COUNT, _PARAMETERS = 8, 12
 
@@ -67,7 +66,7 @@ def worst_conditions(source: Source, by: Measure) -> list[Condition]:
                 _where(source, place),
                 float(one["roll_peak"]),
                 float(one["exponent"]),
-                Kind(int(one["verdict"])).label,
+                verdict_words(one),
                 place,
             )
         )

@@ -13,7 +13,7 @@ from quartering.hull.capsize import least_limit
 from quartering.hydro.capsize import vanishing_of_equations
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
-from quartering.study.query import sea_of
+from quartering.study.query import capsizing, sea_of
 from quartering.view.plots.guidance import Diagram, guidance_picture
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source
@@ -91,7 +91,7 @@ def guidance(source: Source, openings: float | None) -> Guidance:
 
 
 def failure_events(result: xr.Dataset, limit: float) -> xr.DataArray:
-    """Conditions with a failure event: roll beyond the limit, or past the capsize limit.
+    """Conditions with a failure event: roll beyond the limit or past the capsize limit, at the motion or on the way to it.
 
     Parameters
     ----------
@@ -102,7 +102,8 @@ def failure_events(result: xr.Dataset, limit: float) -> xr.DataArray:
     -------
     DataArray of bool
     """
-    return (result["roll_peak"] > limit) | (result["status"] == int(Status.BEYOND_CAPSIZE_LIMIT))
+    past = result["status"] == int(Status.BEYOND_CAPSIZE_LIMIT)
+    return (result["roll_peak"] > limit) | past | capsizing(result)
 
 
 def _limits(vanishing: float, openings: float | None) -> list[str]:
