@@ -57,7 +57,7 @@ def through_water(system: System, displacement: Complex) -> Complex:
     for state, mode in ((SWAY, 0), (YAW, 2)):
         for one in np.flatnonzero(system.extra == state):
             inputs = system.inputs[:, one]  # -w0 or -w1
-            relative[:, mode] += (inputs[:, 1] - 1j * inputs[:, 2]) / (1j * w)
+            relative[:, mode] += (-inputs[:, 2] - 1j * inputs[:, 1]) * (1 / w)  # over i w; NaN where nothing moves
     return relative
 
 
