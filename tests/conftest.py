@@ -5,6 +5,9 @@ The compiler's cache looks at a kernel's own file only; a kernel whose callee in
 
 import hashlib
 import os
+import subprocess
+import sys
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -30,6 +33,16 @@ def pytest_configure(config):
     for compiled in SOURCES.rglob("__pycache__/*.nb[ic]"):
         compiled.unlink(missing_ok=True)
     config.cache.set("quartering/kernels", digest.hexdigest())
+    if getattr(config.option, "numprocesses", None):
+        _compile_once()
+
+
+def _compile_once():
+    """Compile what a map needs before there are workers, each of which would compile it for itself."""
+    map_of_little = ("polar", "wigley", "--headings", "30:60:2", "--wave-lengths", "1L", "--json")
+    call = f"import sys; sys.argv = ['quartering', *{map_of_little!r}]; from quartering.view.cli import main; main()"
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.executable, "-c", call], cwd=folder, stdout=subprocess.DEVNULL, check=False)
 
 
 def pytest_deselected(items):
