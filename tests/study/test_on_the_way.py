@@ -102,9 +102,10 @@ def test_blocks_of_any_size_give_the_same_bytes():
 
     expected = whole(1000)
     assert capsizing(expected).any()
-    for size in (2, 7, 33):
+    for size in (7, 33):
+        found = whole(size)
         for name in RESULTS:
-            assert whole(size)[name].values.tobytes() == expected[name].values.tobytes(), (size, name)
+            assert found[name].values.tobytes() == expected[name].values.tobytes(), (size, name)
 
 
 def test_it_is_stored_and_taken_up_again(tmp_path):
