@@ -24,7 +24,7 @@ RAISED_IN: Final = 3
 PERIODS: Final = 10
 """Of the wave, at each of its heights."""
 
-STEPS: Final = 48
+STEPS: Final = 64
 """Runge-Kutta steps a cycle, twice, four times, .. as many where the ship itself is faster than the wave."""
 
 

@@ -18,7 +18,8 @@ from types import ModuleType
 import numpy as np
 
 from quartering.loads import diffraction
-from quartering.motion import harmonic
+from quartering.motion import approach, harmonic
+from quartering.motion.approach import capsizes_before
 from quartering.motion.equations import Model
 from quartering.motion.harmonic import solve_with_care
 from quartering.stability import transition, variation
@@ -60,7 +61,7 @@ def compiled() -> bool:
     -----
     Source: none; bookkeeping.
     """
-    return all(_cached(module) for module in (diffraction, harmonic, variation, transition))
+    return all(_cached(module) for module in (diffraction, harmonic, variation, transition, approach))
 
 
 def _cached(module: ModuleType) -> bool:
@@ -72,7 +73,7 @@ def _cached(module: ModuleType) -> bool:
 
 
 def compile_ahead() -> None:
-    """Solve and judge one small case by the kernels for hard conditions, multipliers and indices.
+    """Solve and judge one small case by the kernels for hard conditions, multipliers and indices, and the way to a motion.
 
     Notes
     -----
@@ -82,6 +83,7 @@ def compile_ahead() -> None:
     system = Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0.02, 0)).system
     u, _, _ = solve_with_care(system, (1, 3), from_rest=True)
     assess(system, u, (1, 3), detail="map")
+    capsizes_before(system, np.ones(1))
 
 
 if __name__ == "__main__":
