@@ -17,7 +17,7 @@ ORDERS = (1, 3, 5, 7, 9)
 
 def steep(name: str):
     rows = [row for row in ROWS if row["ship"] == name]
-    ship = qt.ship(name).with_(ends="strips", drag="strips")
+    ship = qt.ship(name).with_(ends="strips", drag="strips", righting="polynomial")
     length = np.array([row["lambda_over_L"] for row in rows]) * ship.hull.length
     slope = np.array([1 / float(row["steepness"].split("/")[1]) for row in rows])
     speed, heading = (np.array([row[key] for row in rows]) for key in ("speed", "heading_deg"))

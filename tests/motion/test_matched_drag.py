@@ -20,7 +20,7 @@ ORDERS = (1, 3, 5)
 
 def steep(name: str, **options):
     rows = [row for row in ROWS if row["ship"] == name]
-    ship = qt.ship(name).with_(ends="strips", **options)
+    ship = qt.ship(name).with_(ends="strips", righting="polynomial", **options)
     length = np.array([row["lambda_over_L"] for row in rows]) * ship.hull.length
     height = np.array([1 / float(row["steepness"].split("/")[1]) for row in rows]) * length
     speed, heading = (np.array([row[key] for row in rows]) for key in ("speed", "heading_deg"))

@@ -19,7 +19,7 @@ TERMS = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0, "K_ppp": -0.1, "K
 
 def judged(name: str, **options):
     rows = [row for row in ROWS if row["ship"] == name]
-    ship = qt.ship(name).with_(ends="strips", **options)
+    ship = qt.ship(name).with_(ends="strips", righting="polynomial", **options)
     length = np.array([row["lambda_over_L"] for row in rows]) * ship.hull.length
     slope = np.array([1 / float(row["steepness"].split("/")[1]) for row in rows])
     speed, heading = (np.array([row[key] for row in rows]) for key in ("speed", "heading_deg"))

@@ -18,7 +18,7 @@ from quartering.stability.assessment import assess
 from quartering.stability.hill import hill_exponents
 from quartering.study.sensitivity import coefficient_rows, derivatives
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute")
+SHIP = qt.paper_ship("series60-cb60")  # every term has a name and all derivatives
 LENGTH = SHIP.hull.length
 WAVE, SPEED, HEADING = qt.Wave(LENGTH, LENGTH / 60), 8.0, 45.0
 MEASURES = ("sway", "roll", "yaw", "k2", "index", "exponent")

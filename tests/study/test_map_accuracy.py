@@ -12,7 +12,8 @@ from quartering.study.conditions import ACCURACY
 
 
 def _motions(name, damping, harmonics=1, gm=None):
-    ship = qt.ship(name).with_(roll_damping=damping) if gm is None else qt.ship(name).with_(gm=gm, roll_damping=damping)
+    smooth = {"roll_damping": damping, "drag": "cubic", "righting": "polynomial"}  # a table: `test_floquet_of_splines`
+    ship = qt.ship(name).with_(**smooth) if gm is None else qt.ship(name).with_(**smooth, gm=gm)
     length = ship.hull.length
     u, mu, wave = (
         a.ravel()

@@ -8,7 +8,7 @@ import pytest
 import quartering as qt
 from quartering.motion.branch import balance_of
 
-SHIP = qt.ship("series60-cb60").with_(velocities="absolute")
+SHIP = qt.paper_ship("series60-cb60")  # every term has a name and all derivatives
 LENGTH = SHIP.hull.length
 WAVE, SPEED, HEADING = qt.Wave(LENGTH, LENGTH / 60), 8.0, 45.0
 

@@ -128,7 +128,8 @@ def test_tornado_flips_are_those_of_the_cures():
     }
     assert "K_prr" in found
     for name, needed in found.items():
-        assert float(ds["flip"].sel(parameter=name)) == pytest.approx(needed, rel=1e-4)
+        # A cure ends where disturbances die out at 1e-6 1/s at least, on the stable side of the flip.
+        assert float(ds["flip"].sel(parameter=name)) == pytest.approx(needed, rel=1e-3)
         assert int(ds["verdict_beyond"].sel(parameter=name)) == Kind.STABLE
 
 

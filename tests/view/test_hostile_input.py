@@ -1,5 +1,6 @@
 """Whatever a command is given: one message with what is allowed, exit 2, and a folder as it was before."""
 
+import json
 import os
 import signal
 import subprocess
@@ -14,6 +15,7 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.loads.validity import FASTEST, SHORTEST
+from quartering.study.store import LAYOUT
 from quartering.view.cli import app
 from quartering.view.options import Sizes, value
 
@@ -104,7 +106,7 @@ def place(tmp_path, monkeypatch):
     (tmp_path / "good.yaml").write_text(CASE)
     (tmp_path / "bytes.nc").write_bytes(bytes(range(256)) * 8)
     xr.Dataset({"a": ("x", [1.0, 2.0])}).to_netcdf(tmp_path / "other.nc")
-    for name, file, text in (("taken", "thesis.txt", "mine"), ("half", "case.json", '{"layout": 1}')):
+    for name, file, text in (("taken", "thesis.txt", "mine"), ("half", "case.json", json.dumps({"layout": LAYOUT}))):
         (tmp_path / name).mkdir()
         (tmp_path / name / file).write_text(text)
     monkeypatch.chdir(tmp_path)

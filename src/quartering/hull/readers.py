@@ -46,7 +46,7 @@ def available_ships() -> list[ShipEntry]:
     Examples
     --------
     >>> [entry.name for entry in available_ships()][:2]
-    ['box', 'dtc']
+    ['box', 'coaster-90m']
     """
     found = []
     for path in sorted(LIBRARY.glob("*.yaml")):

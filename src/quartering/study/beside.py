@@ -110,7 +110,7 @@ def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> li
     >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.00808, "K_phiphiphi": 0.9795}
     >>> model = Model(np.eye(3), terms, 0.83386, (0, 0.00918, 0), (0, 0, 0))
     >>> [round(roll, 2) for roll in other_stable_motions(model, steady_motion(model, 3, start="rest"))]
-    [0.66]
+    [0.65]
     """
     system = model.system
     with small_matrices():
