@@ -19,7 +19,13 @@ EXAMPLES = [
 ]
 
 
-@pytest.mark.parametrize("script", EXAMPLES)
+QUICK = {"plot_polar_map", "plot_paper_in_moving_water"}
+"""Examples that every run draws; the others are of the long tier, and of `make docs`."""
+
+
+@pytest.mark.parametrize(
+    "script", [one if one.stem in QUICK else pytest.param(one, marks=pytest.mark.soak) for one in EXAMPLES]
+)
 def test_example_draws_its_picture(script, tmp_path):
     picture = tmp_path / "picture.png"
     environment = os.environ | {"MPLBACKEND": "Agg"}

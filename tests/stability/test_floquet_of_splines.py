@@ -11,13 +11,15 @@ from quartering.stability.assessment import assess
 from quartering.study.conditions import ACCURACY
 
 
+@pytest.mark.parametrize(("drag", "share"), [("cubic", 1.0), ("strips", 2.0)])
 @pytest.mark.parametrize("name", ["dtmb5415", "series60-cb60"])
-def test_multipliers_of_a_map_have_its_accuracy(name):
+def test_multipliers_of_a_map_have_its_accuracy(name, drag, share):
     """Authority: fourth-order Runge-Kutta at 1e-10.
 
+    The corners that |q| has in time fall between the samples of the variation, which no more steps mend: twice the accuracy.
     Of motions whose two largest multipliers nearly meet the difference is magnified, by either method: one in a hundred.
     """
-    ship, random, n = qt.ship(name).with_(righting="spline"), np.random.default_rng(1971), 300
+    ship, random, n = qt.ship(name).with_(righting="spline", drag=drag), np.random.default_rng(1971), 300
     length = ship.hull.length
     wave = length * random.uniform(0.5, 2.5, n)
     speed, heading = random.uniform(0.0, 0.25, n) * np.sqrt(9.81 * length), random.uniform(0.0, 180.0, n)
@@ -30,5 +32,5 @@ def test_multipliers_of_a_map_have_its_accuracy(name):
     assert np.degrees(peak[kept]).max() > 30.0
     fast, exact = (assess(system, u, orders, accuracy, detail="map") for accuracy in (ACCURACY, 1e-10))
     found, expected = (np.abs(one.floquet.multipliers[kept, 0]) for one in (fast, exact))
-    assert np.quantile(np.abs(found - expected) / np.maximum(1.0, expected), 0.99) < ACCURACY
+    assert np.quantile(np.abs(found - expected) / np.maximum(1.0, expected), 0.99) < share * ACCURACY
     np.testing.assert_array_equal(fast.kind, exact.kind)

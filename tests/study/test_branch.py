@@ -84,6 +84,7 @@ def test_the_harmonics_taken_unless_told_see_at_large_roll_what_fifteen_see():
     assert float(events[1]["wave_height"][0]) == pytest.approx(float(events[2]["wave_height"][0]), rel=2e-4)
 
 
+@pytest.mark.soak
 def test_an_idle_autopilot_leaves_the_changes_of_stability_where_they_are():
     """The heading is free then: one more multiplier, exactly 1, beside those of the bare ship."""
     from dataclasses import replace

@@ -56,6 +56,7 @@ def test_a_grid_travels_to_another_process():
 
 
 @pytest.mark.filterwarnings("ignore")
+@pytest.mark.soak
 def test_a_killed_worker_costs_nothing_but_time(tmp_path):
     """Agreement bit by bit with threads; a real cluster of two processes, one killed with SIGKILL while it works."""
     distributed = pytest.importorskip("distributed")

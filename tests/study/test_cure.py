@@ -130,7 +130,7 @@ def applied(cure, ship, wave, speed, heading, value):
 def test_every_cure_applied_anew_is_stable_at_the_verdicts_own_harmonics(case, harmonics):
     """The judge is the verdict on the changed condition: at the number itself, and at the one the sentence rounds it to."""
     healing = cures(*case, harmonics=harmonics)
-    assert len(healing) >= 5
+    assert len(healing) >= 4
     for cure in healing:
         for value in (cure.needed, cure.rounded):
             model = qt.equations(*applied(cure, *case, value))

@@ -27,6 +27,7 @@ def test_every_point_is_a_fold_of_the_one_harmonic_duffing_curve(duffing_folds):
     assert set(duffing_folds["kind"].values) == {"fold"}
 
 
+@pytest.mark.soak
 def test_both_folds_and_their_cusp_are_one_curve(duffing_folds):
     """Closed form: the fold condition has a double root where w^2 - 1 = 2 sqrt(3) zeta w."""
     assert set(duffing_folds["curve"].values) == {0}
@@ -44,6 +45,7 @@ def escape(force, frequency):
     return qt.Model(np.eye(3), IDLE | {"K_p": -0.1, "K_phiphi": 1.0}, frequency, (0, 0, 0), (0, force, 0))
 
 
+@pytest.mark.soak
 def test_period_doubling_of_the_escape_equation_in_two_parameters_agrees_with_shooting():
     """At every point of the edge a multiplier of the motion, by shooting, is -1."""
     ds = qt.edge(escape(1.0, 0.85), ("excitation", "frequency"), limits=((0.08, 0.11), (0.82, 0.86)), harmonics=7)
@@ -57,6 +59,7 @@ def test_period_doubling_of_the_escape_equation_in_two_parameters_agrees_with_sh
         assert np.abs(multipliers + 1).min() < 1e-5
 
 
+@pytest.mark.soak
 def test_a_ships_edge_divides_stable_verdicts_from_unstable_ones():
     """Brute force: 3 % less wave height is stable and 3 % more is not, at every heading along the edge."""
     ship = paper_ship().with_(factors={"K_prr": -60.0})
@@ -78,6 +81,7 @@ def test_a_ships_edge_divides_stable_verdicts_from_unstable_ones():
         assert above > 0
 
 
+@pytest.mark.soak
 def test_where_nothing_changes_the_edge_is_empty():
     calm = qt.Model(np.eye(3), IDLE | {"K_p": -0.3}, 1.0, (0, 0.1, 0), (0, 0, 0))
     ds = qt.edge(calm, ("frequency", "excitation"), limits=((0.8, 1.2), (0.5, 1.0)))
@@ -85,6 +89,7 @@ def test_where_nothing_changes_the_edge_is_empty():
     assert {"frequency", "excitation", "kind"} <= set(ds.variables)
 
 
+@pytest.mark.soak
 def test_one_parameter_twice_and_a_ship_without_a_wave_are_refused():
     model = qt.Model(np.eye(3), IDLE, 1.0, (0, 0.1, 0), (0, 0, 0))
     with pytest.raises(qt.InputError, match="different"):

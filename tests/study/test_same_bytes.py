@@ -33,6 +33,8 @@ CASES = {
     "absolute velocities": ("s175", {"velocities": "absolute"}, {}),
 }
 
+ALWAYS = {"several loadings", "measured"}
+
 
 def _wanted(name, changes, more):
     ship = qt.ship(name).with_(**changes) if changes else qt.ship(name)
@@ -50,7 +52,7 @@ def _same(one, other):
         assert one[name].values.tobytes() == other[name].values.tobytes(), name
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", [pytest.param(one, marks=() if one in ALWAYS else pytest.mark.soak) for one in CASES])
 def test_blocks_of_any_size_give_the_same_bytes(case):
     wanted = _wanted(*CASES[case])
     expected = _whole(wanted.in_blocks_of(grids.LARGEST_BLOCK))

@@ -90,7 +90,13 @@ def test_a_click_on_a_cell_opens_its_motion(visit):
 
 @pytest.mark.parametrize(
     ("panel", "says"),
-    [("stability", "Floquet"), ("curve", "harmonics"), ("causes", "leading exponent"), ("hull", "Body plan")],
+    [
+        ("stability", "Floquet"),
+        *(
+            pytest.param(*one, marks=pytest.mark.soak)
+            for one in (("curve", "harmonics"), ("causes", "leading exponent"), ("hull", "Body plan"))
+        ),
+    ],
 )
 def test_every_panel_draws(visit, panel, says):
     page = visit(f"{STABLE}&panel={panel}")

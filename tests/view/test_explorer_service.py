@@ -113,7 +113,7 @@ def test_the_service_describes_itself_without_the_network(explorer):
         assert set(json.load(answer)["paths"]) == {"/api/verdict", "/api/polar"}
 
 
-PAPER = {"velocities": "absolute", "drag": "cubic", "righting": "polynomial"}
+PAPER = {"velocities": "absolute", "drag": "cubic"}
 LOST = {"ship": "dtmb5415", "speed": 14, "heading": 50, "wave_length": 200, "wave_height": 10} | PAPER
 """A motion that is unstable: the cures of it are sought, which takes some hundred verdicts."""
 

@@ -84,6 +84,7 @@ def test_tornado_lists_the_largest_effects_first(run, tmp_path):
     assert (tmp_path / "tornado.svg").exists()
 
 
+@pytest.mark.soak
 def test_the_next_step_a_tornado_names_can_be_taken(run):
     """Here KG has the largest effect; 20 % more of it would be above the metacentre."""
     printed = " ".join(run("--tornado", "10%").stdout.split())
@@ -128,6 +129,7 @@ def test_maps_draw_the_boundary_where_the_exponent_is_zero():
     assert any(getattr(c, "hatches", None) and any(c.hatches) for ax in figure.axes for c in ax.collections)
 
 
+@pytest.mark.soak
 def test_tornado_picture_says_what_each_value_is_and_where_it_flips():
     ds = qt.tornado(SHIP, *AT, parameters=["gm", "roll_damping", "K_prr"])
     words = texts(tornado_picture(ds, "title", "note"))

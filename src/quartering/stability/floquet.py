@@ -233,10 +233,7 @@ def _transitions(
         steps = np.where(found, even_steps(steps_for(system.frequency, span, rate, max(orders), accuracy)), 1)
         return transition_matrices(system, u, orders, span, steps)
     phasors, along = variation
-    within = (
-        accuracy if system.smooth else 0.5 * accuracy
-    )  # corners of a table and of |q| cost the series some of its order
-    steps, scale = magnus_steps(system.frequency, phasors, rate, span, within)
+    steps, scale = magnus_steps(system.frequency, phasors, rate, span, accuracy)
     cycle = 2 * np.pi * span / np.where(found, system.frequency, 1.0)
     if kinks:
         steps = np.where(steps > 0, np.maximum(steps, _STEPS_WITH_KINKS), 0)
