@@ -12,20 +12,16 @@ from pathlib import Path
 import pytest
 
 SLOW = {"plot_how_good", "plot_roll_excitation"}
+QUICK = {"plot_polar_map", "plot_paper_in_moving_water"}
+"""Examples that every run draws; the others are of the long tier, and of `make docs`."""
 EXAMPLES = [
-    pytest.param(script, id=script.stem)
+    pytest.param(script, id=script.stem, marks=() if script.stem in QUICK else pytest.mark.soak)
     for script in sorted((Path(__file__).parents[1] / "examples").glob("*.py"))
     if not script.stem.startswith("plot_fig") and script.stem not in SLOW
 ]
 
 
-QUICK = {"plot_polar_map", "plot_paper_in_moving_water"}
-"""Examples that every run draws; the others are of the long tier, and of `make docs`."""
-
-
-@pytest.mark.parametrize(
-    "script", [one if one.stem in QUICK else pytest.param(one, marks=pytest.mark.soak) for one in EXAMPLES]
-)
+@pytest.mark.parametrize("script", EXAMPLES)
 def test_example_draws_its_picture(script, tmp_path):
     picture = tmp_path / "picture.png"
     environment = os.environ | {"MPLBACKEND": "Agg"}
