@@ -80,6 +80,11 @@ def relative_amplitudes(system: System, displacement: NDArray[np.complex128]) ->
 
 def matched_velocity(system: System, u: Floats) -> Floats:
     """Reference velocity u0 (n,) of equal energy at motions (n, 3, 2) of the fundamental [m/s]; NaN where none is known."""
-    q, c = relative_amplitudes(system, u[:, :, 0] - 1j * u[:, :, 1]), system.strips[:, :, 0] ** 3
+    return energy_velocity(system, u[:, :, 0] - 1j * u[:, :, 1])
+
+
+def energy_velocity(system: System, displacement: NDArray[np.complex128]) -> Floats:
+    """u0 (n,) as `matched_velocity`, from the phasors (n, 3) of the fundamental."""
+    q, c = relative_amplitudes(system, displacement), system.strips[:, :, 0] ** 3
     cube = (c * q**3).sum(axis=1)
     return np.asarray((c * q**4).sum(axis=1) / np.where(cube > 0, cube, np.nan))

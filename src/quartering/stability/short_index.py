@@ -10,14 +10,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering.hydro.crossflow import ENERGY_CUBE
 from quartering.motion.change import of_states
 from quartering.motion.equations import Floats, System
-from quartering.motion.matched import relative_amplitudes
+from quartering.motion.matched import energy_velocity
 from quartering.motion.program import PLAIN
 from quartering.motion.water import SWAY, YAW
 
 Complex = NDArray[np.complex128]
-_KAPPA = 32 / (9 * np.pi)
 
 
 def roll_cubic(system: System, factors: str) -> Floats:
@@ -98,11 +98,10 @@ def _cubics_of_strips(system: System, displacement: Complex) -> dict[str, Floats
     root = system.strips[:, :, 0]  # c^(1/3), which stands before 1, -h, x and the water
     known = np.where(root > 0, root, 1.0)
     ones, levers, places = np.moveaxis(system.strips[:, :, :3], 2, 0) / known
-    q, c = relative_amplitudes(system, displacement), root**3
-    cube, fourth = (c * q**3).sum(axis=1), (c * q**4).sum(axis=1)
-    per_scale = np.where(fourth > 0, cube / np.where(fourth > 0, fourth, 1.0), 0.0)  # 1/u0
+    scale = energy_velocity(system, displacement)
+    per_scale = np.where(scale > 0, 1.0 / np.where(scale > 0, scale, 1.0), 0.0)
     push = system.push[:, 1, 0, None] + system.push[:, 1, 1, None] * levers + system.push[:, 1, 2, None] * places
-    strength = _KAPPA * per_scale[:, None] * c * push
+    strength = ENERGY_CUBE * per_scale[:, None] * root**3 * push
     products = {
         "vvv": ones,
         "pvv": 3 * levers,
