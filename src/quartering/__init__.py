@@ -163,5 +163,5 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """Public names, imported or not yet."""
-    return sorted({*globals(), *__all__})
+    """Public names alone, imported or not yet."""
+    return sorted(__all__)

@@ -62,6 +62,10 @@ class Hull:
     section_method: Sections = "auto"
     ends: Ends = "strips"
 
+    def __repr__(self) -> str:
+        sizes = f"L {self.length:.6g} B {self.beam:.4g} T {self.draught:.4g} m"
+        return f"<Hull {self.name}: {sizes}, {len(self.x)} stations, deck at {self.depth:.4g} m>"
+
     @property
     def depth(self) -> float:
         """Height of the lowest deck edge (top of a contour) above the baseline [m]."""

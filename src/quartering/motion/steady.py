@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from dataclasses import dataclass, replace
 from typing import Literal, get_args
@@ -57,6 +58,12 @@ class Motion:
     heading: float | None = None
     periods: int = 1
     missed: float = float("nan")
+
+    def __repr__(self) -> str:
+        sway, roll, yaw = self.amplitude
+        size = f"sway {sway:.3g} m, roll {math.degrees(roll):.3g} deg, yaw {math.degrees(yaw):.3g} deg"
+        orders = ", ".join(map(str, self.orders))
+        return f"<Motion w {self.frequency:.3g} rad/s: {size}, harmonics {orders}; {self.status.advice}>"
 
     @property
     def amplitude(self) -> Floats:

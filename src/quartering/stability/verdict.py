@@ -78,6 +78,13 @@ class Verdict:
     references: tuple[str, ...] = ("H71",)
     without_autopilot: float = float("nan")
 
+    def __repr__(self) -> str:
+        return f"<Verdict {self.kind}: largest exponent {self.exponents.real.max():+.3g} 1/s, K2 {self.k2:.3g} 1/s2>"
+
+    def __str__(self) -> str:
+        """The verdict in words."""
+        return self.sentence
+
 
 @takes(model="Model", motion="Motion")
 def stability(model: Model, motion: Motion) -> Verdict:
