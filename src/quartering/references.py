@@ -42,6 +42,7 @@ REFERENCES: Final[dict[str, str]] = {
     "The Computer Journal 15.",
     "Abramowitz64": "Abramowitz, M., Stegun, I. A. (1964). Handbook of mathematical functions. National Bureau of "
     "Standards.",
+    "Golub69": "Golub, G. H., Welsch, J. H. (1969). Calculation of Gauss quadrature rules. Mathematics of Computation 23.",
     "Lewis88": "Lewis, E. V., ed. (1988). Principles of naval architecture, volume I: stability and strength. SNAME.",
     "Lewis89": "Lewis, E. V., ed. (1989). Principles of naval architecture, volume III: motions in waves and "
     "controllability. SNAME.",

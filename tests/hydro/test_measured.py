@@ -335,7 +335,7 @@ def test_the_equations_of_many_speeds_are_those_of_each_speed():
 def test_modulus_terms_of_the_naval_set_reach_the_equations():
     vessel = ship("dtmb5415").with_(measured="blanke-christensen-1993")
     model = equations(vessel, Wave(length=100.0, height=1.0), speed=9.0, heading=45.0)
-    assert model.system.has_modulus
+    assert model.system.has_kinked_slopes
     assert model.terms["K_p|p|"] == pytest.approx(scaled_terms(NAVAL, vessel.hull.length, RHO)["K_p|p|", 0])
     assert "Y_vvv" not in model.terms  # they replace the cross-flow estimate
 

@@ -11,7 +11,8 @@ The motion is that of |q| q itself, by its fundamental. About it a strip matched
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,11 +30,13 @@ class Matching:
     cubics : System     with the cubic drag alone among its products
     strips : System     with the law alone: its strips and their push
     scale : float       reference velocity u0 that the cubics were made with [m/s]
+    terms : mapping     the cubics by name [SI]
     """
 
     cubics: System
     strips: System
     scale: float
+    terms: Mapping[str, float] = field(default_factory=dict)
 
     def at_motion(self, system: System, amplitude: Floats) -> System:
         """Equations with u0 matched at the motion that |q| q gives.
@@ -50,6 +53,13 @@ class Matching:
         found, share = self.velocity(system, amplitude), self._share(system)
         more = np.where(found > 0, self.scale / np.where(found > 0, found, 1.0) - 1.0, 0.0)
         return replace(system, coefficients=system.coefficients + share * more[:, None, None])
+
+    def added(self, system: System, amplitude: float) -> dict[str, float]:
+        """What the match adds to each of the terms of one condition, per metre of wave amplitude, in one wave."""
+        height = np.array([amplitude])
+        found = float(self.velocity(system.raised(height), height)[0])
+        more = self.scale / found - 1.0 if found > 0 else 0.0
+        return {name: more * value for name, value in self.terms.items()}
 
     def velocity(self, system: System, amplitude: Floats) -> Floats:
         """The matched u0 (m h,) [m/s]; NaN where no motion is found. Parameters as of `at_motion`."""

@@ -2,31 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.conventions import GRAVITY, InputError
+from quartering.conventions import InputError
 from quartering.doors import takes
-from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition
 from quartering.hydro.capsize import vanishing_of_equations
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.crossflow import reference_velocity
 from quartering.loads.forces import Form, ship_force_phasors
-from quartering.loads.lift import ship_lift_phasors, ship_water_velocity
+from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
-from quartering.loads.waves import Wave, encounter_frequency, folded, heading_components, least_encounter_frequency
+from quartering.loads.waves import Wave, least_encounter_frequency
+from quartering.motion.drag_of_ship import at_height, moving_water
 from quartering.motion.equations import Floats, Model, System, canonical
 from quartering.motion.matched import Matching
+from quartering.motion.matching_of_ship import ship_matching
 from quartering.motion.terms import TermTable, term_table
-from quartering.motion.water import Strips
-from quartering.names import CUBIC_NAMES, DRAG_NAME, LINEAR_NAMES, RUDDER_NAMES
+from quartering.names import LINEAR_NAMES, RUDDER_NAMES
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,82 +129,6 @@ def excitation(
     return pressure + scattered, omega
 
 
-def drag_strips(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) -> Strips:
-    """Cross-flow drag of a ship at many conditions, per metre of wave amplitude.
-
-    Parameters
-    ----------
-    ship, wavenumber, speed, heading    as in `ship_system`
-
-    Returns
-    -------
-    Strips    at the points the lines are integrated at; the drag acts, and the water's velocity is taken, at half the draught
-              of each section
-
-    Notes
-    -----
-    w = i sigma sin(delta) e^(-k T/2) e^(i k1 x) as in `water_velocity`, at the strip and not fitted.  Source: [Hoerner65] for
-    the drag; wave kinematics, closed form.
-
-    Examples
-    --------
-    >>> from quartering.hull.ship import ship
-    >>> drag_strips(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0])).water.shape[0]
-    1
-    """
-    k, U, mu = (np.asarray(values, dtype=float)[:, None] for values in (wavenumber, speed, heading))
-    sections, loading = strips(ship.hull), ship.loading
-    x = sections.x - hydrostatics(ship).lcb
-    along, across = heading_components(mu)
-    sigma = np.sqrt(GRAVITY * k)
-    water = 1j * sigma * across * np.exp(-k * sections.draught / 2 + 1j * k * along * x)
-    omega = encounter_frequency(sigma, U, mu)[:, 0]
-    return Strips(
-        x=x,
-        lever=loading.kg - ship.hull.draught + sections.draught / 2,
-        c=0.5 * loading.density * ship.drag_coefficient * sections.draught * sections.weight,
-        water=folded(omega, water)[1],
-    )
-
-
-def _moving(
-    ship: Ship, c: Coefficients, wavenumber: Floats, speed: Floats, heading: Floats, form: Form
-) -> dict[str, Any]:
-    """What of the equations feels the water move, per metre of wave amplitude: cubics, and drag by strips."""
-    still = ship.velocities == "absolute" or form == "paper"
-    moving: dict[str, Any] = {} if still else {"water": ship_water_velocity(ship, wavenumber, speed, heading)}
-    if DRAG_NAME in c.terms:
-        found = drag_strips(ship, wavenumber, speed, heading)
-        moving["strips"] = Strips(found.x, found.lever, found.c, 0.0 * found.water) if still else found
-    return moving
-
-
-def _matching(ship: Ship, c: Coefficients, frequency: Floats, *waves: Floats) -> Matching | None:
-    """What matches the cubic drag at the motion; None where the drag is no cubic, is given, or acts at a velocity told."""
-    if ship.velocities == "absolute" or ship.velocity_scale is not None:
-        return None
-    own = {name: float(c.terms[name].value[0]) for row in CUBIC_NAMES for name in row if name in c.terms}
-    own = {name: value for name, value in own.items() if value and c.terms[name].kind == "cross-flow"}
-    if not own:
-        return None
-    still = np.zeros(3)
-    water = ship_water_velocity(ship, *waves)
-    return Matching(
-        cubics=canonical(c.inertia, term_table(own), frequency, still, still, water=water),
-        strips=canonical(c.inertia, term_table({}), frequency, still, still, strips=drag_strips(ship, *waves)),
-        scale=reference_velocity(ship.hull.length),
-    )
-
-
-def _matched(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, form: Form, amplitude: float) -> Ship:
-    """The ship with the reference velocity of its cubic drag, matched at its motion in one wave."""
-    at = ship_system(ship, wavenumber, speed, heading, form)
-    if at.matching is None or at.slow[0]:
-        return ship
-    found = at.matching.velocity(at.system.raised(np.array([amplitude])), np.array([amplitude]))[0]
-    return replace(ship, velocity_scale=float(found)) if found > 0 else ship
-
-
 def ship_system(
     ship: Ship,
     wavenumber: Floats,
@@ -251,7 +173,7 @@ def ship_system(
     c = coefficients(ship, omega, speed)
     if form != "paper":
         force = force + ship_lift_phasors(ship, c, wavenumber, speed, heading)
-    moving = _moving(ship, c, wavenumber, speed, heading, form)
+    moving = moving_water(ship, c, wavenumber, speed, heading, form)
     slow = np.abs(omega) < least_encounter_frequency(ship.hull.length)
     linear = np.concatenate([c.linear[:, :, :1], np.zeros((omega.size, 3, 1)), c.linear[:, :, 1:]], axis=2)
     table = _term_table(c)
@@ -260,7 +182,7 @@ def ship_system(
     given: dict[str, Any] = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
     given |= {"linear": linear, "restoring": c.righting, **moving}
     system = canonical(c.inertia, table, frequency, force.real, -force.imag, **given)
-    matching = None if form == "paper" else _matching(ship, c, frequency, wavenumber, speed, heading)
+    matching = None if form == "paper" else ship_matching(ship, c, frequency, wavenumber, speed, heading)
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c, matching)
 
 
@@ -303,7 +225,6 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
     speed, heading = condition(ship, speed, heading)
     warn_of_conditions(ship, speed, wave.length)
     one = (np.array([wave.wavenumber]), np.array([float(speed)]), np.array([float(heading)]))
-    ship = _matched(ship, *one, form, wave.amplitude)
     at = ship_system(ship, *one, form=form)
     if at.slow[0]:
         raise InputError(
@@ -312,6 +233,10 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
             " and broaching are possible; change speed or heading"
         )
     c = at.coefficients
+    further = nonlinear_terms(c)
+    if at.matching is not None:
+        for name, more in at.matching.added(at.system, wave.amplitude).items():
+            further[name] += more
     terms = {name: float(c.linear[0, i, j]) for i, row in enumerate(LINEAR_NAMES) for j, name in enumerate(row)}
     if c.rudder is not None:
         terms |= dict(zip(RUDDER_NAMES, c.rudder[0].tolist(), strict=True))
@@ -320,7 +245,7 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
     source |= {"wave_length": wave.length, "wave_height": wave.height}
     return Model(
         inertia=inertia,
-        terms=terms | nonlinear_terms(c),
+        terms=terms | further,
         frequency=float(abs(at.encounter_frequency[0])),
         force_cos=wave.amplitude * inertia @ at.system.cos[0],
         force_sin=wave.amplitude * inertia @ at.system.sin[0],
@@ -330,17 +255,5 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
         restoring=c.righting,
         told_vanishing=vanishing_of_equations(ship),
         openings=ship.value("openings"),
-        **_at_height(_moving(ship, c, *one, form), wave.amplitude),
+        **at_height(moving_water(ship, c, *one, form), wave.amplitude),
     )
-
-
-def _at_height(moving: dict[str, Any], amplitude: float) -> dict[str, Any]:
-    """The moving water of one condition, at the height of its wave."""
-    made: dict[str, Any] = {}
-    if "water" in moving:
-        w0, w1 = moving["water"]
-        made["water"] = (amplitude * complex(w0[0]), amplitude * complex(w1[0]))
-    if "strips" in moving:
-        at = moving["strips"]
-        made["strips"] = Strips(at.x, at.lever, at.c, amplitude * at.water)
-    return made

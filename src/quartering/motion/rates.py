@@ -14,7 +14,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import abreast
+from quartering.motion.crossflow import drag, drag_of_one_hull, drag_slopes, drag_slopes_of_one_hull, one_hull
 from quartering.motion.program import SIGN, SIZE, TIMES
+from quartering.motion.restoring import (
+    CELLS,
+    lay_out,
+    moment_of_table,
+    moment_of_tables,
+    one_table,
+    slope_of_table,
+    slope_of_tables,
+)
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +64,11 @@ class Parts(NamedTuple):
 
 
 class Lanes(NamedTuple):
-    """`Parts` of a row of lanes, the lane in the last axis; ``one_hull`` (1,): all have the same strips but for the water."""
+    """`Parts` of a row of lanes, the lane in the last axis, and what `note_likeness` finds.
+
+    ``alike`` (2,): have all the same strips but for the water, and the same table of the restoring moment? Then that table
+    stands in ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
+    """
 
     linear: Floats
     coefficients: Floats
@@ -68,7 +82,9 @@ class Lanes(NamedTuple):
     knots: Floats
     cubics: Floats
     arm: Floats
-    one_hull: NDArray[np.bool_]
+    table: Floats
+    guide: NDArray[np.int64]
+    alike: NDArray[np.bool_]
 
 
 @abreast
@@ -80,7 +96,7 @@ def row_of_lanes(parts, width):
         np.zeros((3, width)), np.zeros((3, width)), np.zeros(width),
         np.zeros((parts.inputs.shape[1], parts.inputs.shape[2], width)), np.zeros((parts.strips.shape[1], 5, width)),
         np.zeros((3, 3, width)), np.zeros((parts.knots.shape[1], width)), np.zeros((parts.knots.shape[1], 4, width)),
-        np.zeros((3, width)), np.zeros(1, np.bool_),
+        np.zeros((3, width)), np.zeros((parts.knots.shape[1], 5)), np.zeros(CELLS, np.int64), np.zeros(2, np.bool_),
     )  # fmt: skip
 
 
@@ -111,14 +127,12 @@ def _put(parts, i, strength, lanes, l):
 
 
 @abreast
-def _one_hull(strips):
-    """Have all lanes the same forms of their strips?"""
-    for z in range(strips.shape[0]):
-        for j in range(3):
-            for l in range(1, strips.shape[2]):
-                if strips[z, j, l] != strips[z, j, 0]:
-                    return False
-    return True
+def note_likeness(lanes):
+    """Note what all lanes have alike, so that it need be read once for them all."""
+    lanes.alike[0] = one_hull(lanes.strips)
+    lanes.alike[1] = lanes.knots.shape[0] > 0 and one_table(lanes.knots, lanes.cubics)
+    if lanes.alike[1]:
+        lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
 
 
 @abreast
@@ -126,7 +140,7 @@ def gather(begin, last, parts, lanes):
     """Copy the conditions from ``begin`` on into the lanes; those left over hold the last condition again."""
     for l in range(lanes.frequency.size):
         _put(parts, min(begin + l, last - 1), 1.0, lanes, l)
-    lanes.one_hull[0] = _one_hull(lanes.strips)
+    note_likeness(lanes)
 
 
 @abreast
@@ -140,7 +154,9 @@ def fill(i, strength, parts, lanes):
     """Copy one condition into all lanes, its nonlinear parts times ``strength``."""
     for l in range(lanes.frequency.size):
         _put(parts, i, strength, lanes, l)
-    lanes.one_hull[0] = True
+    lanes.alike[0], lanes.alike[1] = True, lanes.knots.shape[0] > 0
+    if lanes.alike[1]:
+        lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
 
 
 @abreast
@@ -241,16 +257,20 @@ def add_strips_and_table(program, lanes, c, s, columns, sums, force):
     """Add to the right-hand sides what drag by strips and a table of the restoring moment do."""
     width = columns.shape[1]
     if lanes.strips.shape[0] > 0:
-        if lanes.one_hull[0]:
-            _drag_of_one_hull(lanes.strips, program.velocities, c, s, columns, sums)
+        if lanes.alike[0]:
+            drag_of_one_hull(lanes.strips, program.velocities, c, s, columns, sums)
         else:
-            _drag(lanes.strips, program.velocities, c, s, columns, sums)
+            drag(lanes.strips, program.velocities, c, s, columns, sums)
         for k in range(3):
             for l in range(width):
                 part = lanes.push[k, 0, l] * sums[0, l] + lanes.push[k, 1, l] * sums[1, l]
                 force[k, l] += part + lanes.push[k, 2, l] * sums[2, l]
     if lanes.knots.shape[0] > 0:
-        _restoring(lanes.knots, lanes.cubics, 0, columns[program.displacements[1]], sums)
+        angle = columns[program.displacements[1]]
+        if lanes.alike[1]:
+            moment_of_table(lanes.table, lanes.guide, angle, sums[0])
+        else:
+            moment_of_tables(lanes.knots, lanes.cubics, angle, sums[0])
         for k in range(3):
             for l in range(width):
                 force[k, l] += lanes.arm[k, l] * sums[0, l]
@@ -281,7 +301,10 @@ def slopes(program, lanes, c, s, columns, sums, jacobian):
             jacobian[2, state, l] += coefficients[2, t, l] * slope
     if lanes.strips.shape[0] > 0:
         sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
-        _drag_slopes(lanes.strips, program.velocities, c, s, columns, sums)
+        if lanes.alike[0]:
+            drag_slopes_of_one_hull(lanes.strips, program.velocities, c, s, columns, sums)
+        else:
+            drag_slopes(lanes.strips, program.velocities, c, s, columns, sums)
         for k in range(3):
             for l in range(width):
                 y, m, n = lanes.push[k, 0, l], lanes.push[k, 1, l], lanes.push[k, 2, l]
@@ -289,85 +312,11 @@ def slopes(program, lanes, c, s, columns, sums, jacobian):
                 jacobian[k, roll, l] += y * sums[1, l] + m * sums[3, l] + n * sums[4, l]
                 jacobian[k, yaw, l] += y * sums[2, l] + m * sums[4, l] + n * sums[5, l]
     if lanes.knots.shape[0] > 0:
-        _restoring(lanes.knots, lanes.cubics, 1, columns[program.displacements[1]], sums)
+        angle = columns[program.displacements[1]]
+        if lanes.alike[1]:
+            slope_of_table(lanes.table, lanes.guide, angle, sums[0])
+        else:
+            slope_of_tables(lanes.knots, lanes.cubics, angle, sums[0])
         for k in range(3):
             for l in range(width):
                 jacobian[k, program.displacements[1], l] += lanes.arm[k, l] * sums[0, l]
-
-
-# Drag of one strip: the water passes it at q = v + x r - h p - w and pushes with f = -c |q| q, c = (1/2) rho C_D T dx, in
-# (Y, K, N) = f (1, -h, x): along the gradient of q by (v, p, r). With e = c^(1/3) (1, -h, x) and w times c^(1/3) likewise,
-# the force is -|q| q e and its derivative -2 |q| e e^T, with no coefficient left: six numbers of a symmetric matrix.
-
-
-@abreast
-def _drag(strips, velocities, c, s, columns, sums):
-    """Sums over strips of |q| q e (3, W); the minus stands in ``push``."""
-    width = columns.shape[1]
-    sway, roll, yaw = velocities[0], velocities[1], velocities[2]
-    for l in range(width):
-        sums[0, l], sums[1, l], sums[2, l] = 0.0, 0.0, 0.0
-    for z in range(strips.shape[0]):
-        for l in range(width):
-            across = strips[z, 0, l] * columns[sway, l] + strips[z, 2, l] * columns[yaw, l]
-            q = across + strips[z, 1, l] * columns[roll, l] - (c * strips[z, 3, l] + s * strips[z, 4, l])
-            f = q * abs(q)
-            sums[0, l] += f * strips[z, 0, l]
-            sums[1, l] += f * strips[z, 1, l]
-            sums[2, l] += f * strips[z, 2, l]
-
-
-@abreast
-def _drag_of_one_hull(strips, velocities, c, s, columns, sums):
-    """`_drag` where all lanes have the strips of one hull, so that their forms are numbers: a third of the memory is read."""
-    width = columns.shape[1]
-    sway, roll, yaw = velocities[0], velocities[1], velocities[2]
-    for l in range(width):
-        sums[0, l], sums[1, l], sums[2, l] = 0.0, 0.0, 0.0
-    for z in range(strips.shape[0]):
-        v, p, r = strips[z, 0, 0], strips[z, 1, 0], strips[z, 2, 0]
-        for l in range(width):
-            own = v * columns[sway, l] + p * columns[roll, l] + r * columns[yaw, l]
-            q = own - (c * strips[z, 3, l] + s * strips[z, 4, l])
-            f = q * abs(q)
-            sums[0, l] += f * v
-            sums[1, l] += f * p
-            sums[2, l] += f * r
-
-
-@abreast
-def _drag_slopes(strips, velocities, c, s, columns, sums):
-    """Sums over strips of 2 |q| e e^T: the six entries (vv, vp, vr, pp, pr, rr; W)."""
-    width = columns.shape[1]
-    sway, roll, yaw = velocities[0], velocities[1], velocities[2]
-    for j in range(6):
-        for l in range(width):
-            sums[j, l] = 0.0
-    for z in range(strips.shape[0]):
-        for l in range(width):
-            v, p, r = strips[z, 0, l], strips[z, 1, l], strips[z, 2, l]
-            own = v * columns[sway, l] + p * columns[roll, l] + r * columns[yaw, l]
-            g = 2.0 * abs(own - (c * strips[z, 3, l] + s * strips[z, 4, l]))
-            sums[0, l] += g * v * v
-            sums[1, l] += g * v * p
-            sums[2, l] += g * v * r
-            sums[3, l] += g * p * p
-            sums[4, l] += g * p * r
-            sums[5, l] += g * r * r
-
-
-@abreast
-def _restoring(knots, cubics, by, angle, sums):
-    """Moment (by = 0) or its slope (by = 1) at the roll angle, odd in it, from the table of cubics: into sums[0]."""
-    most = knots.shape[0] - 1
-    for l in range(angle.size):
-        roll = angle[l]
-        size, b = abs(roll), 0
-        while b < most and size > knots[b + 1, l]:
-            b += 1
-        x = size - knots[b, l]
-        if by == 0:
-            moment = cubics[b, 0, l] + x * (cubics[b, 1, l] + x * (cubics[b, 2, l] + x * cubics[b, 3, l]))
-            sums[0, l] = moment if roll >= 0.0 else -moment
-        else:
-            sums[0, l] = cubics[b, 1, l] + x * (2.0 * cubics[b, 2, l] + 3.0 * x * cubics[b, 3, l])

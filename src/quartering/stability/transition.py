@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from quartering.compiled import abreast, kernel
 from quartering.motion.equations import Floats, System
 from quartering.motion.lockstep import states
-from quartering.motion.rates import enter_inputs, fill_lane, room_for, row_of_lanes, slopes
+from quartering.motion.rates import enter_inputs, fill_lane, note_likeness, room_for, row_of_lanes, slopes
 from quartering.motion.steering import turning
 from quartering.threads import in_threads
 
@@ -97,6 +97,7 @@ def _march(first, last, program, parts, factors, periods, u, span, steps, rows, 
             for k in range(3):
                 for b in range(nb):
                     motion[k, b, l] = u[i, k, b]
+        note_likeness(lanes)
         for a in range(size):
             for b in range(size):
                 for l in range(width):
