@@ -104,6 +104,9 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "roll": Symbol("P2", "deg", "amplitude of roll, fundamental"),
     "yaw": Symbol("P3", "deg", "amplitude of yaw, fundamental"),
     "roll_peak": Symbol("max|phi|", "deg", "largest roll angle over a cycle"),
+    "missed": Symbol(
+        "", "1", "change of roll by the next harmonics, estimated, as a share of its amplitude; above 0.01 take more"
+    ),
     "k2": Symbol("K2", "1/s2", "first-order stability index, all averages kept; negative is stable"),
     "k2_rho": Symbol("K2", "1/s2", "index from I1, I2, I3 with the ship's roll axis and amplitudes through the water"),
     "k2_paper": Symbol("K2", "1/s2", "index with the paper's literal 0.3 and 0.1 and amplitudes over ground"),

@@ -7,7 +7,8 @@ import pytest
 
 import quartering as qt
 from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.of_ship import drag_strips, ship_system
+from quartering.motion.drag_of_ship import drag_strips
+from quartering.motion.of_ship import ship_system
 from quartering.stability.assessment import assess
 from tests.reference import HERE
 

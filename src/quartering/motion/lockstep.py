@@ -108,7 +108,7 @@ def balance_abreast(program, tables, lanes, u, residual, room):
 
 
 @abreast
-def _derivative(program, tables, lanes, u, matrix, column, room):
+def derivative_abreast(program, tables, lanes, u, matrix, column, room):
     """Derivatives (3 b, 3 b, W) of the residuals by the unknowns.
 
     With drag from every second sample: there are many for the sake of |q| q alone, and the matrix only leads Newton's steps,
@@ -277,7 +277,7 @@ def _newton(program, tables, lanes, u, stage, sign, work):
     matrix, pivots, inverse, step, points, sizes, column, room = work
     nb, width = u.shape[1], u.shape[2]
     for _ in range(_ITERATIONS):
-        _derivative(program, tables, lanes, u, matrix, column, room)
+        derivative_abreast(program, tables, lanes, u, matrix, column, room)
         factor_abreast(matrix, pivots, inverse, sign[1])
         _copy(u, points[0])
         for j in range(3):

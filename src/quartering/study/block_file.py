@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from scipy.io import netcdf_file
 
 from quartering.digest import fingerprint
+from quartering.motion.truncation import ENOUGH
 from quartering.study.conditions import FLAGS, RESULTS
 from quartering.study.dataset import EXTRA_DIMS, attributes
 from quartering.study.grid import Block, Grid
+from quartering.study.query import MISSED
 from quartering.study.seal import sealed
 
 Arrays = Mapping[str, NDArray[np.generic]]
@@ -81,15 +83,15 @@ def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.ge
 
 
 def counted(found: Arrays) -> dict[str, int]:
-    """Numbers of conditions by verdict, status and way to the motion, and of those beyond the fit of the righting arm.
+    """Numbers of conditions by verdict, status and way to the motion, beyond the fit of the righting arm, and short of harmonics.
 
     Parameters
     ----------
-    found : mapping of str to array    `FLAGS` and beyond
+    found : mapping of str to array    `FLAGS`, beyond and missed
 
     Returns
     -------
-    dict of str to int    "verdict 0": .., "status 0": .., "beyond": ..; zeros left out
+    dict of str to int    "verdict 0": .., "status 0": .., "beyond": .., "more harmonics": ..; zeros left out
 
     Examples
     --------
@@ -104,5 +106,5 @@ def counted(found: Arrays) -> dict[str, int]:
     for name in FLAGS:
         values, numbers = np.unique(found[name], return_counts=True)
         counts |= {f"{name} {value}": int(number) for value, number in zip(values, numbers, strict=True)}
-    beyond = int(found["beyond"])
-    return counts | ({"beyond": beyond} if beyond else {})
+    others = {"beyond": int(found["beyond"]), "more harmonics": int((found[MISSED] > ENOUGH).sum()) if MISSED in found else 0}
+    return counts | {name: number for name, number in others.items() if number}

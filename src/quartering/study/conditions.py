@@ -14,6 +14,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.validity import warn_of_conditions, warn_outside_database
+from quartering.motion.missed import missed_roll
 from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import OnTheWay, Status
 from quartering.motion.steady import roll_peaks, steady_motions
@@ -33,7 +34,7 @@ ACCURACY = 5e-6
 """Error of the Floquet multipliers in a map."""
 
 RESULTS: dict[str, tuple[int, ...]] = {
-    "sway": (), "roll": (), "yaw": (), "roll_peak": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (), "index": (),
+    "sway": (), "roll": (), "yaw": (), "roll_peak": (), "missed": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (), "index": (),
     "q": (3,), "q_paper": (3,), "slow": (2,), "first_order": (), "exponent": (), "calm_exponent": (),
     "multiplier_modulus": (4,), "verdict": (), "status": (), "capsizes_on_the_way": (),
 }  # fmt: skip
@@ -190,7 +191,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     growth = np.where(np.isfinite(u).all(axis=(1, 2)), f.growth, np.nan)
     return {
         "sway": sway, "roll": np.degrees(roll), "yaw": np.degrees(yaw),
-        "roll_peak": np.where(np.isfinite(roll), largest, np.nan),
+        "roll_peak": np.where(np.isfinite(roll), largest, np.nan), "missed": missed_roll(system, u, orders),
         "n2": f.n2, "k2": f.k2, "k2_rho": f.k2_rho, "k2_paper": f.k2_paper, "index": f.index,
         "q": f.q, "q_paper": f.q_paper, "slow": f.slow[:, :2], "first_order": growth,
         "exponent": result.floquet.growth, "calm_exponent": result.calm[:, 0].real,

@@ -98,7 +98,8 @@ def summary(counts: Mapping[str, int], seconds: float) -> dict[str, Any]:
 
     Returns
     -------
-    dict    conditions, stable, unstable, failed, by_verdict, failures (status, count, advice), capsize_on_the_way, seconds
+    dict    conditions, stable, unstable, failed, by_verdict, failures (status, count, advice), capsize_on_the_way,
+            more_harmonics, seconds
 
     Examples
     --------
@@ -117,6 +118,7 @@ def summary(counts: Mapping[str, int], seconds: float) -> dict[str, Any]:
             {"status": f.status.name.lower(), "count": f.conditions, "advice": f.advice} for f in failures(counts)
         ],
         "capsize_on_the_way": sum(counts.get(f"capsizes_on_the_way {int(way)}", 0) for way in OnTheWay if way.capsizes),
+        "more_harmonics": counts.get("more harmonics", 0),
         "beyond_fitted_righting_arm": counts.get("beyond", 0),
         "seconds": seconds,
     }

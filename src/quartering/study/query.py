@@ -13,6 +13,7 @@ import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError
 from quartering.motion.status import OnTheWay
+from quartering.motion.truncation import ENOUGH
 from quartering.stability.kind import Kind
 from quartering.study.grid import CONDITION_AXES, STEEPNESS
 from quartering.study.loadings import coded
@@ -21,6 +22,7 @@ Measure = Literal["roll", "margin"]
 OF_CONDITIONS: Final = frozenset({*CONDITION_AXES, STEEPNESS, "resonance", "rank"})
 """Coordinates of a result that say nothing of its loadings."""
 ON_THE_WAY: Final = "capsizes_on_the_way"
+MISSED: Final = "missed"
 _OF = {"roll": "roll_peak", "margin": "exponent"}
 
 
@@ -36,7 +38,7 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
     Returns
     -------
     xarray.Dataset             along ``rank``, the worst first: every coordinate of the condition, roll_peak [deg], exponent
-                               [1/s], verdict, capsizes_on_the_way; fewer where fewer conditions have an answer
+                               [1/s], verdict, capsizes_on_the_way, missed; fewer where fewer conditions have an answer
 
     Raises
     ------
@@ -64,7 +66,7 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
         dim: xr.DataArray(index, dims="rank")
         for dim, index in zip(values.dims, np.unravel_index(ranked, values.shape), strict=True)
     }
-    names = ["roll_peak", "exponent", "verdict", *({ON_THE_WAY} & set(result.data_vars))]
+    names = ["roll_peak", "exponent", "verdict", *(name for name in (ON_THE_WAY, MISSED) if name in result)]
     chosen = result[names].isel(where).load()
     return chosen.assign_coords(rank=np.arange(1, ranked.size + 1))
 
@@ -90,6 +92,29 @@ def capsizing(result: xr.Dataset) -> xr.DataArray:
     if ON_THE_WAY not in result:
         return xr.zeros_like(result["verdict"], dtype=bool)
     return result[ON_THE_WAY] > int(OnTheWay.NO)
+
+
+def needing_more(result: xr.Dataset) -> xr.DataArray:
+    """Conditions in which the next harmonics are estimated to change roll by more than 1 %.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar`, `worst` or `open_result`; of an earlier version nobody knows: none
+
+    Returns
+    -------
+    xarray.DataArray of bool
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> bool(needing_more(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).any())
+    False
+    """
+    if MISSED not in result:
+        return xr.zeros_like(result["verdict"], dtype=bool)
+    return result[MISSED] > ENOUGH
 
 
 def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> xr.Dataset:

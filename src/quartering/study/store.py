@@ -20,7 +20,7 @@ from quartering.study.dataset import heading_of, plain_attributes
 from quartering.study.grid import Grid
 from quartering.study.seal import DamagedError, is_sound, read_index, read_variable
 
-LAYOUT = 2
+LAYOUT = 3
 """Number of the layout of the folder; another one is refused."""
 MANIFEST = "case.json"
 _BLOCKS = "blocks"

@@ -251,6 +251,33 @@ def wave_words(ds: xr.Dataset) -> str:
     return f"H = {height[0]:g} m" if np.ptp(height) == 0 else f"H = {height.min():.3g} to {height.max():.3g} m"
 
 
+def more_harmonics_words(count: int, total: int, harmonics: int) -> str:
+    """That some conditions want more harmonics than they were given.
+
+    Examples
+    --------
+    >>> more_harmonics_words(12, 481, 1)
+    '12 of 481 conditions need more harmonics than 1 (roll more than 1 % different, by estimate): harmonics 3 or more.'
+    """
+    return (
+        f"{count:,} of {total:,} conditions need more harmonics than {harmonics} (roll more than 1 % different, by estimate):"
+        f" harmonics {harmonics + 2} or more."
+    )
+
+
+def harmonics_of(ds: xr.Dataset) -> int:
+    """Highest harmonic of the motions of a result, out of its attributes.
+
+    Examples
+    --------
+    >>> import xarray as xr
+    >>> harmonics_of(xr.Dataset(attrs={"steady_motion": "harmonic balance to order 5"}))
+    5
+    """
+    last = str(ds.attrs["steady_motion"]).rpartition(" ")[2]
+    return int(last) if last.isdigit() else 1
+
+
 def sea_words(sea: str, value: float) -> str:
     """A wave height [m] or a steepness.
 

@@ -22,14 +22,23 @@ from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.polar import polar
-from quartering.study.query import capsizing
+from quartering.study.query import capsizing, needing_more
 from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write
 from quartering.view.progress import bar
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import WAY_WORDS, estimated_names, exponents_words, notes, speed_words, wave_words
+from quartering.view.wording import (
+    WAY_WORDS,
+    estimated_names,
+    exponents_words,
+    harmonics_of,
+    more_harmonics_words,
+    notes,
+    speed_words,
+    wave_words,
+)
 
 MOST_CONDITIONS = 1_000_000
 """Largest map: about 1 GB of results."""
@@ -122,6 +131,7 @@ class Summary(NamedTuple):
     no_answer: dict[str, int]
     calm_water: np.ndarray
     capsize_on_the_way: int
+    more_harmonics: int
 
 
 def _summary(one: Ship, ds: xr.Dataset) -> Summary:
@@ -135,6 +145,7 @@ def _summary(one: Ship, ds: xr.Dataset) -> Summary:
         {Status(int(s)).name.lower(): int(n) for s, n in zip(statuses, failures, strict=True) if not Status(int(s)).ok},
         calm_water_exponents(one, float(ds["speed"])),
         int(capsizing(ds).sum()),
+        int(needing_more(ds).sum()),
     )
 
 
@@ -189,6 +200,8 @@ def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
         show(f"{n} cells without an answer: {advice}.")
     if lost := sum(s.capsize_on_the_way for s in summary):
         show(f"{lost} cells with a stable motion that is not reached: {WAY_WORDS}.")
+    if short := sum(s.more_harmonics for s in summary):
+        show(more_harmonics_words(short, ds["verdict"].size, harmonics_of(ds)))
     unsteady = [speed_words(s.speed, length) for s in summary if s.calm_water.real.max() > _NEUTRAL]
     if unsteady:
         show(f"Course-unstable in calm water, without a rudder: at {'; '.join(unsteady)}.")

@@ -10,12 +10,12 @@ import xarray as xr
 
 from quartering.conventions import InputError, headed, written
 from quartering.study.loadings import CHOICE_AXES, coded
-from quartering.study.query import OF_CONDITIONS, Measure, cut, sea_of, worst, worst_by, write_csv
+from quartering.study.query import OF_CONDITIONS, Measure, cut, needing_more, sea_of, worst, worst_by, write_csv
 from quartering.study.result import open_result
 from quartering.study.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import value_words, verdict_words
+from quartering.view.wording import harmonics_of, more_harmonics_words, value_words, verdict_words
 
 
 def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
@@ -36,6 +36,7 @@ def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
     texts = [[v if isinstance(v, str) else f"{v:.4g}" for v in row.values()] for row in rows]
     what = "Largest roll" if by == "roll" else "Least stable margin"
     show(table(f"{what} of {found.attrs['ship']}", columns, texts, tuple(range(len(columns) - 1))))
+    _show_short(found)
     show(next_steps(f"quartering show {result}"))
 
 
@@ -69,6 +70,7 @@ def show_result(
             f"{_head(name, part)} {value_words(name, value, '1')}" for name, value in taken.items()
         )
     show(table(title, ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, tuple(range(2 + len(_COLUMNS)))))
+    _show_short(part)
     show(*(f"Wrote {path}" for path in files.values() if path))
     names = [
         n
@@ -77,6 +79,12 @@ def show_result(
     ]
     example = "".join(f" --at {name}={value_words(name, float(ds[name][0]), '1')}" for name in names)
     show(next_steps(f"quartering worst {result}", f"quartering show {result}{example} -o map.png --csv slice.csv"))
+
+
+def _show_short(ds: xr.Dataset) -> None:
+    """Say how many conditions want more harmonics."""
+    if short := int(needing_more(ds).sum()):
+        show(more_harmonics_words(short, ds["verdict"].size, harmonics_of(ds)))
 
 
 def opened(result: str) -> xr.Dataset:

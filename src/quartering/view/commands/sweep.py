@@ -25,7 +25,7 @@ from quartering.view.interrupts import stop_if_asked
 from quartering.view.output import claim, folder_named, write
 from quartering.view.progress import bar
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import WAY_WORDS
+from quartering.view.wording import WAY_WORDS, more_harmonics_words
 
 INTERRUPTED = 130
 _BETWEEN_LINES = 10.0
@@ -75,6 +75,8 @@ def run_sweep(case: str, output: str | None, cluster: str | None, yes: bool, as_
     _after(wanted, counts, facts["by_verdict"])
     if facts["capsize_on_the_way"]:
         show(f"{facts['capsize_on_the_way']:,} of the stable motions are not reached: {WAY_WORDS}.")
+    if facts["more_harmonics"]:
+        show(more_harmonics_words(facts["more_harmonics"], facts["conditions"], wanted.harmonics))
     show(f"Wrote {folder}")
     show(next_steps(f"quartering worst {folder}", f"quartering show {folder}", f"quartering report {folder}"))
 
