@@ -1,4 +1,10 @@
-"""Small dense linear systems inside compiled kernels: LU with partial pivoting."""
+"""Small dense linear systems inside compiled kernels: LU with partial pivoting.
+
+It stands here in two forms, as what can be done several at a time differs. Of one matrix (`lu_factor`) the rows are: motions of
+many harmonics have hundreds of unknowns, and a branch followed through a fold a row and a column more. Of small matrices of
+many conditions (`factor_abreast`) those with the same row and column are, whatever each one pivots on. Either form with the
+other's loops would work on one number at a time.
+"""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
