@@ -179,12 +179,13 @@ class System:
     def basis(self, orders: tuple[int, ...], *, lower: int = 0, extra: int = 0, fewest: int = 0) -> Basis:
         """Sampled harmonics with enough phases for these equations, `lower` in degree.
 
-        With drag by strips, or a table of the restoring moment, at least `fewest` a cycle.
+        With drag by strips at least `fewest` a cycle, which a table of the restoring moment beside it is content with; a table
+        alone is sampled as finely as kinks are, so that nothing but its own series is left out.
         """
         alone = int(self.powers[:, ~self._of_state].sum(axis=1).max(initial=0))
         extra += self.periods * alone * (self.inputs.shape[2] // 2)
-        rough = self.has_drag or self.has_table
-        return basis(orders, self.degree - lower, self.has_kinked_slopes, extra, fewest=fewest if rough else 0)
+        fine = self.has_kinked_slopes or (self.has_table and not self.has_drag)
+        return basis(orders, self.degree - lower, fine, extra, fewest=fewest if self.has_drag else 0)
 
     @property
     def program(self) -> Program:
@@ -202,8 +203,8 @@ class System:
 
 
 FEWEST: Final = 48
-"""Samples of a cycle with drag |q| q: 48 misjudge its fundamental by 6/48^3, 5e-5. A table of the restoring moment, of which
-no derivative below the third jumps, is content with them: its harmonics fall with the fourth power of their order."""
+"""Samples of a cycle with drag |q| q: 48 misjudge its fundamental by 6/48^3, 5e-5. A table of the restoring moment beside it,
+of which no derivative below the third jumps, is content with them: its harmonics fall with the fourth power of their order."""
 
 
 def kernel_arguments(system: System, table: Basis) -> tuple[Any, ...]:

@@ -22,6 +22,9 @@ EVEN_HARMONICS = (0, 2, 4, 6)
 FEWEST_ALONG: Final = 96
 """Samples of a cycle with drag |q| q, whose variation 2 |q| has kinks: 96 misjudge its mean by up to 2/96^2 of itself, 2e-4."""
 
+PER_HARMONIC_OF_TABLE: Final = 64
+"""Further samples a cycle for each harmonic of the motion where the curvature of the restoring moment jumps."""
+
 
 @kernel
 def _harmonics(first, last, program, parts, tables, u, project, out, along):
@@ -114,7 +117,8 @@ def variation_along(
     """
     u = turning(system.linear, u, orders)
     # The matrix has degree one less than the equations; a margin of harmonics keeps the last one free of aliases.
-    table = system.basis(orders, lower=2, extra=2 * max(harmonics) + 2, fewest=FEWEST_ALONG)
+    extra = 2 * max(harmonics) + 2 + (PER_HARMONIC_OF_TABLE * max(orders) if system.has_table and system.has_drag else 0)
+    table = system.basis(orders, lower=2, extra=extra, fewest=FEWEST_ALONG)
     samples = table.values.shape[1]
     half_cycle = all(h % 2 == 1 for h in orders)
     phases = (np.pi if half_cycle else 2 * np.pi) * np.arange(samples) / samples
