@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.harmonic import harmonic_balance
 from quartering.hull.immersed import strips
 from quartering.hydro import hull_table
 from quartering.motion.drag_of_ship import drag_strips
+from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.of_ship import ship_system
 from quartering.stability.assessment import assess
 from tests.hydro.sections_of_two_kinds import lewis_like, table_of_two_kinds
@@ -46,7 +46,9 @@ def hold(rows, system, share: float, of_yaw: float, of_rates: float, slack: floa
     wanted = np.sort([row["exponents"] for row in rows], axis=1)[:, -1]
     np.testing.assert_allclose(exponents, wanted, rtol=of_rates, atol=5e-4 if of_rates > 0.01 else 3e-5)
     rates = [row["roll_rate_first_order"] for row in rows]
-    np.testing.assert_allclose(found.first_order.roll_rate, rates, rtol=of_rates, atol=5e-4 if of_rates > 0.01 else 3e-5)
+    np.testing.assert_allclose(
+        found.first_order.roll_rate, rates, rtol=of_rates, atol=5e-4 if of_rates > 0.01 else 3e-5
+    )
 
 
 @pytest.mark.parametrize("name", [pytest.param("series60-cb60", marks=pytest.mark.soak), "s175"])

@@ -8,9 +8,9 @@ import pytest
 
 import quartering as qt
 from quartering.hydro.crossflow import ENERGY_CUBE, reference_velocity
+from quartering.motion.drag_of_ship import drag_strips
 from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.matched import matched_velocity
-from quartering.motion.drag_of_ship import drag_strips
 from quartering.motion.of_ship import ship_system
 from quartering.motion.water import Strips
 from tests.reference import HERE

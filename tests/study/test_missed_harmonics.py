@@ -2,13 +2,10 @@
 
 import numpy as np
 import pytest
-import xarray as xr
-from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.motion.truncation import ENOUGH
 from quartering.study.query import needing_more
-from quartering.view.cli import app
 
 
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")

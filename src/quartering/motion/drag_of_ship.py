@@ -22,7 +22,9 @@ from quartering.names import DRAG_NAME
 Floats = NDArray[np.float64]
 
 
-def drag_strips(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, *, points: int | None = POINTS) -> Strips:
+def drag_strips(
+    ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, *, points: int | None = POINTS
+) -> Strips:
     """Cross-flow drag of a ship at many conditions, per metre of wave amplitude.
 
     Parameters

@@ -107,7 +107,11 @@ def missed_roll(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
     start = np.ascontiguousarray(widened(np.where(found[:, None, None], u, 0.0), orders, wider))
     abreast = system.plain and len(columns) <= _MOST_COLUMNS
     in_threads(
-        _first_step if abreast else _first_step_with_autopilot, system.count, *kernel_arguments(system, table), start, out
+        _first_step if abreast else _first_step_with_autopilot,
+        system.count,
+        *kernel_arguments(system, table),
+        start,
+        out,
     )
     out[~found] = np.nan
     phases = 2 * np.pi * np.arange(_PHASES) / _PHASES

@@ -117,7 +117,9 @@ def variation_along(
     """
     u = turning(system.linear, u, orders)
     # The matrix has degree one less than the equations; a margin of harmonics keeps the last one free of aliases.
-    extra = 2 * max(harmonics) + 2 + (PER_HARMONIC_OF_TABLE * max(orders) if system.has_table and system.has_drag else 0)
+    extra = (
+        2 * max(harmonics) + 2 + (PER_HARMONIC_OF_TABLE * max(orders) if system.has_table and system.has_drag else 0)
+    )
     table = system.basis(orders, lower=2, extra=extra, fewest=FEWEST_ALONG)
     samples = table.values.shape[1]
     half_cycle = all(h % 2 == 1 for h in orders)

@@ -106,5 +106,8 @@ def counted(found: Arrays) -> dict[str, int]:
     for name in FLAGS:
         values, numbers = np.unique(found[name], return_counts=True)
         counts |= {f"{name} {value}": int(number) for value, number in zip(values, numbers, strict=True)}
-    others = {"beyond": int(found["beyond"]), "more harmonics": int((found[MISSED] > ENOUGH).sum()) if MISSED in found else 0}
+    others = {
+        "beyond": int(found["beyond"]),
+        "more harmonics": int((found[MISSED] > ENOUGH).sum()) if MISSED in found else 0,
+    }
     return counts | {name: number for name, number in others.items() if number}
