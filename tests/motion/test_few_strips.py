@@ -18,7 +18,9 @@ def test_rule_of_stations_has_the_moments_of_all_of_them():
     random = np.random.default_rng(5)
     x, c, depth = np.sort(random.uniform(-80, 70, 41)), random.uniform(0, 3, 41), random.uniform(2, 9, 41)
     places, weights, depths = gauss_of_stations(x, c, depth, 8)
-    assert weights.min() > 0 and x[0] < places.min() and places.max() < x[-1]
+    assert weights.min() > 0
+    assert x[0] < places.min()
+    assert places.max() < x[-1]
     for degree in range(16):
         size = (c * np.abs(x) ** degree).sum()
         assert (weights * places**degree).sum() == pytest.approx((c * x**degree).sum(), abs=1e-11 * size)

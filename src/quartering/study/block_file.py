@@ -83,7 +83,7 @@ def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.ge
 
 
 def counted(found: Arrays) -> dict[str, int]:
-    """Numbers of conditions by verdict, status and way to the motion, beyond the fit of the righting arm, and short of harmonics.
+    """Numbers of conditions by verdict, status and way to the motion, beyond the righting arm's fit, and short of harmonics.
 
     Parameters
     ----------

@@ -34,8 +34,8 @@ ACCURACY = 5e-6
 """Error of the Floquet multipliers in a map."""
 
 RESULTS: dict[str, tuple[int, ...]] = {
-    "sway": (), "roll": (), "yaw": (), "roll_peak": (), "missed": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (), "index": (),
-    "q": (3,), "q_paper": (3,), "slow": (2,), "first_order": (), "exponent": (), "calm_exponent": (),
+    "sway": (), "roll": (), "yaw": (), "roll_peak": (), "missed": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (),
+    "index": (), "q": (3,), "q_paper": (3,), "slow": (2,), "first_order": (), "exponent": (), "calm_exponent": (),
     "multiplier_modulus": (4,), "verdict": (), "status": (), "capsizes_on_the_way": (),
 }  # fmt: skip
 """Name of every result and the shape it adds to the shape of the conditions; of more modes, with an autopilot, the largest."""
