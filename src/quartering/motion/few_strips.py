@@ -1,12 +1,12 @@
 """A hull's drag on few strips: the points and weights that stand for all of its stations.
 
 What the strips do to a motion is a sum over the length of c(x) g(x), with c = (1/2) rho C_D T dx and g made of the velocity
-past the strip. At an instant g = |q| q has a kink where q changes sign, but a motion feels its average over a cycle, which for the
-fundamental is (8/3 pi) q^ q: as smooth in x as the velocity of water and ship. For such g, Gauss' rule of m points *of the
-measure c itself* is exact up to degree 2 m - 1 in x, and its error falls faster than any power of m. Its points are the
-eigenvalues of the matrix of the recurrence of the polynomials that are orthogonal in the sum over stations [Golub69]; they lie
-within the hull, and the weights are above zero. The depth of a strip at a point is that of the polynomial of
-degree m - 1 that comes nearest to all depths in the mean square of the measure.
+past the strip. At an instant g = |q| q has a kink where q changes sign, but a motion feels its average over a cycle, which
+for the fundamental is (8/3 pi) q^ q: as smooth in x as the velocity of water and ship. For such g, Gauss' rule of m points
+*of the measure c itself* is exact up to degree 2 m - 1 in x, and its error falls faster than any power of m. Its points are
+the eigenvalues of the matrix of the recurrence of the polynomials that are orthogonal in the sum over stations [Golub69];
+they lie within the hull, and the weights are above zero. The depth of a strip at a point is that of the polynomial of degree
+m - 1 that comes nearest to all depths in the mean square of the measure.
 """
 
 from __future__ import annotations
