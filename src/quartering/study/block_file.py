@@ -108,6 +108,6 @@ def counted(found: Arrays) -> dict[str, int]:
         counts |= {f"{name} {value}": int(number) for value, number in zip(values, numbers, strict=True)}
     others = {
         "beyond": int(found["beyond"]),
-        "more harmonics": int((found[MISSED] > ENOUGH).sum()) if MISSED in found else 0,
+        "more harmonics": int((np.asarray(found[MISSED], dtype=float) > ENOUGH).sum()) if MISSED in found else 0,
     }
     return counts | {name: number for name, number in others.items() if number}
