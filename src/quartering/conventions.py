@@ -122,6 +122,11 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "multiplier_modulus": Symbol("|mu|", "1", "moduli of the Floquet multipliers of (v, phi, p, r)"),
     "verdict": Symbol("", "1", "is the motion stable, and if not by which mechanism"),
     "status": Symbol("", "1", "whether the condition has an answer"),
+    "other_roll_peak": Symbol(
+        "max|phi|",
+        "deg",
+        "largest roll angle over a cycle of other stable motions in the same wave; NaN where none is known or asked for",
+    ),
     "capsizes_on_the_way": Symbol(
         "",
         "1",

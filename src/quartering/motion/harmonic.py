@@ -211,8 +211,28 @@ def solve_with_care(
     return _solved(system, orders, start, from_rest, abreast=False)
 
 
+def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tuple[Floats, NDArray[np.int8]]:
+    """Periodic motions that Newton's full steps reach from many starts, of which some may fail.
+
+    Parameters
+    ----------
+    system, orders            as in `harmonic_balance`
+    start : (n, 3, b) float   of Newton's method
+
+    Returns
+    -------
+    u, status                 as from `harmonic_balance`, without the damped steps; where it cannot solve abreast, the same
+
+    Notes
+    -----
+    Source: [Krack19].
+    """
+    plain = system.plain and 2 * len(orders) <= _MOST_ABREAST
+    return _solved(system, orders, start, False, abreast=plain, careful=not plain)[:2]
+
+
 def _solved(
-    system: System, orders: tuple[int, ...], start: Floats | None, from_rest: bool, *, abreast: bool
+    system: System, orders: tuple[int, ...], start: Floats | None, from_rest: bool, *, abreast: bool, careful: bool = True
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Solve what full steps abreast find, if wanted, then with care what still waits; mark what has no motion."""
     table = system.basis(orders, fewest=FEWEST)
@@ -222,7 +242,9 @@ def _solved(
     given = (*kernel_arguments(system, table), start is not None, from_rest, u, waiting)
     if abreast:
         in_threads(in_step, system.count, *given, residual)
-    if waiting.any():
+    if not careful:
+        status[waiting == 1] = _NO_MOTION
+    elif waiting.any():
         in_threads(_solve, system.count, *given, status, residual)
     with np.errstate(invalid="ignore"):
         status[np.abs(u).max(axis=(1, 2)) > _RUNAWAY] = _SINGULAR  # an undamped resonance, but for rounding

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Final, Literal, get_args
+from collections.abc import Iterator
+from typing import Final, Literal, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.approach import capsizes_before
+from quartering.motion.batch import rows
 from quartering.motion.equations import Floats, Model, System
-from quartering.motion.homotopy import carried
+from quartering.motion.harmonic import orders_for, quick_motions
+from quartering.motion.homotopy import carried, same
 from quartering.motion.search import from_grid
+from quartering.motion.seeds import grid_of_roll
 from quartering.motion.status import OnTheWay
 from quartering.motion.steady import Motion, roll_peaks, steady_motions
 from quartering.stability.assessment import Assessment, assess
@@ -25,6 +29,11 @@ _STEEP: Final = 0.5
 _FEW: Final = 4
 """Lanes of a row for one condition: as many as a processor works on together."""
 _SAME_ROLL = 0.02
+OTHERS: Final = 2
+"""Other stable motions that a cell of a map has room for: of more, those that roll most."""
+_SIZES, _ANGLES = 8, 3
+"""Starts of a cell: on conditions drawn at random they find 96 of 100 motions that the 144 of one condition find."""
+_BEYOND, _ALIKE = 1.1, 0.02
 
 
 def capsizes_on_the_way(model: Model) -> dict[Way, float]:
@@ -54,36 +63,82 @@ def capsizes_on_the_way(model: Model) -> dict[Way, float]:
     return {way: float(time) for way, time in zip(get_args(Way), times, strict=True) if np.isfinite(time)}
 
 
-def on_the_way(system: System, judged: Assessment, peaks: Floats, limit: float) -> NDArray[np.int8]:
-    """Whether ships capsize before they come to their stable motions, asked where it may be.
+class Asked(NamedTuple):
+    """What maps are told of their stable motions beside the verdict.
+
+    Parameters
+    ----------
+    way : (n,) int8                values of `OnTheWay`
+    other_rolls : (n, o) float     largest roll over a cycle of other stable motions, the smallest first; NaN for none [rad]
+    """
+
+    way: NDArray[np.int8]
+    other_rolls: Floats
+
+
+def beside_motions(
+    system: System, judged: Assessment, u: Floats, orders: tuple[int, ...], peaks: Floats, limit: float
+) -> Asked:
+    """Whether ships capsize before they come to their stable motions, and which others exist, asked where it may be.
 
     Parameters
     ----------
     system : System         n conditions
     judged : Assessment     of their motions
+    u : (n, 3, b) float     the motions, as from `steady_motions`
+    orders : tuple of int   their harmonics
     peaks : (n,) float      largest roll over a cycle [rad]
     limit : float           roll angle that counts as a capsize [rad]
 
     Returns
     -------
-    (n,) int8               values of `OnTheWay`
+    Asked
 
     Notes
     -----
     Asked of stable motions that roll past half the limit, and of those near a fold (`near_fold`), beside which a larger motion
-    stands or none.  Source: [Thompson89] for the use.
+    stands or none.  Source: [Thompson89] for the use; [Krack19].
 
     Examples
     --------
     See `judged` of `quartering.study.conditions`, which calls this.
     """
-    found = np.full(system.count, int(OnTheWay.NOT_ASKED), dtype=np.int8)
+    way = np.full(system.count, int(OnTheWay.NOT_ASKED), dtype=np.int8)
+    rolls = np.full((system.count, OTHERS), np.nan)
     steep = np.nan_to_num(peaks) > _STEEP * limit
     asked = np.flatnonzero((judged.kind == Kind.STABLE) & (steep | near_fold(judged.floquet)))
     if asked.size:
-        times = capsizes_before(system.each(lambda array: array[asked]), np.full(asked.size, limit))
-        found[asked] = np.isfinite(times) @ [int(OnTheWay.FROM_UPRIGHT), int(OnTheWay.WAVE_RAISED)]
-    return found
+        some = rows(system, asked)
+        times = capsizes_before(some, np.full(asked.size, limit))
+        way[asked] = np.isfinite(times) @ [int(OnTheWay.FROM_UPRIGHT), int(OnTheWay.WAVE_RAISED)]
+        for i, low, seeds in _seeds_beside(some, u[asked], orders, limit):
+            one = rows(some, np.array([i]))
+            found = _stable_rolls(one, low, seeds, [float(peaks[asked[i]])], limit, max(3, *orders))[-OTHERS:]
+            rolls[asked[i], : len(found)] = found
+    return Asked(way, rolls)
+
+
+def _seeds_beside(
+    system: System, u: Floats, orders: tuple[int, ...], limit: float
+) -> Iterator[tuple[int, tuple[int, ...], list[Floats]]]:
+    """One-harmonic motions of conditions that have others than the known one: which condition, harmonics, motions.
+
+    From a grid of starts each, as far as 1.1 times the limit, all conditions abreast.
+    """
+    low, first = orders_for(system, 1), 1 if orders[0] == 0 else 0
+    column, width = (1, 3) if low[0] == 0 else (0, 2)
+    each = _SIZES * _ANGLES
+    starts = np.tile(grid_of_roll(_BEYOND * limit, _SIZES, _ANGLES, column, width), (system.count, 1, 1))
+    found, status = quick_motions(rows(system, np.repeat(np.arange(system.count), each)), low, starts)
+    usable = (status == 0) & (roll_peaks(np.nan_to_num(found), low) <= _BEYOND * limit)
+    for i in range(system.count):
+        known = u[i, 1, first : first + 2]
+        seeds: list[Floats] = []
+        for j in np.flatnonzero(usable[i * each : (i + 1) * each]) + i * each:
+            if not any(same(found[j], one) for one in seeds):
+                seeds.append(found[j])
+        if any(np.hypot(*(one[1, column : column + 2] - known)) > _ALIKE * np.hypot(*known) for one in seeds):
+            yield i, low, seeds
 
 
 def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> list[float]:
@@ -115,15 +170,26 @@ def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> li
     system = model.system
     with small_matrices():
         low, seeds = from_grid(system)
-        own, many, _, _ = steady_motions(system, max(3, harmonics), start="rest")
-        ends = [one for one in carried(system, seeds, low, many) if one is not None]
-    # The motion that is known may be one of one harmonic, which rolls otherwise than the same one with more of them.
-    same_with_more = float(roll_peaks(own, many)[0])
+        return _stable_rolls(
+            system, low, seeds, [float(motion.peak[1])], model.capsize_limit.radians, max(3, harmonics)
+        )
+
+
+def _stable_rolls(
+    system: System, low: tuple[int, ...], seeds: list[Floats], known: list[float], limit: float, harmonics: int
+) -> list[float]:
+    """Largest roll of the stable motions of one condition that one-harmonic ones lead to and are not known, the smallest first.
+
+    The motion that is known may be one of one harmonic, which rolls otherwise than the same one with more of them: both are
+    left out.
+    """
+    own, many, _, _ = steady_motions(system, harmonics, start="rest")
+    known = [*known, float(roll_peaks(own, many)[0])]
+    ends = [one for one in carried(system, seeds, low, many) if one is not None]
     rolls: list[float] = []
     for u in ends:
         peak = float(roll_peaks(u[None], many)[0])
-        known = [*rolls, float(motion.peak[1]), same_with_more]
-        if peak > model.capsize_limit.radians or any(abs(peak - one) <= _SAME_ROLL * peak for one in known):
+        if peak > limit or any(abs(peak - one) <= _SAME_ROLL * peak for one in [*rolls, *known]):
             continue
         if assess(system, u[None], many, 1e-9).kind[0] == Kind.STABLE:
             rolls.append(peak)

@@ -21,7 +21,7 @@ from quartering.motion.steady import roll_peaks, steady_motions
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
-from quartering.study.beside import on_the_way
+from quartering.study.beside import OTHERS, beside_motions
 from quartering.study.grid import Grid
 from quartering.study.shared import part_of, systems
 from quartering.threads import spread
@@ -37,6 +37,7 @@ RESULTS: dict[str, tuple[int, ...]] = {
     "sway": (), "roll": (), "yaw": (), "roll_peak": (), "missed": (), "n2": (), "k2": (), "k2_rho": (), "k2_paper": (),
     "index": (), "q": (3,), "q_paper": (3,), "slow": (2,), "first_order": (), "exponent": (), "calm_exponent": (),
     "multiplier_modulus": (4,), "verdict": (), "status": (), "capsizes_on_the_way": (),
+    "other_roll_peak": (OTHERS,),
 }  # fmt: skip
 """Name of every result and the shape it adds to the shape of the conditions; of more modes, with an autopilot, the largest."""
 
@@ -185,7 +186,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
     result = assess(system, u, orders, ACCURACY, detail="map")
     f = result.first_order
-    way = on_the_way(system, result, np.radians(largest), float(np.radians(limit)))
+    beside = beside_motions(system, result, u, orders, np.radians(largest), float(np.radians(limit)))
     first = 1 if orders[0] == 0 else 0
     sway, roll, yaw = np.hypot(u[:, :, first], u[:, :, first + 1]).T
     growth = np.where(np.isfinite(u).all(axis=(1, 2)), f.growth, np.nan)
@@ -196,7 +197,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
         "q": f.q, "q_paper": f.q_paper, "slow": f.slow[:, :2], "first_order": growth,
         "exponent": result.floquet.growth, "calm_exponent": result.calm[:, 0].real,
         "multiplier_modulus": np.abs(result.floquet.multipliers[:, :4]), "verdict": result.kind, "status": status,
-        "capsizes_on_the_way": way,
+        "capsizes_on_the_way": beside.way, "other_roll_peak": np.degrees(beside.other_rolls),
     }  # fmt: skip
 
 

@@ -29,6 +29,7 @@ EXTRA_DIMS = {
     "q_paper": ("resonance",),
     "slow": ("slow_mode",),
     "multiplier_modulus": ("multiplier",),
+    "other_roll_peak": ("other_motion",),
 }
 
 
