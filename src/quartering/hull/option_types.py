@@ -20,6 +20,7 @@ Sections = Literal["auto", "lewis", "close-fit"]
 Hydrodynamics = Literal["strips", "panels"]
 Ends = Literal["strips", "three-dimensional"]
 Drag = Literal["strips", "cubic"]
+Extend = Literal["no", "yes"]
 
 
 class ShipOptions(TypedDict, total=False):

@@ -232,7 +232,13 @@ def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tup
 
 
 def _solved(
-    system: System, orders: tuple[int, ...], start: Floats | None, from_rest: bool, *, abreast: bool, careful: bool = True
+    system: System,
+    orders: tuple[int, ...],
+    start: Floats | None,
+    from_rest: bool,
+    *,
+    abreast: bool,
+    careful: bool = True,
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Solve what full steps abreast find, if wanted, then with care what still waits; mark what has no motion."""
     table = system.basis(orders, fewest=FEWEST)

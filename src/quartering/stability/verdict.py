@@ -221,6 +221,8 @@ def _sentence(
     opinion = no_opinion or opinion
     index = float(result.first_order.k2[0])
     index_says = "no K2 here" if np.isnan(index) else f"K2 alone {'agrees' if index > 0 else 'does not see it'}"
+    if kind is Kind.COURSE_IN_CALM_WATER:
+        return f"{where}course-unstable in calm water: {kind.meaning} ({growth:+.3g} 1/s by Floquet)."
     blame = f"; {strongest[0]} adds most ({strongest[1]:+.3g} 1/s)" if strongest[1] > 0 else ""
     judges = f"{growth:+.3g} 1/s by Floquet; first-order theory {opinion}, {index_says}"
     return f"{where}unstable ({kind.label}): {kind.meaning} ({judges}){blame}."

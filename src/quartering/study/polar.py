@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.loads.waves import Wave
+from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.harmonic import checked_harmonics
-from quartering.options import quoted
+from quartering.options import OPTIONS, checked, quoted
 from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
+from quartering.study.extension import carried_on
 from quartering.study.grid import axis
+
+Floats = NDArray[np.float64]
+MOST_CONDITIONS = 1_000_000
+"""Conditions a map that is extended may have: about 1 GB of results."""
 
 
 @takes(ship="Ship")
@@ -29,6 +34,7 @@ def polar(
     *,
     harmonics: int = 1,
     form: Form = "stf",
+    extend: bool | str = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> xr.Dataset:
     """Response and stability over headings and speeds, for one wave or a list of waves.
@@ -41,6 +47,8 @@ def polar(
     headings : (h,) float              [deg]; by default 0 to 180 every 5
     harmonics : int                    of the steady motion: 1 is the paper's method
     form : str                         of the diffraction force
+    extend : bool, or "yes" or "no"    where the largest roll stands on an edge of the map, carry the map on past it, in steps of
+                                       its last interval, until the largest stands inside (see `edges_of_largest`)
     progress : function(done, total), optional
 
     Returns
@@ -49,7 +57,8 @@ def polar(
 
     Raises
     ------
-    InputError        no wave, two waves of one length, an axis that is empty or not numbers, harmonics that cannot be
+    InputError        no wave, two waves of one length, an axis that is empty or not numbers, harmonics that cannot
+                      be; to extend a map of waves that have neither one height nor one steepness
 
     Notes
     -----
@@ -72,21 +81,54 @@ def polar(
     lengths = np.array([one.length for one in waves])
     if lengths.size == 0 or (np.diff(lengths) == 0).any():
         raise InputError("polar needs at least one wave, and each wave length once; use sweep for several heights")
-    speed, heading = (
-        axis("speed", speeds, ship),
-        axis("heading", np.arange(0.0, 181.0, 5.0) if headings is None else headings, ship),
+    carry_on = extend if isinstance(extend, bool) else checked(OPTIONS["extend"], extend) == "yes"
+    height_of = _height_of(waves) if carry_on else None
+    axes = {
+        "speed": axis("speed", speeds, ship),
+        "heading": axis("heading", np.arange(0.0, 181.0, 5.0) if headings is None else headings, ship),
+        "wave_length": lengths,
+    }
+    height = np.array([one.height for one in waves])
+    ds = _mapped(ship, axes, height, harmonics, form, progress)
+    if height_of is None:
+        return ds
+
+    def further(wanted: Mapping[str, Floats]) -> xr.Dataset:
+        return _mapped(ship, wanted, height_of(wanted["wave_length"]), harmonics, form, None)
+
+    return carried_on(ds, further, MOST_CONDITIONS)
+
+
+def _height_of(waves: Sequence[Wave]) -> Callable[[Floats], Floats]:
+    """Height of waves of other lengths: that of all, or of the same steepness; no wave steeper than the steepest of them."""
+    height, length = (np.array([getattr(one, name) for one in waves]) for name in ("height", "length"))
+    steepness = height / length
+    if np.ptp(steepness) <= 1e-9 * steepness.max():
+        return lambda other: np.asarray(steepness[0] * other)
+    if np.ptp(height) == 0:
+        return lambda other: np.minimum(height[0], STEEPEST * other)
+    raise InputError(
+        "extend = yes; the waves given have neither one height nor one steepness, so those of other lengths are not known; give"
+        " waves of one of the two, or leave extend out"
     )
+
+
+def _mapped(
+    ship: Ship,
+    axes: Mapping[str, Floats],
+    heights: Floats,
+    harmonics: int,
+    form: Form,
+    progress: Callable[[int, int], None] | None,
+) -> xr.Dataset:
+    """Every combination of speeds, headings and waves."""
+    speed, heading, lengths = (axes[name] for name in ("speed", "heading", "wave_length"))
     u, mu, length = (a.ravel() for a in np.meshgrid(speed, heading, lengths, indexing="ij"))
-    height = np.tile([one.height for one in waves], speed.size * heading.size)[:, None]
+    height = np.tile(heights, speed.size * heading.size)[:, None]
     found = evaluate(ship, u, mu, length, height, harmonics=harmonics, form=form, progress=progress)
     shape = (speed.size, heading.size, lengths.size)
     results = {name: found[name].reshape(*shape, *s) for name, s in RESULTS.items()}
     results["encounter_frequency"] = found["encounter_frequency"].reshape(shape)
     dims = ("speed", "heading", "wave_length")
-    coordinates = {
-        "speed": (("speed",), speed),
-        "heading": (("heading",), heading),
-        "wave_length": (("wave_length",), lengths),
-        "wave_height": (("wave_length",), np.array([one.height for one in waves])),
-    }
+    coordinates = {name: ((name,), axes[name]) for name in dims} | {"wave_height": (("wave_length",), heights)}
     return labelled(ship, results, coordinates, dims, dims, form=form, harmonics=harmonics)

@@ -23,6 +23,7 @@ OF_CONDITIONS: Final = frozenset({*CONDITION_AXES, STEEPNESS, "resonance", "rank
 """Coordinates of a result that say nothing of its loadings."""
 ON_THE_WAY: Final = "capsizes_on_the_way"
 MISSED: Final = "missed"
+OTHER: Final = "other_roll_peak"
 _OF = {"roll": "roll_peak", "margin": "exponent"}
 
 
@@ -32,13 +33,15 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
     Parameters
     ----------
     result : xarray.Dataset    of `sweep`, `polar` or `open_result`
-    by : str                   "roll": largest roll angle over a cycle; "margin": largest Floquet exponent
+    by : str                   "roll": largest roll angle over a cycle; "margin": largest Floquet exponent, but for cells where
+                               nothing grows beside the course in calm water
     count : int                how many
 
     Returns
     -------
     xarray.Dataset             along ``rank``, the worst first: every coordinate of the condition, roll_peak [deg], exponent
-                               [1/s], verdict, capsizes_on_the_way, missed; fewer where fewer conditions have an answer
+                               [1/s], verdict, capsizes_on_the_way, missed, other_roll_peak [deg]; fewer where fewer conditions
+                               have an answer
 
     Raises
     ------
@@ -66,7 +69,7 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
         dim: xr.DataArray(index, dims="rank")
         for dim, index in zip(values.dims, np.unravel_index(ranked, values.shape), strict=True)
     }
-    names = ["roll_peak", "exponent", "verdict", *(name for name in (ON_THE_WAY, MISSED) if name in result)]
+    names = ["roll_peak", "exponent", "verdict", *(n for n in (ON_THE_WAY, MISSED, OTHER) if n in result)]
     chosen = result[names].isel(where).load()
     return chosen.assign_coords(rank=np.arange(1, ranked.size + 1))
 
@@ -117,6 +120,50 @@ def needing_more(result: xr.Dataset) -> xr.DataArray:
     return result[MISSED] > ENOUGH
 
 
+def other_rolls(result: xr.Dataset) -> xr.DataArray:
+    """Largest roll over a cycle of other stable motions in the waves of a result.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
+
+    Returns
+    -------
+    xarray.DataArray           along other_motion, the smallest first; NaN where there is none [deg]
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> bool(other_rolls(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).notnull().any())
+    False
+    """
+    if OTHER not in result:
+        return xr.full_like(result["verdict"], np.nan, dtype=float).expand_dims(other_motion=1, axis=-1)
+    return result[OTHER]
+
+
+def coexisting(result: xr.Dataset) -> xr.DataArray:
+    """Conditions in which another stable motion is known beside the one that is judged.
+
+    Parameters
+    ----------
+    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
+
+    Returns
+    -------
+    xarray.DataArray of bool
+
+    Examples
+    --------
+    >>> from quartering.hull.ship import ship
+    >>> from quartering.study.sweep import sweep
+    >>> bool(coexisting(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).any())
+    False
+    """
+    return other_rolls(result).notnull().any("other_motion")
+
+
 def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> xr.Dataset:
     """The worst of every speed and heading over everything else.
 
@@ -127,8 +174,8 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
 
     Returns
     -------
-    xarray.Dataset             roll_peak [deg] and exponent [1/s] at their largest; unstable, without_answer and capsizing:
-                               shares of the conditions [1]
+    xarray.Dataset             roll_peak [deg] and exponent [1/s] at their largest; unstable, course_unstable,
+                               without_answer, capsizing and coexisting: shares of the conditions [1]
 
     Raises
     ------
@@ -152,12 +199,17 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
             f'"{unknown[0]}" is not a dimension of this result; it has {", ".join(map(str, result["verdict"].dims))}'
         )
     others = [dim for dim in result["verdict"].dims if dim not in dims]
-    largest = result[["roll_peak", "exponent"]].max(others, keep_attrs=True)
+    largest = (
+        result[["roll_peak", "exponent"]].assign(exponent=_measured(result, "margin")).max(others, keep_attrs=True)
+    )
     verdict = result["verdict"]
+    course = verdict == int(Kind.COURSE_IN_CALM_WATER)
     shares = {
-        "unstable": ((verdict > int(Kind.STABLE)).mean(others), "share of conditions that are unstable"),
+        "unstable": (((verdict > int(Kind.STABLE)) & ~course).mean(others), "share of conditions that are unstable"),
+        "course_unstable": (course.mean(others), "share of conditions that are course-unstable in calm water too"),
         "without_answer": ((verdict == int(Kind.NO_ANSWER)).mean(others), "share of conditions without an answer"),
         "capsizing": (capsizing(result).mean(others), "share of conditions that are stable, but capsize on the way"),
+        "coexisting": (coexisting(result).mean(others), "share of conditions with another stable motion"),
     }
     for name, (values, meaning) in shares.items():
         largest[name] = values.assign_attrs(units="1", long_name=meaning, symbol="")
@@ -305,7 +357,8 @@ def _measured(result: xr.Dataset, by: str) -> xr.DataArray:
     if by not in _OF:
         raise InputError(f'by = "{by}"; allowed are "roll" (largest roll) and "margin" (largest exponent)')
     _check_result(result)
-    return result[_OF[by]]
+    values = result[_OF[by]]
+    return values.where(result["verdict"] != int(Kind.COURSE_IN_CALM_WATER)) if by == "margin" else values
 
 
 def _check_result(result: xr.Dataset) -> None:

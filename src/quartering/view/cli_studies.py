@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from quartering.options import OPTIONS, line_of
 from quartering.view.arguments import Changes, Form, Harmonics, Json, Picture, Ship
 from quartering.view.outcome import answering
 
@@ -26,6 +27,7 @@ def polar(
     output: Annotated[
         str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
     ] = None,
+    extend: Annotated[bool, typer.Option("--extend", help=f"{line_of(OPTIONS['extend']).partition(':')[0]}.")] = False,
     json: Json = False,
     changes: Changes = None,
 ) -> None:
@@ -34,7 +36,18 @@ def polar(
         from quartering.view.commands.polar import draw_map
 
         waves = (wave_lengths, steepness, wave_height)
-        draw_map(ship, speed or ["0.15Fn,0.2Fn,0.25Fn"], headings, waves, harmonics, form, changes or {}, output, json)
+        draw_map(
+            ship,
+            speed or ["0.15Fn,0.2Fn,0.25Fn"],
+            headings,
+            waves,
+            harmonics,
+            form,
+            changes or {},
+            output,
+            json,
+            extend,
+        )
 
 
 _RANGE = "from:to or from:to:count"

@@ -23,7 +23,8 @@ from quartering.names import DRAG_NAME
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
 from quartering.study.loadings import CHOICE_AXES
-from quartering.study.query import capsizing
+from quartering.study.extension import edges_of_largest
+from quartering.study.query import capsizing, other_rolls
 from quartering.units import quantity
 
 if TYPE_CHECKING:
@@ -38,6 +39,13 @@ _LOADING = ("gm", "kg", "gyradius_roll", "gyradius_yaw", "roll_damping")
 
 
 WAY_WORDS = "the ship capsizes on the way, from upright or with the wave raised in three steps"
+
+CALM_WORDS = (
+    "of the linear motion where no wave acts, each with the coefficients of its own frequency, rudder amidships; above 0 the"
+    " ship leaves its course"
+)
+WITHOUT_WAVES = "the equations of this verdict with the wave left out: coefficients of the frequency of encounter"
+CALM_COURSE = "The ship leaves its course without any wave unless it is steered; the waves are not to blame."
 
 OVER_GROUND = " Lift and drag act on velocities over ground (absolute), as in the paper."
 
@@ -215,6 +223,31 @@ def sentence(words: str) -> str:
     return f"{words[:1].upper()}{words[1:]}."
 
 
+def edge_words(ds: xr.Dataset, advice: str) -> list[str]:
+    """That the largest roll of a result stands on an edge of it, a sentence for all edges; nothing where it stands inside.
+
+    Parameters
+    ----------
+    ds : Dataset    of `polar` or `sweep`
+    advice : str    how to go on past the edge, with the axis in the place of {}
+    """
+    edges = edges_of_largest(ds)
+    if not edges:
+        return []
+    length = float(ds.attrs["ship_length"])
+    words = {
+        "speed": lambda value: f"speed {speed_words(value, length)}",
+        "heading": lambda value: f"heading {value:g} deg",
+        "wave_length": lambda value: f"wave length {value:.4g} m, {value / length:.3g} L",
+    }
+    where = " and ".join(words[edge.axis](edge.value) for edge in edges)
+    further = " and ".join(advice.format(edge.axis.replace("_", "-")) for edge in edges)
+    return [
+        f"The largest roll, {edges[0].roll:.3g} deg, stands on the edge of the map ({where}): the true largest may lie beyond;"
+        f" extend with {further}."
+    ]
+
+
 def value_words(name: str, value: float, unit: str) -> str:
     """A value with its unit, or the word that it is the place of.
 
@@ -237,7 +270,20 @@ def verdict_words(one: xr.Dataset) -> str:
     >>> verdict_words(xr.Dataset({"verdict": 1})), verdict_words(xr.Dataset({"verdict": 0, "capsizes_on_the_way": 3}))
     ('roll', 'stable motion, capsizes on the way')
     """
-    return OnTheWay.BOTH.label if bool(capsizing(one)) else Kind(int(one["verdict"])).label
+    words = OnTheWay.BOTH.label if bool(capsizing(one)) else Kind(int(one["verdict"])).label
+    return f"{words}, {also_words(other_rolls(one).values)}".removesuffix(", ")
+
+
+def also_words(rolls: Iterable[float]) -> str:
+    """Other stable motions in one wave by their largest roll over a cycle [deg]; nothing where there are none.
+
+    Examples
+    --------
+    >>> also_words([27.71, 41.0]), also_words([math.nan])
+    ('also 27.7, 41 deg', '')
+    """
+    sizes = [f"{roll:.3g}" for roll in rolls if math.isfinite(roll)]
+    return f"also {', '.join(sizes)} deg" if sizes else ""
 
 
 def wave_words(ds: xr.Dataset) -> str:

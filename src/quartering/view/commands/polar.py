@@ -22,7 +22,8 @@ from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.polar import polar
-from quartering.study.query import capsizing, needing_more
+from quartering.study.extension import edges_of_largest
+from quartering.study.query import capsizing, coexisting, needing_more, other_rolls
 from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write
@@ -30,7 +31,11 @@ from quartering.view.progress import bar
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import (
+    CALM_COURSE,
+    CALM_WORDS,
     WAY_WORDS,
+    also_words,
+    edge_words,
     estimated_names,
     exponents_words,
     harmonics_of,
@@ -45,6 +50,7 @@ MOST_CONDITIONS = 1_000_000
 
 _NEUTRAL = 1e-9
 _STEEPNESS = "1/50"
+_FURTHER = "--{} .."
 _RINGS = 3
 """With fewer wave lengths than this the picture is lines over heading."""
 
@@ -59,6 +65,7 @@ def draw_map(
     changes: Mapping[str, str],
     output: str | None,
     as_json: bool,
+    extend: bool = False,
 ) -> None:
     """Compute the map, write dataset and picture, print what stands out."""
     one = typed_ship(name, changes)
@@ -77,9 +84,9 @@ def draw_map(
         )
     announce_compilation()
     with bar("conditions", count) as report:
-        ds = polar(one, sea, speed, mu, harmonics=harmonics, form=chosen, progress=report)
+        ds = polar(one, sea, speed, mu, harmonics=harmonics, form=chosen, extend=extend, progress=report)
     ds.attrs["ship_argument"] = name
-    if not np.isfinite(ds["roll"]).any():
+    if not np.isfinite(ds["roll_peak"]).any():
         raise InputError("no condition of this map has an answer; choose other speeds, headings or wave lengths")
     _write(ds, data, picture)
     summary = [_summary(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
@@ -87,6 +94,7 @@ def draw_map(
         show_json(_facts(ds, summary) | {"dataset": str(data), "picture": str(picture)})
         return
     _print(one, ds, summary)
+    show(*edge_words(ds, _FURTHER if extend else f"{_FURTHER} or --extend"))
     show(*notes(ds))
     show(f"Wrote {data} and {picture}")
     worst = max((s for s in summary if np.isfinite(s.worst_roll)), key=lambda s: s.worst_roll)
@@ -118,7 +126,8 @@ def _write(ds: xr.Dataset, data: Path, picture: Path) -> None:
 
 
 class Summary(NamedTuple):
-    """What stands out at one speed: where roll is largest and where the motion is least stable; NaN without any answer."""
+    """What stands out at one speed: where roll is largest over a cycle, and where the motion is least stable but for the course
+    in calm water; NaN without any answer."""
 
     speed: float
     worst_roll: float
@@ -132,6 +141,7 @@ class Summary(NamedTuple):
     calm_water: np.ndarray
     capsize_on_the_way: int
     more_harmonics: int
+    several_stable: int
 
 
 def _summary(one: Ship, ds: xr.Dataset) -> Summary:
@@ -139,13 +149,14 @@ def _summary(one: Ship, ds: xr.Dataset) -> Summary:
     statuses, failures = np.unique(ds["status"].values, return_counts=True)
     return Summary(
         float(ds["speed"]),
-        *_largest(ds["roll"]),
-        *_largest(ds["exponent"]),
+        *_largest(ds["roll_peak"]),
+        *_largest(ds["exponent"].where(ds["verdict"] != int(Kind.COURSE_IN_CALM_WATER))),
         {Kind(int(k)).label: int(n) for k, n in zip(kinds, counts, strict=True)},
         {Status(int(s)).name.lower(): int(n) for s, n in zip(statuses, failures, strict=True) if not Status(int(s)).ok},
         calm_water_exponents(one, float(ds["speed"])),
         int(capsizing(ds).sum()),
         int(needing_more(ds).sum()),
+        int(coexisting(ds).sum()),
     )
 
 
@@ -157,6 +168,7 @@ def _facts(ds: xr.Dataset, summary: Sequence[Summary]) -> dict[str, object]:
         "wave_length": ds["wave_length"].values,
         "wave_height": ds["wave_height"].values,
         "speeds": [s._asdict() for s in summary],
+        "largest_on_edge": [edge._asdict() for edge in edges_of_largest(ds)],
     }
 
 
@@ -186,9 +198,10 @@ def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
         )
         for s in summary
     ]
-    columns = ("speed", "largest roll amplitude", "least stable", "cells", "calm-water exponents [1/s]")
+    columns = ("speed", "largest roll over a cycle", "least stable", "cells", "calm-water exponents [1/s]")
     size = f"{ds.sizes['heading']} headings, {ds.sizes['wave_length']} wave lengths"
     show(table(f"{ds.attrs['ship']} in regular waves, {wave_words(ds)}: {size}", columns, rows))
+    show(f"Calm-water exponents: {CALM_WORDS}.")
     failed: dict[str, int] = {}
     for s in summary:
         for status, n in s.no_answer.items():
@@ -202,8 +215,18 @@ def _print(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> None:
         show(f"{lost} cells with a stable motion that is not reached: {WAY_WORDS}.")
     if short := sum(s.more_harmonics for s in summary):
         show(more_harmonics_words(short, ds["verdict"].size, harmonics_of(ds)))
+    if several := sum(s.several_stable for s in summary):
+        known = np.sort(other_rolls(ds).values.ravel())
+        ends = known[np.isfinite(known)][[0, -1]]
+        show(f"{several} cells with other stable motions in the same wave: {also_words(dict.fromkeys(ends.tolist()))}.")
+    show(*_course_words(ds, summary, length))
+
+
+def _course_words(ds: xr.Dataset, summary: Sequence[Summary], length: float) -> list[str]:
+    """Course instability of calm water, in a sentence of its own."""
     unsteady = [speed_words(s.speed, length) for s in summary if s.calm_water.real.max() > _NEUTRAL]
-    if unsteady:
-        show(f"Course-unstable in calm water, without a rudder: at {'; '.join(unsteady)}.")
-    if any(Kind.COURSE_IN_CALM_WATER.label in s.verdicts for s in summary):
-        show(f"Cells marked {Kind.COURSE_IN_CALM_WATER.label}: {Kind.COURSE_IN_CALM_WATER.meaning}.")
+    if not unsteady:
+        return []
+    cells = int((ds["verdict"] == int(Kind.COURSE_IN_CALM_WATER)).sum())
+    marked = f"; in {cells} cells nothing else grows, and they are marked so" if cells else ""
+    return [f"Course-unstable in calm water, rudder amidships: at {'; '.join(unsteady)}{marked}. {CALM_COURSE}"]

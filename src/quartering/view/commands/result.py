@@ -10,12 +10,30 @@ import xarray as xr
 
 from quartering.conventions import InputError, headed, written
 from quartering.study.loadings import CHOICE_AXES, coded
-from quartering.study.query import OF_CONDITIONS, Measure, cut, needing_more, sea_of, worst, worst_by, write_csv
+from quartering.study.query import (
+    OF_CONDITIONS,
+    OTHER,
+    Measure,
+    cut,
+    needing_more,
+    other_rolls,
+    sea_of,
+    worst,
+    worst_by,
+    write_csv,
+)
 from quartering.study.result import open_result
 from quartering.study.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import harmonics_of, more_harmonics_words, value_words, verdict_words
+from quartering.view.wording import (
+    CALM_COURSE,
+    edge_words,
+    harmonics_of,
+    more_harmonics_words,
+    value_words,
+    verdict_words,
+)
 
 
 def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
@@ -27,6 +45,7 @@ def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
         {name: float(found[name][i]) for name in (*names, "roll_peak", "exponent")}
         | {name: value_words(name, float(found[name][i]), "1") for name in names if name in CHOICE_AXES}
         | {"verdict": verdict_words(found.isel(rank=i))}
+        | ({OTHER: [float(v) for v in other_rolls(found.isel(rank=i)).values if np.isfinite(v)]} if as_json else {})
         for i in range(found.sizes["rank"])
     ]
     if as_json:
@@ -37,6 +56,8 @@ def show_worst(result: str, by: str, count: int, as_json: bool) -> None:
     what = "Largest roll" if by == "roll" else "Least stable margin"
     show(table(f"{what} of {found.attrs['ship']}", columns, texts, tuple(range(len(columns) - 1))))
     _show_short(found)
+    if by == "roll":
+        show(*edge_words(opened(result), "further values of {}"))
     show(next_steps(f"quartering show {result}"))
 
 
@@ -71,6 +92,10 @@ def show_result(
         )
     show(table(title, ("speed [m/s]", "heading [deg]", *_COLUMNS), rows, tuple(range(2 + len(_COLUMNS)))))
     _show_short(part)
+    if (share := float(by["course_unstable"].mean())) > 0:
+        show(
+            f"Course-unstable in calm water: {100 * share:.1f} % of the conditions, where nothing else grows. {CALM_COURSE}"
+        )
     show(*(f"Wrote {path}" for path in files.values() if path))
     names = [
         n
@@ -122,12 +147,14 @@ def split_cut(typed: str) -> tuple[str, float]:
         ) from None
 
 
-_COLUMNS = ("largest roll [deg]", "largest exponent [1/s]", "unstable", "no answer", "capsizes on the way")
+_COLUMNS = (
+    "largest roll [deg]", "largest exponent [1/s]", "unstable", "no answer", "capsizes on the way", "several stable motions",
+)  # fmt: skip
 
 
 def _row(line: xr.Dataset) -> tuple[str, ...]:
     place = [f"{float(line[name]):.4g}" if name in line.coords else "" for name in ("speed", "heading")]
-    shares = [f"{100 * float(line[name]):.1f} %" for name in ("unstable", "without_answer", "capsizing")]
+    shares = [f"{100 * float(line[name]):.1f} %" for name in ("unstable", "without_answer", "capsizing", "coexisting")]
     return (*place, f"{float(line['roll_peak']):.3g}", f"{float(line['exponent']):+.3g}", *shares)
 
 

@@ -28,7 +28,7 @@ from quartering.study.cure import Cure, seek
 from quartering.view.commands.conditions import condition
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
-from quartering.view.wording import estimated_words, exponents_words
+from quartering.view.wording import CALM_COURSE, CALM_WORDS, WITHOUT_WAVES, also_words, estimated_words, exponents_words
 
 _MOST_CURES = 3
 
@@ -53,8 +53,9 @@ class Beside(NamedTuple):
             beginnings = [f"{_BEGINNINGS[way]} after {time:.0f} s" for way, time in self.capsizes.items()]
             said.append(f"Stable motion, capsizes on the way: {', '.join(beginnings)}.")
         if self.others:
-            sizes = ", ".join(f"{roll:.3g}" for roll in self.others)
-            said.append(f"Other stable motions exist in this wave: also {sizes} deg, largest roll over a cycle.")
+            said.append(
+                f"Other stable motions exist in this wave: {also_words(self.others)}, largest roll over a cycle."
+            )
         return said
 
 
@@ -130,7 +131,10 @@ def judge(
         show("Each of these alone restores stability: " + "; ".join(cure.sentence for cure in healing) + ".")
     if found.motion.status.ok:
         show(_motion_table(one, wave, found))
-        show(_stability_table(found.verdict, calm_water_exponents(one, speed)))
+        calm = calm_water_exponents(one, speed)
+        show(_stability_table(found.verdict, calm))
+        if calm.real.max() > 0 and one.autopilot is None:
+            show(f"Course-unstable in calm water, rudder amidships ({calm.real.max():+.3g} 1/s). {CALM_COURSE}")
     show(estimated_words(estimated(found), one.provenance))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-length {typed[2]} --wave-height {typed[3]}"
     again = option_words(changes)
@@ -168,10 +172,14 @@ def _motion_table(one: Ship, wave: Wave, found: Examined) -> Table:
         )
 
     rows = [
-        ("sway amplitude", f"{sway:.3g} m", share(sway, wave.amplitude, "amplitude") + through(0, "m")),
-        ("roll amplitude", f"{math.degrees(roll):.3g} deg", share(roll, slope, "slope")),
-        ("yaw amplitude", f"{math.degrees(yaw):.3g} deg", share(yaw, slope, "slope") + through(2, "deg")),
-        ("largest roll", f"{math.degrees(motion.peak[1]):.3g} deg", "over a cycle"),
+        (
+            "largest roll",
+            f"{math.degrees(motion.peak[1]):.3g} deg",
+            f"over a cycle; {share(motion.peak[1], slope, 'slope')}",
+        ),
+        ("sway amplitude, fundamental", f"{sway:.3g} m", share(sway, wave.amplitude, "amplitude") + through(0, "m")),
+        ("roll amplitude, fundamental", f"{math.degrees(roll):.3g} deg", share(roll, slope, "slope")),
+        ("yaw amplitude, fundamental", f"{math.degrees(yaw):.3g} deg", share(yaw, slope, "slope") + through(2, "deg")),
         ("encounter frequency", f"{model.frequency:.3g} rad/s", f"period {2 * math.pi / model.frequency:.3g} s"),
         ("natural roll frequency", f"{coefficients(one, 0.0, 0.0).roll_frequency:.3g} rad/s", "small roll, alone"),
         ("motion", motion.method, f"{motion.status.advice}; residual {motion.residual:.1e}"),
@@ -200,12 +208,8 @@ def _stability_table(v: Verdict, calm: np.ndarray) -> Table:
         ),
         ("averaged roll pair [1/s]", exponents_words(v.averaged), "equations (A-10)"),
         ("roll with slow modes [1/s]", f"{v.combination:.3g}", "n2 near 2 omega"),
-        ("without waves [1/s]", exponents_words(v.calm_water), "linear motion with the same coefficients"),
-        (
-            "in calm water [1/s]",
-            exponents_words(calm),
-            "each with the coefficients of its own frequency, rudder amidships",
-        ),
+        ("without waves [1/s]", exponents_words(v.calm_water), WITHOUT_WAVES),
+        ("in calm water [1/s]", exponents_words(calm), CALM_WORDS),
     ]
     return table("Stability", ("quantity", "value", "remark"), rows)
 

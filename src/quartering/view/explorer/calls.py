@@ -80,6 +80,8 @@ class PolarCall(Call):
     wave_height: Value | None = Field(default=None, description=f"{line_of(OPTIONS['wave_height'])}; or give steepness")
     steepness: Value | None = Field(default=None, description=f"{line_of(OPTIONS['steepness'])}; or give wave_height")
 
+    extend: bool = Field(default=False, description=line_of(OPTIONS["extend"]).partition(":")[0])
+
     @property
     def cells(self) -> int:
         """Number of conditions."""

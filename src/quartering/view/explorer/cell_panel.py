@@ -92,8 +92,8 @@ def _motion(found: Examined) -> list[Part]:
     sway, roll, yaw = motion.amplitude
     period = 2 * math.pi / found.model.frequency
     words = (
-        f"<p><b>Roll {math.degrees(roll):.3g}°</b>, sway {sway:.3g} m, yaw {math.degrees(yaw):.3g}° (amplitudes of the"
-        f" fundamental); the ship meets a wave every {period:.3g} s, its own small roll takes"
+        f"<p><b>Largest roll {math.degrees(motion.peak[1]):.3g}°</b> over a cycle; amplitudes of the fundamental: roll"
+        f" {math.degrees(roll):.3g}°, sway {sway:.3g} m, yaw {math.degrees(yaw):.3g}°; the ship meets a wave every {period:.3g} s, its own small roll takes"
         f" {2 * math.pi / _roll_frequency(found):.3g} s.</p>"
     )
     sizes = np.hypot(motion.cos, motion.sin)
@@ -145,10 +145,11 @@ def judges(v: Verdict, calm: Any) -> str:
         ("q, largest of three", q, "1/s", each),
         ("slow sway-yaw modes", float(max(v.slow)), "1/s", "averaged over the wave"),
         ("roll with slow modes", v.combination, "1/s", "n₂ near 2ω"),
-        ("calm water, no rudder", float(max(calm.real)), "1/s", exponents_words(calm, 2)),
+        ("course in calm water, no rudder", float(max(calm.real)), "1/s", f"{exponents_words(calm, 2)}; no wave acts"),
     ]
     body = "".join(
-        f"<tr><td>{what}</td><td>{_signed(value)} {unit if math.isfinite(value) else ''}</td><td>{_says(value)}</td>"
+        f"<tr><td>{what}</td><td>{_signed(value)} {unit if math.isfinite(value) else ''}</td>"
+        f"<td>{_says(value, 'course-unstable' if what.startswith('course') else 'unstable')}</td>"
         f"<td class='hint'>{remark}</td></tr>"
         for what, value, unit, remark in rows
     )
@@ -159,15 +160,15 @@ def _signed(value: float) -> str:
     return f"{value:+.3g}" if math.isfinite(value) else "none"
 
 
-def _says(growth: float) -> str:
+def _says(growth: float, unstable: str) -> str:
     if math.isnan(growth):
         return "no answer"
-    return "<span class='unstable'>unstable&nbsp;×</span>" if growth > 1e-9 else "<span class='stable'>stable</span>"
+    return f"<span class='unstable'>{unstable}&nbsp;×</span>" if growth > 1e-9 else "<span class='stable'>stable</span>"
 
 
 def _curve(state: State, of: Scene, found: Examined) -> list[Part]:
     followed = curve(of, state.over)
-    roll = math.degrees(found.motion.amplitude[1]) if found.motion.status.ok else math.nan
+    roll = math.degrees(found.motion.peak[1]) if found.motion.status.ok else math.nan
     here = charts.place_on(state.over, of, found.model.frequency)
     folds = int(followed["fold"].sum())
     words = {0: "no fold", 1: "one fold"}.get(folds, f"{folds} folds")
@@ -182,7 +183,7 @@ def _causes(of: Scene) -> list[Part]:
     found = causes(of)
     return [
         "<h2>What moves the leading exponent</h2>", charts.tornado(found, "exponent"),
-        "<h2>What moves the roll amplitude</h2>", charts.tornado(found, "roll"),
+        "<h2>What moves the roll amplitude (fundamental)</h2>", charts.tornado(found, "roll"),
         "<p class='hint'>From derivatives at this condition. Right and hatched: less stable, or more roll.</p>",
     ]  # fmt: skip
 

@@ -119,8 +119,8 @@ def unit_circle(v: Verdict) -> Chart:
 
 
 def response_curve(curve: xr.Dataset, over: str, now: float, roll: float) -> Chart:
-    """Roll along the branch of motions; unstable parts dashed, folds and other events marked."""
-    x, y = curve[over].values, curve["roll"].values
+    """Largest roll along the branch of motions; unstable parts dashed, folds and other events marked."""
+    x, y = curve[over].values, curve["roll_peak"].values
     stable = curve["verdict"].values == Kind.STABLE
     traces = []
     for chosen, name, colour, dash in ((stable, "stable", BLUE, "solid"), (~stable, "unstable", ORANGE, "dot")):
@@ -148,7 +148,11 @@ def response_curve(curve: xr.Dataset, over: str, now: float, roll: float) -> Cha
         })  # fmt: skip
     meaning = "encounter frequency" if over == "frequency" else over.replace("_", " ")
     return _chart(
-        traces, f"{meaning} [{SYMBOLS[over].unit}]", "roll amplitude [deg]", height=380, yaxis={"rangemode": "tozero"}
+        traces,
+        f"{meaning} [{SYMBOLS[over].unit}]",
+        "largest roll over a cycle [deg]",
+        height=380,
+        yaxis={"rangemode": "tozero"},
     )
 
 
@@ -167,7 +171,7 @@ def tornado(found: xr.Dataset, of: str) -> Chart:
         },
         "hovertemplate": "%{y}: %{x}<extra></extra>",
     }  # fmt: skip
-    what = "roll amplitude [deg]" if of == "roll" else "leading exponent [1/s]"
+    what = "roll amplitude, fundamental [deg]" if of == "roll" else "leading exponent [1/s]"
     return _chart(
         [bars], f"change of {what} per +10 %", "", height=360, legend=False, xaxis={"zeroline": True, "zerolinewidth": 1},
     )  # fmt: skip

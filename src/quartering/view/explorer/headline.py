@@ -6,6 +6,7 @@ import html
 import math
 
 from quartering.hull.righting import fitted_to
+from quartering.stability.kind import Kind
 from quartering.view.commands.verdict import Examined
 
 NO_MOTION = "<h1><b class='unstable'>No periodic motion here</b></h1>"
@@ -27,8 +28,9 @@ def headline(found: Examined) -> str:
     where, _, said = found.verdict.sentence.partition(": ")
     first, mark, rest = said.partition(": ")
     because, numbers = _parted(rest)
-    look = "stable" if found.verdict.stable else "unstable"
-    size = f"Roll amplitude {math.degrees(found.motion.amplitude[1]):.3g}°. " if found.motion.status.ok else ""
+    calm = found.verdict.kind == Kind.COURSE_IN_CALM_WATER.label
+    look = "stable" if found.verdict.stable or calm else "unstable"
+    size = f"Largest roll {math.degrees(found.motion.peak[1]):.3g}° over a cycle. " if found.motion.status.ok else ""
     escaped = [html.escape(text) for text in (where, first, because, numbers)]
     return (
         f"<h1><span class='when'>{escaped[0]}:</span> <b class='{look}'>{escaped[1]}</b>{mark}{escaped[2]}.</h1>"

@@ -14,7 +14,7 @@ from nicegui.events import GenericEventArguments
 from quartering.hull.righting import fitted_to
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.stability.kind import Kind
-from quartering.study.query import capsizing
+from quartering.study.query import capsizing, other_rolls
 from quartering.view.explorer.answers import HEADINGS, RATIOS, Scene
 from quartering.view.plots import style
 
@@ -27,6 +27,8 @@ _LEAST_TOP = 5.0
 
 def _words(kind: Kind) -> str:
     """What a cell is, in words."""
+    if kind == Kind.COURSE_IN_CALM_WATER:
+        return "course-unstable even in calm water"
     return kind.label.replace("-", " ") if kind <= Kind.STABLE else f"unstable ({kind.label})"
 
 
@@ -52,16 +54,18 @@ class MapPanel:
             self._map.props["kinds"] = {str(int(k)): _words(k) for k in Kind}
             self._map.props["palette"] = list(palette())
             self._map.props["hatched"], self._map.props["dotted"] = _HATCHED, _DOTTED
-            self._map.props["label"] = "Polar map of roll; arrow keys choose heading and wave length"
+            self._map.props["label"] = (
+                "Polar map of the largest roll over a cycle; arrow keys choose heading and wave length"
+            )
             self._map.props["chosen"], self._map.props["lines"] = [0.0, 1.0], []
             self._map.props["top"] = _LEAST_TOP
             self._roll = np.full((HEADINGS.size, RATIOS.size), np.nan)
-            self._peak = self._roll.copy()
+            self._other = self._roll.copy()
             self._kind = np.full(self._roll.shape, int(Kind.NO_ANSWER))
             self._lost = np.zeros(self._roll.shape, dtype=bool)
             self._awaited = np.ones(HEADINGS.size, dtype=bool)
             with ui.element("div").classes("scale"):
-                ui.label("roll 0°")
+                ui.label("largest roll 0°")
                 ui.element("div").classes("scale-bar").style(f"background:linear-gradient(90deg,{','.join(palette())})")
                 self._top = ui.label("")
             self._legend = ui.html("", sanitize=False).classes("legend")
@@ -87,13 +91,13 @@ class MapPanel:
     def show(self, part: xr.Dataset, *, fresh: bool) -> None:
         """Put a block of the map in its place; the first of a new map empties it."""
         if fresh:
-            self._roll[:], self._peak[:], self._kind[:] = np.nan, np.nan, int(Kind.NO_ANSWER)
+            self._roll[:], self._other[:], self._kind[:] = np.nan, np.nan, int(Kind.NO_ANSWER)
             self._lost[:], self._awaited[:] = False, True
         rows = np.searchsorted(HEADINGS, part["heading"].values)
         columns = np.searchsorted(RATIOS, part["wave_length"].values / self._length - 1e-6)
         at = np.ix_(rows, columns)
-        self._peak[at] = part["roll_peak"].values[0]
-        self._roll[at], self._kind[at] = part["roll"].values[0], part["verdict"].values[0]
+        self._other[at] = other_rolls(part).max("other_motion").values[0]
+        self._roll[at], self._kind[at] = part["roll_peak"].values[0], part["verdict"].values[0]
         self._lost[at] = capsizing(part).values[0]
         self._awaited[rows] = False
         self._send()
@@ -104,6 +108,8 @@ class MapPanel:
         waiting = np.broadcast_to(self._awaited[:, None], roll.shape)
         self._map.props["kind"] = [None if w else int(k) for k, w in zip(self._kind.flat, waiting.flat, strict=True)]
         self._map.props["crossed"] = np.flatnonzero(self._lost).tolist()
+        beside = np.flatnonzero(np.isfinite(self._other))
+        self._map.props["also"] = {str(k): round(float(self._other.flat[k]), 1) for k in beside}
         if np.isfinite(roll).any():
             top = max(_LEAST_TOP, float(np.ceil(np.nanmax(roll))))
             self._map.props["top"] = top
@@ -114,17 +120,19 @@ class MapPanel:
         stable, none = int((self._kind == Kind.STABLE).sum()), int((self._kind == Kind.NO_ANSWER).sum())
         calm = int((self._kind == Kind.COURSE_IN_CALM_WATER).sum())
         unstable, lost = self._kind.size - stable - none - calm, int(self._lost.sum())
+        also = int(np.isfinite(self._other).sum())
         rows = [
-            ("", "every cell is stable", stable == self._kind.size and not lost),
+            ("", "every cell is stable", stable == self._kind.size and not lost and not also),
             ("hatch", f"{unstable} of {self._kind.size} cells unstable", unstable),
             ("dots", f"{calm} course-unstable even in calm water", calm),
             ("cross", f"{lost} stable, but the ship capsizes on the way", lost),
+            ("ring", f"{also} with another stable motion", also),
             ("grey", f"{none} without an answer", none),
             ("line", "encounter at the roll frequency n₂", "resonance" in self._lines),
             ("dash", "at 2 n₂", "twice" in self._lines),
             ("dotted", "ship keeps pace with the wave", "pace" in self._lines),
         ]
-        beyond = int((np.nan_to_num(self._peak) > self._fitted).sum())
+        beyond = int((np.nan_to_num(self._roll) > self._fitted).sum())
         words = f"{beyond} cells roll beyond {self._fitted:g}°, where the fit of the righting arm ends: extrapolated"
         return (f"<div>{words}</div>" if beyond else "") + "".join(
             f"<span>{_key(key)}{words}</span>" for key, words, shown in rows if shown

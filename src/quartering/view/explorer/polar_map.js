@@ -13,7 +13,7 @@ export default {
     </div>`,
   props: {
     headings: Array, radii: Array, roll: Array, kind: Array, kinds: Object, top: Number,
-    chosen: Array, lines: Array, palette: Array, label: String, hatched: Array, dotted: Array, crossed: Array,
+    chosen: Array, lines: Array, palette: Array, label: String, hatched: Array, dotted: Array, crossed: Array, also: Object,
   },
   data() { return { told: "" }; },
   computed: {
@@ -24,7 +24,7 @@ export default {
   },
   mounted() { this.uid = `m${maps++}`; this.build(); this.paint(); this.mark(); this.draw(); this.cross(); },
   watch: {
-    roll() { this.paint(); }, kind() { this.paint(); }, top() { this.paint(); }, crossed() { this.cross(); },
+    roll() { this.paint(); }, kind() { this.paint(); }, top() { this.paint(); }, crossed() { this.cross(); }, also() { this.cross(); },
     chosen() { this.mark(); }, lines() { this.draw(); },
   },
   methods: {
@@ -110,8 +110,13 @@ export default {
         this.make(this.pointer, "circle", { cx: x, cy: y, r: 4.2, class: side > 0 ? "q-dot" : "q-dot q-mirror" });
       }
     },
-    cross() {  // stable motions that the ship capsizes before
+    cross() {  // rings: other stable motions; crosses: stable motions that the ship capsizes before
       this.crosses.replaceChildren();
+      for (const k of Object.keys(this.also || {})) for (const side of [1, -1]) {
+        const [x, y] = this.place(this.headings[Math.floor(k / this.radii.length)], this.radii[k % this.radii.length], side);
+        if (side < 0 && Math.abs(x) < 1e-6) continue;
+        for (const name of ["q-cross-back", "q-also"]) this.make(this.crosses, "circle", { cx: x, cy: y, r: 1.5, class: name });
+      }
       for (const k of this.crossed || []) for (const side of [1, -1]) {
         const [x, y] = this.place(this.headings[Math.floor(k / this.radii.length)], this.radii[k % this.radii.length], side);
         if (side < 0 && Math.abs(x) < 1e-6) continue;
@@ -136,7 +141,8 @@ export default {
       const k = i * this.radii.length + j, roll = this.roll[k], kind = this.kinds[String(this.kind[k])] || "not yet computed";
       const size = roll === null || roll === undefined ? "" : `roll ${roll.toFixed(1)}°, `;
       const way = (this.crossed || []).includes(k) ? ", capsizes on the way" : "";
-      return `${this.headings[i]}°, λ = ${this.radii[j].toFixed(1)} L: ${size}${kind}${way}`;
+      const other = (this.also || {})[k] === undefined ? "" : `, also ${this.also[k].toFixed(1)}°`;
+      return `${this.headings[i]}°, λ = ${this.radii[j].toFixed(1)} L: ${size}${kind}${way}${other}`;
     },
     hover(event) { const at = this.cell(event); this.told = at ? 'cell ' + this.words(at) : ""; },
     choose(i, j) {

@@ -14,7 +14,16 @@ from numpy.typing import NDArray
 
 from quartering.units import quantity
 from quartering.view.plots import style
-from quartering.view.plots.polar_map import COURSE_INK, GREY, HATCHES, draw_cells, edges
+from quartering.view.plots.polar_map import (
+    COURSE_INK,
+    GREY,
+    HATCHES,
+    OUTLINE_OF_MARK,
+    RING,
+    also_label,
+    draw_cells,
+    edges,
+)
 
 Floats = NDArray[np.float64]
 CROSS: Final = "#d4004b"
@@ -32,6 +41,7 @@ class Diagram(NamedTuple):
     roll : (u, h) float         largest roll angle, NaN where there is no answer [deg]
     verdict : (u, h) int        `Kind` values
     failure : (u, h) bool       a failure event
+    other : (u, h) float        largest roll of another stable motion in the same wave, NaN for none [deg]
     """
 
     title: str
@@ -40,6 +50,7 @@ class Diagram(NamedTuple):
     roll: Floats
     verdict: NDArray[np.int8]
     failure: NDArray[np.bool_]
+    other: Floats
 
 
 def guidance_picture(diagrams: list[Diagram], limit: float) -> Figure:
@@ -67,7 +78,11 @@ def guidance_picture(diagrams: list[Diagram], limit: float) -> Figure:
     scale = made.colorbar(mesh, ax=list(panels[: len(diagrams)]), shrink=0.6, pad=0.04, aspect=30)
     scale.set_label(f"largest roll angle over a cycle [deg], up to the limit of {limit:.3g} deg")
     made.legend(
-        handles=_legend(), loc="lower left", bbox_to_anchor=(0.01, 0.005), ncols=4 if columns > 1 else 2, frameon=False
+        handles=_legend(diagrams),
+        loc="lower left",
+        bbox_to_anchor=(0.01, 0.005),
+        ncols=4 if columns > 1 else 2,
+        frameon=False,
     )
     return made
 
@@ -81,6 +96,8 @@ def _panel(ax: PolarAxes, d: Diagram, colours: Normalize) -> object:
     failed = d.failure.T
     for side in (1.0, -1.0):
         mesh = draw_cells(ax, side * theta, r, d.roll.T, d.verdict.T, colours)
+        also = np.isfinite(d.other.T)
+        ax.plot(side * centre[also], ring[also], path_effects=OUTLINE_OF_MARK, zorder=5, **RING)
         ax.plot(side * centre[failed], ring[failed], "x", color=CROSS, markersize=3.2, markeredgewidth=1.0, zorder=5)
     ax.set_rlim(0.0, r[-1])
     knots = quantity("1 kn", "speed")
@@ -110,10 +127,19 @@ def _round_knots(largest: float) -> list[float]:
     return [float(ring) for ring in np.arange(step, largest, step)]
 
 
-def _legend() -> list[Line2D | Patch]:
-    return [
+def _legend(diagrams: list[Diagram]) -> list[Line2D | Patch]:
+    others = np.concatenate([d.other.ravel() for d in diagrams])
+    made: list[Line2D | Patch] = [
         Line2D([], [], color=CROSS, marker="x", linestyle="none", label="failure event"),
         Patch(facecolor="#31688e", edgecolor="white", hatch=HATCHES["unstable"], label="unstable motion"),
-        Patch(facecolor="#31688e", edgecolor=COURSE_INK, hatch=HATCHES["course"], label="course-unstable, no wave"),
+        Patch(
+            facecolor="#31688e",
+            edgecolor=COURSE_INK,
+            hatch=HATCHES["course"],
+            label="course-unstable in calm water too",
+        ),
         Patch(facecolor=GREY, label="no answer"),
     ]
+    if np.isfinite(others).any():
+        made.append(Line2D([], [], label=also_label(others), path_effects=OUTLINE_OF_MARK, **RING))
+    return made

@@ -1,4 +1,4 @@
-"""The polar map: roll amplitude over heading and wave length, unstable cells hatched, resonance lines drawn."""
+"""The polar map: largest roll over heading and wave length, unstable cells hatched, resonance lines drawn."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
-from quartering.study.query import capsizing
+from quartering.study.query import capsizing, coexisting, other_rolls
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 
@@ -40,14 +40,18 @@ HATCHES = {"unstable": "/////", "course": "....."}
 _NARROW = 4.0
 """Inches of width in which the title of a panel would meet the next one's."""
 
-SCALE = "roll amplitude, fundamental [deg]"
+SCALE = "largest roll over a cycle [deg]"
 _DARK: dict[str, Any] = {
     "facecolor": "#4a4063", "edgecolor": "none", "labelcolor": "white", "framealpha": 1.0, "handlelength": 2.8,
 }  # fmt: skip
 _CROSS: dict[str, Any] = {
     "marker": "x", "linestyle": "none", "color": "#ff4f79", "markersize": 4.2, "markeredgewidth": 1.3,
 }  # fmt: skip
-_OUTLINE_OF_CROSS = [effects.withStroke(linewidth=2.8, foreground="white")]
+RING: dict[str, Any] = {
+    "marker": "o", "linestyle": "none", "markerfacecolor": "none", "markeredgecolor": "#1a1a1a", "markersize": 5.2,
+    "markeredgewidth": 1.2,
+}  # fmt: skip
+OUTLINE_OF_MARK = [effects.withStroke(linewidth=2.8, foreground="white")]
 _OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
@@ -62,7 +66,8 @@ def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = 
 
     Returns
     -------
-    Figure    head seas on top, waves from port on the left; radius = wave length / ship length; colour = roll
+    Figure    head seas on top, waves from port on the left; radius = wave length / ship length; colour = largest roll over a
+              cycle
     """
     count = ds.sizes["speed"]
     columns = min(count, columns or (2 if count == 4 else 3))
@@ -72,7 +77,7 @@ def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = 
     width = width or max(4.7 * columns + beside, 7.4)
     made = style.figure(width, min((width - beside) / columns + titles, 4.9) * rows + 1.8)
     panels = made.subplots(rows, columns, subplot_kw={"projection": "polar"}, squeeze=False).ravel()
-    amplitude = ds["roll"].values
+    amplitude = ds["roll_peak"].values
     top = float(np.nanmax(amplitude)) if np.isfinite(amplitude).any() else 0.0
     colours = Normalize(0.0, top if top > 0 else 1.0)
     for panel in panels[count:]:
@@ -119,11 +124,11 @@ def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:
     ax.set_theta_zero_location("S")
     ax.set_theta_direction(-1)
     ax.set_facecolor("white")
-    roll, kind = np.asarray(ds["roll"]), np.asarray(ds["verdict"])
+    roll, kind = np.asarray(ds["roll_peak"]), np.asarray(ds["verdict"])
     for side in (1.0, -1.0) if mirrored else (1.0,):
         mesh = draw_cells(ax, side * theta, r, roll, kind, colours)
         _resonances(ax, ds, side * theta, r)
-        _crosses(ax, ds, side)
+        _marks(ax, ds, side)
     _dress(ax, ds, r, mirrored)
     return mesh
 
@@ -180,12 +185,29 @@ def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None
             drawn.set(path_effects=_OUTLINE)
 
 
-def _crosses(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
-    """A cross on each cell whose ship capsizes before it comes to its stable motion."""
-    i, j = np.nonzero(capsizing(ds).transpose("heading", "wave_length").values)
-    if i.size:
-        theta, r = np.radians(ds["heading"].values[i]), ds["wave_length"].values[j] / float(ds.attrs["ship_length"])
-        ax.plot(side * theta, r, gid="capsizes on the way", path_effects=_OUTLINE_OF_CROSS, zorder=3, **_CROSS)
+def _marks(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
+    """A ring on each cell with another stable motion, a cross where the ship capsizes before it comes to its own."""
+    for name, cells, look in (
+        ("another stable motion", coexisting(ds), RING),
+        ("capsizes on the way", capsizing(ds), _CROSS),
+    ):
+        i, j = np.nonzero(cells.transpose("heading", "wave_length").values)
+        if i.size:
+            theta, r = np.radians(ds["heading"].values[i]), ds["wave_length"].values[j] / float(ds.attrs["ship_length"])
+            ax.plot(side * theta, r, gid=name, path_effects=OUTLINE_OF_MARK, zorder=3, **look)
+
+
+def also_label(rolls: Floats) -> str:
+    """Legend of the rings: how far the other motions of a picture roll [deg].
+
+    Examples
+    --------
+    >>> also_label(np.array([27.71, np.nan, 41.0])), also_label(np.array([27.71]))
+    ('another stable motion too, of 27.7 to 41 deg', 'another stable motion too, of 27.7 deg')
+    """
+    known = np.sort(rolls[np.isfinite(rolls)])
+    ends = dict.fromkeys(f"{roll:.3g}" for roll in known[[0, -1]])
+    return f"another stable motion too, of {' to '.join(ends)} deg"
 
 
 def _overtakes(ds: xr.Dataset) -> bool:
@@ -215,8 +237,10 @@ def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
     unanswered = int((ds["verdict"] == Kind.NO_ANSWER).sum())
     unstable = ds["verdict"].size - stable - unanswered
     lost = int(capsizing(ds).sum())
+    calm = int((ds["verdict"] == Kind.COURSE_IN_CALM_WATER).sum())
     stable_words = f"{stable} cells stable" + (f" ({lost} capsize on the way)" if lost else "")
-    counts = f"{stable_words}, {unstable} unstable" + (f", {unanswered} no answer" if unanswered else "")
+    counts = f"{stable_words}, {unstable - calm} unstable" + (f", {calm} course-unstable" if calm else "")
+    counts += f", {unanswered} no answer" if unanswered else ""
     ax.set_title(f"{speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}\n{counts}", pad=10)
 
 
@@ -252,10 +276,12 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
             Patch(facecolor="#31688e", edgecolor="white", hatch=HATCHES["unstable"], label=f"unstable: {kinds}")
         )
     if calm.any():
-        label = "course-unstable even in calm water"
+        label = "course-unstable even in calm water: not the waves' doing"
         made.append(Patch(facecolor="#31688e", edgecolor=COURSE_INK, hatch=HATCHES["course"], label=label))
     if capsizing(ds).any():
-        made.append(Line2D([], [], label=OnTheWay.BOTH.label, path_effects=_OUTLINE_OF_CROSS, **_CROSS))
+        made.append(Line2D([], [], label=OnTheWay.BOTH.label, path_effects=OUTLINE_OF_MARK, **_CROSS))
+    if coexisting(ds).any():
+        made.append(Line2D([], [], label=also_label(other_rolls(ds).values), path_effects=OUTLINE_OF_MARK, **RING))
     if (verdict == Kind.NO_ANSWER).any():
         why = [Status(s).name.lower().replace("_", " ") for s in np.unique(ds["status"]) if not Status(s).ok]
         made.append(Patch(facecolor=GREY, label=f"no answer: {', '.join(why)}" if why else "no answer"))

@@ -31,14 +31,15 @@ def response_picture(ds: xr.Dataset, columns: int = 3) -> Figure:
     panels = made.subplots(-(-3 // columns), columns).ravel()
     ratio = np.asarray(ds["wave_length"]) / float(ds.attrs["ship_length"])
     colours = style.sequence(ds.sizes["speed"])
-    for ax, name in zip(panels[:3], ("roll", "sway", "yaw"), strict=True):
+    for ax, name in zip(panels[:3], ("roll_peak", "sway", "yaw"), strict=True):
         for i, colour in enumerate(colours):
             for j, dash in zip(range(ratio.size), style.DASHES, strict=False):
                 _line(ax, ds.isel(speed=i, wave_length=j), name, colour, dash)
         style.headings(ax, float(ds["heading"].max()))
         ax.set_ylim(bottom=0.0)
-        ax.set_ylabel(f"{name} amplitude [{SYMBOLS[name].unit}]")
-        ax.set_title(name.capitalize())
+        what = "largest roll over a cycle" if name == "roll_peak" else f"{name} amplitude, fundamental"
+        ax.set_ylabel(f"{what} [{SYMBOLS[name].unit}]")
+        ax.set_title(name.removesuffix("_peak").capitalize())
     length = float(ds.attrs["ship_length"])
     handles = [
         Line2D([], [], color=c, label=speed_words(float(u), length)) for c, u in zip(colours, ds["speed"], strict=True)

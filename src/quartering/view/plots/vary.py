@@ -56,9 +56,13 @@ def _curves(made: Figure, ds: xr.Dataset, name: str) -> None:
             ax.axvline(ds[name].attrs["own_value"], color=style.QUIET, linestyle=":", linewidth=1.2)
         for flip in ds["flip"].values:
             ax.axvline(flip, color=style.WARNING_INK, linewidth=1.2)
-    for quantity, dash, colour in (("roll", "-", style.CONTRAST[0]), ("yaw", "--", style.CONTRAST[1])):
-        above.plot(x, ds[quantity], dash, color=colour, label=quantity)
-    above.set_ylabel("amplitude [deg]")
+    lines = (
+        ("roll_peak", "largest roll over a cycle", "-", style.CONTRAST[0]),
+        ("yaw", "yaw amplitude, fundamental", "--", style.CONTRAST[1]),
+    )
+    for quantity, label, dash, colour in lines:
+        above.plot(x, ds[quantity], dash, color=colour, label=label)
+    above.set_ylabel("angle [deg]")
     above.set_ylim(bottom=0.0)
     below.plot(x, ds["exponent"], "-", color=style.CONTRAST[0], label="leading Floquet exponent (decides)")
     below.plot(x, -ds["index"], "--", color=style.CONTRAST[1], label="K2/(2 n2) = -S: roll, first order")
@@ -88,7 +92,7 @@ def _unstable_spans(ax: Axes, ds: xr.Dataset, name: str) -> None:
 def _maps(made: Figure, ds: xr.Dataset, along: str, up: str) -> None:
     panels = made.subplots(1, 2, sharey=True)
     x, y = ds[along].values, ds[up].values
-    columns = (("roll", "roll amplitude [deg]"), ("exponent", "leading Floquet exponent [1/s]"))
+    columns = (("roll_peak", "largest roll over a cycle [deg]"), ("exponent", "leading Floquet exponent [1/s]"))
     for ax, (quantity, label) in zip(panels, columns, strict=True):
         field = np.ma.masked_invalid(ds[quantity].values.T)
         mesh = ax.pcolormesh(x, y, field, cmap=style.SEQUENTIAL, shading="nearest", rasterized=True)

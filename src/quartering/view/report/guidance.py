@@ -13,7 +13,7 @@ from quartering.hull.capsize import least_limit
 from quartering.hydro.capsize import vanishing_of_equations
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
-from quartering.study.query import capsizing, sea_of
+from quartering.study.query import capsizing, coexisting, other_rolls, sea_of
 from quartering.view.plots.guidance import Diagram, guidance_picture
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source
@@ -160,6 +160,7 @@ def _diagram(cut: xr.Dataset, failure: xr.DataArray, title: str) -> Diagram:
         cut["roll_peak"].transpose(*order).values,
         cut["verdict"].transpose(*order).values,
         failure.sel(where).transpose(*order).values,
+        other_rolls(cut).max("other_motion").transpose(*order).values,
     )
 
 
@@ -170,7 +171,7 @@ def _summary(height: str, d: Diagram, words: str) -> tuple[str, str, float, floa
         words,
         float(np.nanmax(d.roll)) if np.isfinite(d.roll).any() else float("nan"),
         float(d.failure.mean()),
-        float((d.verdict > Kind.STABLE).mean()),
+        float(((d.verdict > Kind.STABLE) & (d.verdict != Kind.COURSE_IN_CALM_WATER)).mean()),
         float((~answered & ~d.failure).mean()),
     )
 
