@@ -4,7 +4,6 @@ Authority: `simulate`, adaptive, from rest in the whole wave, until disturbances
 """
 
 import os
-import warnings
 
 import numpy as np
 import pytest
@@ -54,7 +53,7 @@ def contradiction(found):
 
 
 def test_no_stable_verdict_is_contradicted_by_integration_from_rest():
-    """Conditions without a motion to judge, or judged unstable, are counted: enough must be stable for this to say something."""
+    """Conditions without a motion, or judged unstable, are passed over: enough must be stable for this to say something."""
     stable, against = 0, []
     for i, (ship, wave, speed, heading) in enumerate(conditions(CONDITIONS)):
         try:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quartering.conventions import InputError, in_unit, written
 from quartering.doors import takes
@@ -15,6 +16,7 @@ from quartering.hull.told import condition, number
 from quartering.loads.forces import Form
 from quartering.loads.strip_forces import checked_form
 from quartering.loads.waves import Wave
+from quartering.motion.equations import Floats
 from quartering.names import term
 from quartering.options import quoted, unknown
 from quartering.stability.kind import Kind
@@ -28,8 +30,11 @@ _REACH, _STEPS = 5.0, 33
 _INSIDE = 1e-6
 """How far below minus the margin the exponent is at a cure [1/s]: beyond what a verdict's error may turn."""
 
-_SECTIONS, _ROUNDS = 16, 4
-_NUDGES = (0.0, 1e-4, 1e-3, 1e-2)
+_SECTIONS, _ROUNDS = 63, 3
+"""Of a bracket, and how often: a row of 64 conditions takes as long as one of 16."""
+_SMOOTH, _SECANTS, _FARTHEST = 0.02, 4, 0.05
+"""Change of the exponent between two neighbours that is no jump [1/s]; steps of the secant, and the longest (of log factor)."""
+_NUDGES = (1e-4, 1e-3, 1e-2)
 
 
 @dataclass(frozen=True)
@@ -217,34 +222,76 @@ def _present(ship: Ship, wave: Wave, speed: float, name: str) -> tuple[float, st
 def _nearest(trials: Trials, name: str, margin: float) -> Iterator[float | None]:
     """Factor nearest to 1 (in ratio) with which the motion is stable: the last of what comes; None where there is none."""
     ladder = np.geomspace(1.0, _REACH, _STEPS)
-    sides = [side[: trials.reach(name, side)] for side in (ladder, 1.0 / ladder)]
-    low, high = trials.span(name, float(sides[1][-1]), float(sides[0][-1]))
+    up, down = (side[: trials.reach(name, side)] for side in (ladder, 1.0 / ladder))
+    low, high = trials.span(name, float(down[-1]), float(up[-1]))
     yield None
-    crossings: list[float] = []
-    for side in sides:
-        factors = side[(side >= low) & (side <= high)]
-        if factors.size < 2:
-            continue
-        stable = np.flatnonzero(trials.exponents(name, factors) < -margin - _INSIDE)
+    factors = np.concatenate([down[(down >= low) & (down < 1.0)][::-1], up[(up <= high) & (up > 1.0)]])
+    if not factors.size:
+        return
+    stable = trials.exponents(name, factors) < -margin - _INSIDE
+    yield None
+    for near, far in _brackets(factors, stable):
+        crossing = _crossing(trials, name, margin, near, far)
         yield None
-        if stable.size and stable[0] > 0:
-            crossing = _settled(trials, name, margin, float(factors[stable[0] - 1]), float(factors[stable[0]]))
-            yield None
-            crossings += [] if crossing is None else [crossing]
-    yield min(crossings, key=lambda f: abs(np.log(f))) if crossings else None
+        if crossing is not None:
+            yield crossing
+            return
+    yield None
 
 
-def _settled(trials: Trials, name: str, margin: float, unstable: float, stable: float) -> float | None:
-    """Factor between two at which the exponent is just below minus the margin, by the ship itself; None where it is nowhere."""
+def _brackets(factors: Floats, stable: NDArray[np.bool_]) -> list[tuple[float, float]]:
+    """The last factor on either side of 1 that leaves the motion unstable and the first that does not, the nearer side first."""
+    found = []
+    for side in (np.flatnonzero(factors < 1.0)[::-1], np.flatnonzero(factors > 1.0)):
+        first = np.flatnonzero(stable[side])
+        if first.size:
+            before = 1.0 if first[0] == 0 else float(factors[side[first[0] - 1]])
+            found.append((before, float(factors[side[first[0]]])))
+    return sorted(found, key=lambda pair: abs(math.log(pair[1])))
+
+
+def _crossing(trials: Trials, name: str, margin: float, unstable: float, stable: float) -> float | None:
+    """Factor between two at which the exponent is just below minus the margin, by the ship itself; None where it is nowhere.
+
+    One row of factors between the two, then the secant; at a jump of the exponent, where a motion appears or vanishes, a row
+    between two of them again.
+    """
+    target, slope = -margin - 2.0 * _INSIDE, math.nan
+    factor = stable
     for _ in range(_ROUNDS):
         factors = np.geomspace(unstable, stable, _SECTIONS + 1)
-        inside = trials.exponents(name, factors) < -margin - _INSIDE
+        growth = trials.exponents(name, factors)
+        inside = growth < -margin - _INSIDE
         if not inside.any():
             return None
         first = max(1, int(inside.argmax()))
         unstable, stable = float(factors[first - 1]), float(factors[first])
-    for nudge in _NUDGES:  # the equations were interpolated
-        factor = stable * (1.0 + nudge * math.copysign(1.0, stable - unstable))
-        if trials.settled(name, np.array([factor]))[0] < -margin - 0.5 * _INSIDE:
-            return factor
+        rise, apart = growth[first] - growth[first - 1], math.log(stable / unstable)
+        factor, slope = stable, rise / apart
+        if math.isfinite(rise) and abs(rise) < _SMOOTH:
+            factor = stable * math.exp(min(1.0, max((target - growth[first]) / rise, -1.0)) * apart)
+            break
+    return _by_the_ship(trials, name, margin, factor, slope, math.copysign(1.0, stable - unstable))
+
+
+def _by_the_ship(
+    trials: Trials, name: str, margin: float, factor: float, slope: float, away: float
+) -> float | None:
+    """A factor near one that was interpolated, at which the ship itself is stable with the margin: by the secant, or beyond it."""
+    target, good = -margin - 2.0 * _INSIDE, None
+    for _ in range(_SECANTS):
+        growth = float(trials.settled(name, np.array([factor]))[0])
+        if growth < -margin - 0.5 * _INSIDE:
+            good = factor
+            if growth > -margin - 4.0 * _INSIDE:
+                return good
+        if not math.isfinite(growth) or not slope or abs(step := (target - growth) / slope) > _FARTHEST:
+            break
+        factor *= math.exp(step)
+    if good is not None:
+        return good
+    for nudge in _NUDGES:  # the equations were interpolated, or the exponent jumps here
+        beyond = factor * (1.0 + nudge * away)
+        if trials.settled(name, np.array([beyond]))[0] < -margin - 0.5 * _INSIDE:
+            return beyond
     return None

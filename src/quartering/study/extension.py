@@ -118,7 +118,7 @@ def beyond(along: Floats, edge: Edge) -> Floats:
     one = OPTIONS[edge.axis]
     low, high = (bound if isinstance(bound, (int, float)) else None for bound in (one.low, one.high))
     if edge.axis == "heading":
-        low, high = (0.0, 180.0) if 0.0 <= values[0] and values[-1] <= 180.0 else (None, None)
+        low, high = (0.0, 180.0) if values[0] >= 0.0 and values[-1] <= 180.0 else (None, None)
     made = edge.value + step * np.arange(1, AT_ONCE + 1)
     if low is not None and edge.axis != "wave_length":
         made = np.maximum(made, low)

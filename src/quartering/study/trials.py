@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Callable, Sequence
 
@@ -26,11 +27,12 @@ from quartering.study.shared import systems
 EXACT = 1e-9
 """Error of the Floquet multipliers where a value is settled, as in a verdict; a map's, `ACCURACY`, while it is looked for."""
 
-_NODES = 10
+_NODES = 6
 _LARGE_ROLL = 15.0
+_UNMOVED = ("speed", "wave_height", "roll_damping", "gyradius_roll", "gyradius_yaw")
 
 # The equations of a ship whose coefficient is multiplied by f, or whose roll damping is f times its own, are affine in f:
-# those of two ships give all others. Those of other loadings (GM, gyradii) are smooth in log f: between ten ships at
+# those of two ships give all others. Those of other loadings (GM, gyradii) are smooth in log f: between six ships at
 # Chebyshev's points they are interpolated. What is found so is asked of the ship itself before it is proposed.
 
 
@@ -50,6 +52,7 @@ class Trials:
         self.ships_built = 0
         """Ships whose equations were made: the work, most of it."""
         self._made: dict[str, tuple[Floats, System]] = {}
+        self._limits: dict[str, Floats] = {}
         self._own = self._system([ship])
 
     def as_it_is(self) -> tuple[float, Kind]:
@@ -92,7 +95,7 @@ class Trials:
                 each = self._at_speeds(self.speed * factors)
             else:
                 each = self._between(name, factors)
-            return self._leading(each, lambda i: self.ship_at(name, float(factors[i])), accuracy)
+            return self._leading(each, lambda i: self._limit(name, float(factors[i])), accuracy)
 
     def settled(self, name: str, factors: Floats) -> Floats:
         """The same with nothing interpolated, as accurate as a verdict."""
@@ -100,7 +103,7 @@ class Trials:
             return self.exponents(name, factors, EXACT)
         with _no_range_warnings():
             ships = [self.ship_at(name, float(f)) for f in factors]
-            return self._leading(self._system(ships), ships.__getitem__, EXACT)
+            return self._leading(self._system(ships), lambda i: capsize_limit(ships[i]).angle, EXACT)
 
     def span(self, name: str, low: float, high: float) -> tuple[float, float]:
         """Make what `exponents` needs between two factors; the factors between which it could be made."""
@@ -155,14 +158,25 @@ class Trials:
             weights = terms.prod(axis=2)
         return made.each(lambda array: np.ascontiguousarray(np.tensordot(weights, array, axes=1)))
 
-    def _leading(self, system: System, ship: Callable[[int], Ship], accuracy: float) -> Floats:
+    def _limit(self, name: str, factor: float) -> float:
+        """Roll angle that counts as a capsize [deg]: of the ship itself, but where the righting arm changes."""
+        if name in _UNMOVED or (name[0] in "YKN" and "phi" not in name):
+            if "" not in self._limits:
+                self._limits[""] = np.array([capsize_limit(self.ship).angle])
+            return float(self._limits[""][0])
+        nodes = self._made[name][0]
+        if name not in self._limits:
+            self._limits[name] = np.array([capsize_limit(self.ship_at(name, float(f))).angle for f in np.sort(nodes)])
+        return float(np.interp(math.log(factor), np.log(np.sort(nodes)), self._limits[name]))
+
+    def _leading(self, system: System, limit: Callable[[int], float], accuracy: float) -> Floats:
         u, orders, status, _ = steady_motions(system, self.harmonics, start="rest")
         with np.errstate(over="ignore"):  # multipliers of ships far from the one asked about may be beyond all numbers
             growth = assess(system, u, orders, accuracy, detail="map").floquet.growth
         none = (status > 1) | ~np.isfinite(growth)
         roll = np.degrees(roll_peaks(u, orders))
         for i in np.flatnonzero(~none & (growth < 0) & (roll > _LARGE_ROLL)):
-            none[i] = roll[i] > capsize_limit(ship(int(i))).angle
+            none[i] = roll[i] > limit(int(i))
         return np.where(none, np.inf, growth)
 
 

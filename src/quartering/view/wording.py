@@ -22,8 +22,8 @@ from quartering.motion.status import OnTheWay
 from quartering.names import DRAG_NAME
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
-from quartering.study.loadings import CHOICE_AXES
 from quartering.study.extension import edges_of_largest
+from quartering.study.loadings import CHOICE_AXES
 from quartering.study.query import capsizing, other_rolls
 from quartering.units import quantity
 
