@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from quartering.study.coexisting import all_motions
     from quartering.study.cure import cures
     from quartering.study.edge import edge
+    from quartering.study.extension import edges_of_largest
     from quartering.study.paper.model import paper_ship
     from quartering.study.polar import polar
     from quartering.study.sensitivity import sensitivity
@@ -82,6 +83,7 @@ _HOMES = {
     "branch": "study.branch",
     "cures": "study.cure",
     "edge": "study.edge",
+    "edges_of_largest": "study.extension",
     "Model": "motion.equations",
     "equations": "motion.of_ship",
     "irregular": "motion.irregular",
@@ -119,6 +121,7 @@ __all__ = [
     "cures",
     "decay_record",
     "edge",
+    "edges_of_largest",
     "encounter_frequency",
     "equations",
     "hydrodynamics",

@@ -484,7 +484,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
     Option("wave_height", "length", place="condition", low=0, high=1e4, usual="4 m", axis=True),
     Option("steepness", "steepness", place="condition", low=0, above=True, high="1/7", usual="1/50", axis=True),
     Option("extend", "word", "carry a polar map on past an edge that its largest roll stands on", place="condition",
-           usual="yes", default="no", words={"no": "the map as it is asked for", "yes": "until the largest roll stands inside"}),
+           usual="yes", default="no", words={"no": "the map as it is asked for", "yes": "until the largest roll is inside"}),
 )}  # fmt: skip
 """Every option by name, in the order in which files and tables show them."""
 

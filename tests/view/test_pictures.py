@@ -113,7 +113,9 @@ def test_small_print_of_a_page_is_legible(small_map):
     fit = righting_polynomial(SHIP)
     roll = np.full((2, 10), 10.0)
     verdict, failure = np.zeros((2, 10), dtype=np.int8), np.zeros((2, 10), dtype=bool)
-    diagram = Diagram("wave", np.array([5.0, 8.0]), np.linspace(0, 180, 10), roll, verdict, failure)
+    diagram = Diagram(
+        "wave", np.array([5.0, 8.0]), np.linspace(0, 180, 10), roll, verdict, failure, np.full_like(roll, np.nan)
+    )
     for figure in (
         polar_map(small_map, 2, style.PAGE),
         response_picture(small_map, columns=2),
@@ -157,5 +159,5 @@ def test_cell_edges_lie_between_centres():
 
 def test_response_over_heading_labels_its_axes(small_map):
     words = texts(response_picture(small_map))
-    assert "roll amplitude [deg]" in words
-    assert "sway amplitude [m]" in words
+    assert "largest roll over a cycle [deg]" in words
+    assert "sway amplitude, fundamental [m]" in words

@@ -70,8 +70,8 @@ def _step(program, lanes, h, waves, begin, y, room, total):
 
 
 # A history is over when it capsizes, and when it has come to a periodic motion: when its state at the end of a cycle is that at
-# the beginning to SETTLED. What is left to go is then less than SETTLED/(1 - m), m the modulus of the slowest multiplier; with m
-# up to 0.99 that is 1 % of the motion.
+# the beginning to SETTLED. What is left to go is then less than SETTLED/(1 - m), m the modulus of the slowest multiplier; with
+# m up to 0.99 that is 1 % of the motion.
 
 
 @kernel

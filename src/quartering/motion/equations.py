@@ -261,19 +261,7 @@ def canonical(
     (-1.5, 0.5)
     """
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
-    masses = np.asarray(inertia, dtype=float)
-    scale = np.sqrt(np.abs(np.diagonal(masses, axis1=-2, axis2=-1)))
-    whole = np.where((scale > 0).all(axis=-1)[..., None], scale, np.inf)
-    balanced = np.abs(np.linalg.det(masses / (whole[..., :, None] * whole[..., None, :])))
-    singular = ~(balanced > 1e-12)
-    if singular.all():
-        raise InputError(
-            "the inertia matrix (rigid body plus added mass) is singular or has a zero on its diagonal;"
-            " give mass, roll and yaw inertia greater than zero"
-        )
-    # One condition of many without an inverse gets NaN, and with it a status of its own; the others go on.
-    inverse = np.linalg.inv(np.where(singular[..., None, None], np.eye(3), masses))
-    inverse = np.where(singular[..., None, None], np.nan, inverse)
+    inverse = _inverse(np.asarray(inertia, dtype=float))
 
     def row(force: ArrayLike) -> Floats:
         forces = np.broadcast_to(np.asarray(force, dtype=float), (w.size, 3))
@@ -310,6 +298,21 @@ def canonical(
         layout=layout,
         **known,
     )
+
+
+def _inverse(masses: Floats) -> Floats:
+    """Inverse inertia; NaN for one condition of many whose matrix has none, which gets a status of its own."""
+    scale = np.sqrt(np.abs(np.diagonal(masses, axis1=-2, axis2=-1)))
+    whole = np.where((scale > 0).all(axis=-1)[..., None], scale, np.inf)
+    balanced = np.abs(np.linalg.det(masses / (whole[..., :, None] * whole[..., None, :])))
+    singular = ~(balanced > 1e-12)
+    if singular.all():
+        raise InputError(
+            "the inertia matrix (rigid body plus added mass) is singular or has a zero on its diagonal;"
+            " give mass, roll and yaw inertia greater than zero"
+        )
+    inverse = np.linalg.inv(np.where(singular[..., None, None], np.eye(3), masses))
+    return np.asarray(np.where(singular[..., None, None], np.nan, inverse))
 
 
 def restoring_table(spline: OddSpline) -> tuple[Floats, Floats]:

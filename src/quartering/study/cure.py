@@ -240,7 +240,7 @@ def _nearest(trials: Trials, name: str, margin: float) -> Iterator[float | None]
 
 
 def _brackets(factors: Floats, stable: NDArray[np.bool_]) -> list[tuple[float, float]]:
-    """The last factor on either side of 1 that leaves the motion unstable and the first that does not, the nearer side first."""
+    """The last factor on either side of 1 that leaves the motion unstable and the first that does not, the nearer first."""
     found = []
     for side in (np.flatnonzero(factors < 1.0)[::-1], np.flatnonzero(factors > 1.0)):
         first = np.flatnonzero(stable[side])
@@ -274,10 +274,8 @@ def _crossing(trials: Trials, name: str, margin: float, unstable: float, stable:
     return _by_the_ship(trials, name, margin, factor, slope, math.copysign(1.0, stable - unstable))
 
 
-def _by_the_ship(
-    trials: Trials, name: str, margin: float, factor: float, slope: float, away: float
-) -> float | None:
-    """A factor near one that was interpolated, at which the ship itself is stable with the margin: by the secant, or beyond it."""
+def _by_the_ship(trials: Trials, name: str, margin: float, factor: float, slope: float, away: float) -> float | None:
+    """A factor near an interpolated one at which the ship itself is stable with the margin: by the secant, or beyond it."""
     target, good = -margin - 2.0 * _INSIDE, None
     for _ in range(_SECANTS):
         growth = float(trials.settled(name, np.array([factor]))[0])

@@ -47,8 +47,8 @@ def polar(
     headings : (h,) float              [deg]; by default 0 to 180 every 5
     harmonics : int                    of the steady motion: 1 is the paper's method
     form : str                         of the diffraction force
-    extend : bool, or "yes" or "no"    where the largest roll stands on an edge of the map, carry the map on past it, in steps of
-                                       its last interval, until the largest stands inside (see `edges_of_largest`)
+    extend : bool, or "yes" or "no"    where the largest roll stands on an edge of the map, carry the map on past it, in steps
+                                       of its last interval, until the largest stands inside (see `edges_of_largest`)
     progress : function(done, total), optional
 
     Returns

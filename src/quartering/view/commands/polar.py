@@ -22,6 +22,7 @@ from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
 from quartering.study.extension import edges_of_largest
+from quartering.study.polar import polar
 from quartering.study.query import capsizing, coexisting, needing_more, other_rolls
 from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import html
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Annotated, Any
 
 import numpy as np
@@ -18,16 +18,17 @@ from starlette.exceptions import HTTPException as StarletteError
 from quartering.conventions import InputError
 from quartering.hull.refusals import allowed, own_words
 from quartering.hull.told import condition, number, numbers
-from quartering.loads.waves import Wave
+from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.status import OnTheWay, Status
 from quartering.options import unknown
 from quartering.stability.kind import Kind
 from quartering.study.cure import Cure
+from quartering.study.extension import carried_on, edges_of_largest
 from quartering.study.polar import polar
 from quartering.units import wave_length_of
 from quartering.view.commands.verdict import Examined, examine, facts
 from quartering.view.explorer.answers import joined, noting, sought
-from quartering.view.explorer.calls import PolarCall, VerdictCall
+from quartering.view.explorer.calls import MOST_CELLS, PolarCall, VerdictCall
 from quartering.view.explorer.fleet import Fleet
 from quartering.view.explorer.guard import METHODS
 from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
@@ -35,7 +36,7 @@ from quartering.view.explorer.turns import Turns
 from quartering.view.terminal import plain
 
 _AT_ONCE = 1024
-_RESULTS = ("roll", "roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")
+_RESULTS = ("roll", "roll_peak", "other_roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")
 _BUSY, _CLIENT_LEFT = 503, 499
 _MOST_CALLS, _MOST_SEARCHES = 32, 4
 _OF_POST = (400, 403, 408, 413, 415, 422, 500, 503)
@@ -100,7 +101,13 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
             part, said = await take_long(block)
             blocks.append(part)
             notes += said
-        return _json(_map(joined(blocks)), list(dict.fromkeys(notes)))
+        whole = joined(blocks)
+        if call.extend:
+            whole, said = await take_long(
+                lambda: carried_on(whole, lambda axes: _further(call, fleet, axes), MOST_CELLS)
+            )
+            notes += said
+        return _json(_map(whole), list(dict.fromkeys(notes)))
 
     @routes.get(
         "/verdict", dependencies=once, summary="Judge one condition", responses=responses(400, 403, 422, 500, 503)
@@ -192,6 +199,17 @@ def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
     ]
 
 
+def _further(call: PolarCall, fleet: Fleet, axes: Mapping[str, Any]) -> xr.Dataset:
+    """The map of a call at other axes."""
+    one, lengths = call.loaded(fleet), axes["wave_length"]
+    if call.steepness is None:
+        height = np.minimum(number(one, "wave_height", call.wave_height), STEEPEST * lengths)
+    else:
+        height = number(one, "steepness", call.steepness) * lengths
+    waves = [Wave(float(n), float(h)) for n, h in zip(lengths, height, strict=True)]
+    return polar(one, waves, axes["speed"], axes["heading"], harmonics=call.harmonics, form=call.form)
+
+
 def _map(ds: xr.Dataset) -> dict[str, Any]:
     names = np.vectorize(lambda code, of: of(code).name.lower(), excluded={1}, otypes=[object])
     axes = ("speed", "heading", "wave_length", "wave_height")
@@ -211,6 +229,7 @@ def _map(ds: xr.Dataset) -> dict[str, Any]:
         "verdict": names(ds["verdict"].values, Kind),
         "status": names(ds["status"].values, Status),
         "capsizes_on_the_way": names(ds["capsizes_on_the_way"].values, OnTheWay),
+        "largest_on_edge": [edge._asdict() for edge in edges_of_largest(ds)],
         "units": {name: ds[name].attrs["units"] for name in (*axes, *_RESULTS)},
     }
 

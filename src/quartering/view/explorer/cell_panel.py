@@ -93,7 +93,8 @@ def _motion(found: Examined) -> list[Part]:
     period = 2 * math.pi / found.model.frequency
     words = (
         f"<p><b>Largest roll {math.degrees(motion.peak[1]):.3g}°</b> over a cycle; amplitudes of the fundamental: roll"
-        f" {math.degrees(roll):.3g}°, sway {sway:.3g} m, yaw {math.degrees(yaw):.3g}°; the ship meets a wave every {period:.3g} s, its own small roll takes"
+        f" {math.degrees(roll):.3g}°, sway {sway:.3g} m, yaw {math.degrees(yaw):.3g}°; the ship meets"
+        f" a wave every {period:.3g} s, its own small roll takes"
         f" {2 * math.pi / _roll_frequency(found):.3g} s.</p>"
     )
     sizes = np.hypot(motion.cos, motion.sin)
