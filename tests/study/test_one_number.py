@@ -15,13 +15,13 @@ from quartering.view.plots.polar_map import polar_map
 from quartering.view.report.guidance import failure_events
 
 pytestmark = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
-SHIP, SPEED, HEADING, WAVE = qt.ship("wigley").with_(gm=0.23), 4.2, 79.0, qt.Wave(184.0, 14.3)
+SHIP, SPEED, HEADING, WAVE = qt.ship("series60-cb60"), 5.187561276746522, 80.0, qt.Wave(195.072, 195.072 / 30)
 """A condition with two stable motions, by the defaults."""
 
 
 @pytest.fixture(scope="module")
 def ds():
-    waves = [qt.Wave(length, length * WAVE.height / WAVE.length) for length in (170.0, WAVE.length, 200.0)]
+    waves = [qt.Wave(length, length * WAVE.height / WAVE.length) for length in (180.0, WAVE.length, 210.0)]
     return qt.polar(SHIP, waves, [3.0, SPEED], [HEADING, 90.0])
 
 
@@ -42,9 +42,7 @@ def test_one_cell_has_one_number_in_six_doors(ds, tmp_path, capsys):
         assert number == pytest.approx(fine, rel=2e-4)
     assert np.abs(drawn - fine).min() < 2e-4 * fine
     assert said == pytest.approx(fine, rel=5e-3)
-    assert (
-        not bool(failure_events(ds, fine * 1.001).sel(cell.coords, drop=True)) or int(cell["capsizes_on_the_way"]) > 0
-    )
+    assert not bool(failure_events(ds, fine * 1.001).sel(at)) or int(cell["capsizes_on_the_way"]) > 0
     assert float(worst(ds, count=1)["roll_peak"][0]) == float(ds["roll_peak"].max())
 
 
@@ -71,7 +69,10 @@ def test_a_map_is_carried_on_until_its_largest_roll_stands_inside():
     longer = qt.polar(ship, waves, 5.0, [60.0, 90.0], extend=True)
     assert longer.sizes["wave_length"] > 2
     assert qt.edges_of_largest(longer) == [] or float(longer["wave_length"].max()) >= 80 + 20 * 24
-    assert np.array_equal(longer["roll"].sel(short.coords).values, short["roll"].values)
+    assert np.array_equal(
+        longer["roll"].sel({name: short[name] for name in ("speed", "heading", "wave_length")}).values,
+        short["roll"].values,
+    )
     np.testing.assert_allclose(longer["wave_height"] / longer["wave_length"], 1 / 60)
     with pytest.raises(qt.InputError, match="neither one height nor one steepness"):
         qt.polar(ship, [qt.Wave(60.0, 1.0), qt.Wave(80.0, 3.0)], 5.0, [60.0], extend=True)

@@ -170,6 +170,11 @@ def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> li
     system = model.system
     with small_matrices():
         low, seeds = from_grid(system)
+        as_a_map = _seeds_beside(
+            system, motion.coefficients[None], motion.orders_with_mean, model.capsize_limit.radians
+        )
+        for _, _, found in as_a_map:  # closer starts, up to the limit: a cell and its verdict look in the same places
+            seeds += [one for one in found if not any(same(one, known) for known in seeds)]
         return _stable_rolls(
             system, low, seeds, [float(motion.peak[1])], model.capsize_limit.radians, max(3, harmonics)
         )
