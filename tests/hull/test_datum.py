@@ -10,6 +10,7 @@ from quartering.conventions import InputError, RangeWarning
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.mesh_files import box_triangles
 from quartering.hull.ship import ship
+from quartering.hydro.manoeuvring import clarke_derivatives
 
 pytestmark = pytest.mark.quick
 
@@ -67,7 +68,11 @@ def refused(folder, lines, **given):
 def test_a_bar_keel_below_the_baseline_does_not_lift_the_hull(tmp_path, bar):
     """Authority: closed form, 2880 m3 and the bar, 0.4 bar m2 by the trapezium over five stations of nine."""
     points(tmp_path / "a.csv", 0.0, bar)
-    assert hydrostatics(read(tmp_path, "a.csv")).volume == pytest.approx(2880.0 + 0.4 * bar * 50.0, rel=1e-3)
+    made = read(tmp_path, "a.csv")
+    volume = hydrostatics(made).volume
+    assert volume == pytest.approx(2880.0 + 0.4 * bar * 50.0, rel=1e-3)
+    assert (made.hull.datum, volume > 80 * 12 * 3) == ("keel", True)
+    assert clarke_derivatives(80.0, 12.0, 3.0, volume / 2880.0)["Y_v"] < 0  # a block of 1 and what stands out below it
 
 
 def test_a_waterline_below_zero_in_a_table_does_not_lift_the_hull(tmp_path):
@@ -134,6 +139,16 @@ def test_datum_is_refused_where_no_lines_are_read():
     with pytest.raises(InputError, match="acts while lines of a file are read"):
         ship("box").with_(datum="waterline")
     assert ship("box").with_(datum="keel").value("datum") == "keel"
+
+
+def test_another_datum_asked_of_lines_already_read_names_the_one_they_were_read_by(tmp_path):
+    points(tmp_path / "a.csv", -3.0, top=2.0)
+    stations = [{"x": float(x), "heights": [-3, -3, 2], "half_breadths": [0, 6, 6]} for x in X]
+    (tmp_path / "own.yaml").write_text(SIZE.format(3.0) + f"offsets: {{unit: m, stations: {stations}}}\n")
+    for made in (read(tmp_path, "a.csv"), ship(tmp_path / "own.yaml")):
+        assert made.with_(datum="waterline", gm=0.5).hull.datum == "waterline"
+        with pytest.raises(InputError, match="were counted from waterline as they were read"):
+            made.with_(datum="keel")
 
 
 def test_own_offsets_of_a_ship_file_are_counted_alike(tmp_path):

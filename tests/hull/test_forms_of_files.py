@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
+from quartering.hull.bulb import bulb
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.mesh_files import box_triangles
 from quartering.hull.ship import ship
+from quartering.hydro.ship_source import source_of
 from tests.hull.test_datum import X, gdf, read, refused, stl
 
 pytestmark = pytest.mark.quick
@@ -97,6 +99,10 @@ def test_a_bulb_ahead_of_the_stem_counts_and_is_told(tmp_path):
     made = read(tmp_path, "a.csv")
     assert hydrostatics(made).volume == pytest.approx(2880.0 + 3 * 1.6 * 1.5, rel=1e-5)
     assert "2 end sections wholly under water" in made.hull.source
+    left_out = bulb(made.hull)  # with the bulb carried back to the blunt end
+    assert left_out.sections == 3
+    assert left_out.volume == pytest.approx(3 * 1.6 * 1.5, rel=1e-3)
+    assert left_out.words in source_of(made, "strips").words
     rows[4] = "-10,6,6,,"
     (tmp_path / "a.csv").write_text("\n".join(rows))
     assert "station 4 (x = -10 m) ends at height 1.5 m, below the draught" in refused(tmp_path, "a.csv")

@@ -144,12 +144,12 @@ def check_datum(ship: Ship, given: Mapping[str, Any], where: str) -> None:
     """Refuse another datum for lines that are read: it acts while a file is read."""
     if "datum" not in given:
         return
-    wanted, has = checked(OPTIONS["datum"], given["datum"], where), ship.value("datum") or "keel"
+    wanted, has = checked(OPTIONS["datum"], given["datum"], where), ship.hull.datum
     if wanted != has:
         raise Refused(
             "datum",
-            f"datum = {wanted}; heights of these lines count from {has}; datum acts while lines of a file are read: write it "
-            "in the ship file beside `lines:` or `offsets:`",
+            f"datum = {wanted}; heights of these lines were counted from {has} as they were read; datum acts while lines of a "
+            "file are read: write it in the ship file beside `lines:` or `offsets:`",
             where,
         )
 

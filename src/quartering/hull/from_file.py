@@ -160,6 +160,7 @@ def hull_from_lines(
         where, length=length, beam=beam, draught=draught, x=x, contours=contours, source=source,
         outline=outline, labels=list(lines.labels), title=title,
     )  # fmt: skip
+    hull = replace(hull, datum=found)
     if hull.depth > draught * 1.001:
         return hull
     raised = with_depth(hull, FREEBOARD * draught)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -144,9 +145,10 @@ def _from_offsets(where: str, keys: ShipKeys, name: str, length: float, beam: fl
     _check_order(where, offsets, stations)
     contours = tuple(_contour(where, offsets, station, size) for station in stations)
     x = np.array([station.x * size[0] for station in stations])
-    if datum_of(where, profile_of(x, contours), draught, keys.value("datum")) == "waterline":
+    datum = datum_of(where, profile_of(x, contours), draught, keys.value("datum"))
+    if datum == "waterline":
         contours = tuple((y, height + draught) for y, height in contours)
-    return hull_from_offsets(
+    hull = hull_from_offsets(
         where,
         length=length,
         beam=beam,
@@ -158,6 +160,7 @@ def _from_offsets(where: str, keys: ShipKeys, name: str, length: float, beam: fl
         labels=[_label(station) for station in stations],
         title=name,
     )
+    return replace(hull, datum=datum)
 
 
 def _check_order(where: str, offsets: OffsetKeys, stations: list[StationKeys]) -> None:

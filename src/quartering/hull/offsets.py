@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
 from quartering.hull.contour import Curve, Outline, along, chord_at_height, contour_curve
-from quartering.hull.option_types import Ends, Sections
+from quartering.hull.option_types import Datum, Ends, Sections
 from quartering.hull.quadrature import gauss
 from quartering.hull.section import Floats, Section
 from quartering.options import Refused
@@ -44,6 +44,7 @@ class Hull:
     outline : str                    how contour points are joined: "smooth" or "straight"
     section_method : str             how the water at a section is solved: "auto", "lewis" or "close-fit"
     ends : str                       "strips": every section as if it went on for ever, or "three-dimensional"
+    datum : str                      where the heights of the file were counted from: "keel" or "waterline"
     """
 
     name: str
@@ -61,6 +62,7 @@ class Hull:
     outline: Outline = "smooth"
     section_method: Sections = "auto"
     ends: Ends = "strips"
+    datum: Datum = "keel"
 
     def __repr__(self) -> str:
         sizes = f"L {self.length:.6g} B {self.beam:.4g} T {self.draught:.4g} m"

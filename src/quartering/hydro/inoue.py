@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from quartering.conventions import InputError
+from quartering.hull.sense import BLOCK
 
 
 def inoue_derivatives(length: float, beam: float, draught: float, block: float, trim: float = 0.0) -> dict[str, float]:
@@ -43,8 +44,10 @@ def inoue_derivatives(length: float, beam: float, draught: float, block: float, 
     for name, size in {"length": length, "beam": beam, "draught": draught}.items():
         if not (size > 0 and np.isfinite(size)):
             raise InputError(f"{name} {size:g} m must be a positive number of metres")
-    if not 0 < block <= 1:
-        raise InputError(f"block coefficient {block:g} must lie between 0 and 1 (volume over L B T)")
+    if not 0 < block <= BLOCK[1]:
+        raise InputError(
+            f"block coefficient {block:g} must lie between 0 and 1 (volume over L B T), or {BLOCK[1]:g} with what stands out"
+        )
     if not abs(trim) <= draught:
         raise InputError(f"trim {trim:g} m must be a number of metres, smaller than the draught {draught:g} m")
     linear, nonlinear = _linear(length, beam, draught, block, trim / draught), _nonlinear(length, beam, draught, block)

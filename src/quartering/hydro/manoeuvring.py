@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.section import Floats
+from quartering.hull.sense import BLOCK
 from quartering.hull.ship import Ship
 from quartering.hydro.transfer import transfer, transfer_cubic, transfer_matrix
 from quartering.names import term
@@ -44,7 +45,7 @@ def clarke_derivatives(length: float, beam: float, draught: float, block: float)
 
     Raises
     ------
-    InputError    a length that is not positive, or a block coefficient outside (0, 1]
+    InputError    a length that is not positive, or a block coefficient that is not above 0, or above 1.02
 
     Notes
     -----
@@ -61,8 +62,10 @@ def clarke_derivatives(length: float, beam: float, draught: float, block: float)
     for name, size in sizes.items():
         if not (size > 0 and np.isfinite(size)):
             raise InputError(f"{name} {size:g} m must be a positive number of metres")
-    if not 0 < block <= 1:
-        raise InputError(f"block coefficient {block:g} must lie between 0 and 1 (volume over L B T)")
+    if not 0 < block <= BLOCK[1]:
+        raise InputError(
+            f"block coefficient {block:g} must lie between 0 and 1 (volume over L B T), or {BLOCK[1]:g} with what stands out"
+        )
     slender, b_t, b_l = -np.pi * (draught / length) ** 2, beam / draught, beam / length
     factors = {
         "Y_v": 1 + 0.40 * block * b_t,

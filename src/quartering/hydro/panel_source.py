@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from quartering.cache import remembered
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.digest import fingerprint, source_digest
+from quartering.hull.bulb import bulb
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.mesh import Panels, hull_panels
 from quartering.hull.offsets import Hull
@@ -82,6 +83,7 @@ def panel_source(
     hull, ratio, mesh = ship.hull, ship.loading.density / WATER_DENSITY, Mesh(frequencies, headings, panels)
     centre = hydrostatics(ship).lcb, ship.loading.kg - hull.draught
     omega = _frequencies(hull, mesh)
+    words = f"{WORDS} {bulb(hull).words}".rstrip()
 
     def solved(frequency: Floats) -> Moments:
         return _moments(hull, mesh, ratio).at(frequency).about(*centre)
@@ -89,11 +91,11 @@ def panel_source(
     return Hydrodynamics(
         ship=ship,
         kind="database",
-        words=WORDS,
+        words=words,
         method=f"Capytaine, {panels[0]} x {panels[1]} panels a side, zero speed; speed terms of strip theory without those of "
         "the aft end",
         references=("Ancellin19",),
-        force_words=f"{WORDS}, zero speed, with speed terms of strip theory",
+        force_words=f"{words}, zero speed, with speed terms of strip theory",
         force_references=("STF70", "Ancellin19"),
         centre=centre,
         radiation=partial(_moments, hull, mesh, ratio),

@@ -6,6 +6,7 @@ from functools import partial
 
 import numpy as np
 
+from quartering.hull.bulb import bulb
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.immersed import strips
 from quartering.hull.section import Floats
@@ -42,13 +43,14 @@ def strip_source(ship: Ship) -> Hydrodynamics:
     hull, ends = ship.hull, end_method(ship.hull)
     centre = hydrostatics(ship).lcb, ship.loading.kg - hull.draught
     sections = f"strip theory, {section_words(hull)}"
+    corrections = ", ".join(words for words in (ends.words, bulb(hull).words) if words)
     return Hydrodynamics(
         ship=ship,
         kind="strip",
-        words=f"the strips {ends.words}".rstrip(),
-        method=f"{sections}, {ends.words}" if ends.words else sections,
+        words=f"the strips {corrections}".rstrip(),
+        method=f"{sections}, {corrections}" if corrections else sections,
         references=("STF70", *section_references(hull), *ends.references),
-        force_words=ends.words,
+        force_words=corrections,
         force_references=("H71", "STF70", *ends.references),
         centre=centre,
         radiation=partial(hull_moments, hull, ship.loading.density),

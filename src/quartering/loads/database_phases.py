@@ -1,4 +1,4 @@
-"""Phases of the wave forces of a ship's own database beside those of strip theory on its lines: what differs is told by mode."""
+"""Phases of the wave forces of a ship's own database beside those of strips on its lines: what differs is told by mode."""
 
 from __future__ import annotations
 

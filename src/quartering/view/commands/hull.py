@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from quartering.conventions import SYMBOLS, in_unit, written
+from quartering.hull.bulb import bulb
 from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
 from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
@@ -69,6 +70,10 @@ def describe_hull(name: str, changes: Mapping[str, str], output: str | None, as_
 
 def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:
     rows = [(words, f"{round(getattr(floats, key), 9) + 0.0:.5g}", unit) for key, (words, unit) in HYDROSTATICS.items()]
+    under = bulb(one.hull)
+    if under.sections:
+        words = f"of it in {under.sections} sections of a bulb wholly under water, left out in waves"
+        rows.insert(1, (words, f"{under.volume:.5g}", "m3"))
     show(table(f"{one.name}: hydrostatics at T {one.hull.draught:.4g} m", ("quantity", "value", "unit"), rows, (1,)))
     show(table("Loading", ("quantity", "value", "unit", "where it comes from"), loading_rows(one), (1,)))
     told = particular_rows(one)
@@ -135,6 +140,7 @@ def _facts(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[floa
     return {
         "ship": one.name,
         "hydrostatics": dataclasses.asdict(floats),
+        "bulb_left_out_in_waves": bulb(one.hull)._asdict(),
         "loading": dataclasses.asdict(one.loading),
         "free_roll_at_rest": {**roll._asdict(), "at_10_deg": roll.equivalent(np.radians(10.0))},
         "righting": dataclasses.asdict(fit),
