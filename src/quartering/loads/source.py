@@ -15,7 +15,7 @@ from quartering.hydro.moments import section_table
 from quartering.hydro.ship_source import source_of
 from quartering.hydro.source import Hydrodynamics
 from quartering.hydro.transfer import transfer_matrix
-from quartering.loads.database_phases import warn_of_phases
+from quartering.loads.database_forces import warn_of_forces
 from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.stations import stations
 from quartering.loads.strip_forces import FORMS, Form, wave_force_phasors
@@ -116,7 +116,7 @@ def _at_rest(source: Hydrodynamics, k: Floats, mu: Floats) -> tuple[Phasors, Pha
     ship, (sigma, starboard) = source.ship, _wave(k, mu)
     _check(source, sigma, starboard)
     columns = _columns(source)
-    warn_of_phases(source)
+    warn_of_forces(source)
     port = np.where((mu + 180.0) % 360.0 - 180.0 < 0, -1.0, 1.0)[:, None]
     held = source.at_rest(sigma, starboard)
     found = {

@@ -1,4 +1,4 @@
-"""Forces of a database whose phases have another sign are told, in every mode and wherever the file's origin lies.
+"""Forces of a database of another size, or whose phases have another sign, are told, wherever the file's origin lies.
 
 Authority: the files are made from strips, so that right files have their phases, and a changed sign is known.
 """
@@ -70,3 +70,13 @@ def test_one_part_of_the_other_time_factor_is_told(file, tmp_path):
     assert len(said) == 1
     assert all(f"{mode} (diffraction" in said[0] for mode in MODES)
     assert "Froude-Krylov" not in said[0]
+
+
+@pytest.mark.parametrize("factor", [0.5, 2.0])
+def test_forces_of_another_amplitude_are_told(file, tmp_path, factor):
+    """By definition: forces per metre of height, or per two metres of amplitude."""
+    (said,) = told(file, lambda _, force: factor * force, tmp_path)
+    assert (
+        f"its sway force is {factor:g} times (Froude-Krylov) and {factor:g} times (diffraction) that of strip" in said
+    )
+    assert "phases" not in said

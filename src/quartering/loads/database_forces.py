@@ -1,4 +1,4 @@
-"""Phases of the wave forces of a ship's own database beside those of strips on its lines: what differs is told by mode."""
+"""Wave forces of a ship's own database beside those of strips on its lines: size, and phases by mode."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ from quartering.loads.stations import Stations
 from quartering.loads.strip_forces import wave_force_phasors
 from quartering.loads.waves import Floats
 
+SIZE: Final = (0.6, 1.7)
+"""Sway force over that of strip theory on the ship's lines; 3-D and strips differ by less [1]."""
 APART: Final = 0.5
 """Mean cosine of the phases between a database and strips below which they differ: 60 deg [1]."""
 EXPLAINED: Final = 0.9
@@ -33,8 +35,8 @@ _LENGTHS: Final = (0.7, 1.0, 1.4, 2.0, 3.0, 5.0, 8.0)
 _HEADINGS: Final = (30.0, 60.0, 90.0, 120.0, 150.0)
 
 
-def warn_of_phases(source: Hydrodynamics) -> None:
-    """One warning for a database and hull of wave forces whose phases are not those of strips.
+def warn_of_forces(source: Hydrodynamics) -> None:
+    """One warning for a database and hull of wave forces whose size or phases are not those of strips.
 
     Parameters
     ----------
@@ -42,7 +44,8 @@ def warn_of_phases(source: Hydrodynamics) -> None:
 
     Warns
     -----
-    RangeWarning    each part and mode whose phases differ, by how much, and which sign would explain it
+    RangeWarning    parts of the sway force of another size; modes and parts whose phases differ, by how much, and which sign
+                    would explain it
     """
     database = source.ship.database
     if source.kind != "database" or database is None:
@@ -81,7 +84,8 @@ def _findings(hull: Hull, database: Database, density: float, of: _OfHull) -> _T
         return _Told()
     w, m = (v.ravel() for v in np.meshgrid(sigma, mu))
     x_mid = np.exp(1j * w**2 / GRAVITY * database.midship * np.cos(np.radians(m)))
-    return _Told(phase_findings(source.at_rest(w, m), _by_strips(hull, density, w, m), hull.draught, turn=x_mid))
+    theirs, ours = source.at_rest(w, m), _by_strips(hull, density, w, m)
+    return _Told([*_size_findings(theirs, ours), *phase_findings(theirs, ours, hull.draught, turn=x_mid)])
 
 
 def _by_strips(hull: Hull, density: float, sigma: Floats, mu: Floats) -> AtRest:
@@ -143,6 +147,25 @@ def phase_findings(theirs: AtRest, of_strips: AtRest, draught: float, turn: Phas
         f"the phases of its forces in {', '.join(forces)} differ from those of strip theory on the ship's lines"
         + (f", and agree with {cause}" if cause else "")
         for cause, forces in causes.items()
+    ]
+
+
+def _size_findings(theirs: AtRest, of_strips: AtRest) -> list[str]:
+    """Sway forces whose sum over the waves compared is far from that of strips."""
+    whole = {**of_strips, "total": sum(of_strips.values(), np.zeros(1, dtype=complex))}
+    ratios = {
+        part: float(np.abs(force[:, 0]).sum() / np.abs(whole[part][:, 0]).sum()) for part, force in theirs.items()
+    }
+    unlike = [
+        f"{ratio:.2g} times ({part.replace('froude_krylov', 'Froude-Krylov')})"
+        for part, ratio in ratios.items()
+        if not SIZE[0] < ratio < SIZE[1]
+    ]
+    if not unlike:
+        return []
+    return [
+        f"its sway force is {' and '.join(unlike)} that of strip theory on the ship's lines: another ship, draught or scale, "
+        "forces of another amplitude, or frequencies in Hz"
     ]
 
 
