@@ -17,6 +17,7 @@ from quartering.hull.own_database import DATABASE_IS, Database, database_of, dat
 from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.roll_period import gyradius_of_period
+from quartering.hull.sense import check_proportions
 from quartering.names import term
 from quartering.options import (
     OPTIONS,
@@ -204,6 +205,8 @@ def _floating(ship: Ship, given: Mapping[str, Any], where: str) -> tuple[Hull, L
     if "draught" in given:
         draught = _checked("draught", given["draught"], where, sizes_of(hull))
         hull = hull if draught == hull.draught else at_draught(hull, draught, called=where)
+    if any(name in given for name in (*_DIMENSIONS, "draught")):
+        check_proportions(where, hull.length, hull.beam, hull.draught)
     return hull, loading
 
 

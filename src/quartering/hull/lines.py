@@ -12,6 +12,7 @@ from quartering.hull.datum import datum_of, profile_of
 from quartering.hull.from_file import hull_from_lines, read_lines
 from quartering.hull.offsets import Contour, Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
 from quartering.hull.schema import OffsetKeys, ShipKeys, StationKeys
+from quartering.hull.sense import check_proportions
 from quartering.hull.stations import check_contour, hull_from_offsets
 from quartering.options import OPTIONS, checked
 from quartering.units import Sizes
@@ -95,6 +96,7 @@ def _floated(where: str, keys: ShipKeys, hull: Hull, draught: float) -> Hull:
     if keys.value("depth") is not None and hull.shape == "offsets":
         depth = dimension(where, keys, "depth", hull.length, hull.beam, hull.design_draught)
         hull = with_depth(hull, depth, called=where)
+    check_proportions(where, hull.length, hull.beam, draught)
     return hull if draught == hull.draught else at_draught(hull, draught, called=where)
 
 

@@ -23,7 +23,58 @@ FINE: Final = 0.2
 PLANE: Final = (0.15, 1.05)
 """The same for the waterplane coefficient."""
 
+FLAT: Final = 25.0
+"""Beam over draught from which on the draught is doubted: a light inland barge has some 20."""
+SLENDER: Final = (1.0, 20.0)
+"""Length over beam outside which they are doubted."""
+EXTENT: Final = (0.95, 1.1)
+"""What the stations reach over, of the length, outside which it is told."""
+
 Contours = tuple[tuple[Floats, Floats], ...]
+
+
+def check_proportions(name: str, length: float, beam: float, draught: float) -> None:
+    """Tell proportions that are hardly those of a ship, as a unit of one dimension makes them.
+
+    Examples
+    --------
+    >>> with warnings.catch_warnings(record=True) as said:
+    ...     check_proportions("my.yaml", 80.0, 12.0, 0.03)
+    >>> str(said[0].message)
+    'my.yaml: beam 12 m is 400 times the draught of 0.03 m; is the unit of both right?'
+    """
+    if beam > FLAT * draught:
+        words = f"beam {beam:g} m is {beam / draught:.3g} times the draught of {draught:g} m"
+    elif not SLENDER[0] <= length / beam <= SLENDER[1]:
+        words = f"length {length:g} m is {length / beam:.3g} times the beam of {beam:g} m"
+    else:
+        return
+    warnings.warn(f"{name}: {words}; is the unit of both right?", RangeWarning, stacklevel=2)
+
+
+def check_extent(name: str, length: float, x: Floats) -> None:
+    """Refuse stations of another length than the ship's; tell those that leave a part of it out, or reach past it.
+
+    Examples
+    --------
+    >>> check_extent("my.csv", 80.0, np.array([-40e3, 40e3]))
+    Traceback (most recent call last):
+    ...
+    quartering.conventions.InputError: my.csv: the stations reach over 80000 m, the length is 80 m; the two agree within a ...
+    """
+    extent = float(x[-1] - x[0])
+    if not 0.8 * length <= extent <= 1.25 * length:
+        raise InputError(
+            f"{name}: the stations reach over {extent:g} m, the length is {length:g} m; the two agree within a fifth; "
+            "check the unit of x, and that x is from midship, + forward"
+        )
+    if not EXTENT[0] * length <= extent <= EXTENT[1] * length:
+        warnings.warn(
+            f"{name}: the stations reach over {extent:g} m, from {x[0]:g} to {x[-1]:g} m, the length is {length:g} m; the hull "
+            "is what they reach over; is a station missing, or the length another one?",
+            RangeWarning,
+            stacklevel=2,
+        )
 
 
 def check_breadths(name: str, beam: float, draught: float, contours: Contours, labels: list[str]) -> None:

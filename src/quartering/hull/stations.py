@@ -9,7 +9,7 @@ from quartering.hull.contour import Outline
 from quartering.hull.offsets import Contour, Hull, frozen
 from quartering.hull.quadrature import station_weights
 from quartering.hull.section import Floats
-from quartering.hull.sense import check_breadths, check_coefficients, check_decks, waterline_breadth
+from quartering.hull.sense import check_breadths, check_coefficients, check_decks, check_extent, waterline_breadth
 
 STEP = 3e-5
 """Distance of two stations that are a step of the lines, of the extent of the hull."""
@@ -166,12 +166,7 @@ def _check_size(
         raise InputError(
             f"{name}: draught {draught:g} m; it must be above 0 and above the keel ({keel:g} m over the baseline)"
         )
-    extent = float(x[-1] - x[0])
-    if not 0.8 * length <= extent <= 1.25 * length:
-        raise InputError(
-            f"{name}: the stations reach over {extent:g} m, the length is {length:g} m; the two agree within a fifth; "
-            "check the unit of x, and that x is from midship, + forward"
-        )
+    check_extent(name, length, x)
     widest = max(float(np.interp(draught, h, y)) if h[0] < draught else 0.0 for y, h in contours)
     if not 0.9 * beam / 2 <= widest <= 1.1 * beam / 2:
         raise InputError(
