@@ -8,6 +8,7 @@ import sys
 import time
 import urllib.error
 import urllib.request
+from pathlib import Path
 from urllib.parse import urlparse
 
 import pytest
@@ -19,12 +20,19 @@ LONGEST_START = 600.0
 class Explorer:
     """A running server: its address, and what it wrote so far."""
 
-    def __init__(self, port, log):
-        self.port, self.log = port, log
+    def __init__(self, port, log, process):
+        self.port, self.log, self.process = port, log, process
         self.address = f"http://127.0.0.1:{port}"
 
     def written(self):
         return self.log.read_text()
+
+    def worked(self):
+        """Processor time of the server [s]: what a call costs, however busy the machine."""
+        if not Path("/proc/self/stat").exists():
+            pytest.skip("the processor time of another program is read from /proc")
+        fields = Path(f"/proc/{self.process}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 @pytest.fixture(scope="session")
@@ -39,7 +47,7 @@ def explorer(tmp_path_factory):
     environment = {name: value for name, value in os.environ.items() if not name.startswith(("NICEGUI", "PYTEST"))}
     with log.open("w") as out:
         server = subprocess.Popen([sys.executable, "-c", call], stdout=out, stderr=subprocess.STDOUT, env=environment)
-    running = Explorer(port, log)
+    running = Explorer(port, log, server.pid)
     try:
         _await(running, server)
         yield running

@@ -6,6 +6,7 @@ known, must be refused, told in a warning, or answered rightly: `right` says so 
 
 import json
 import os
+import re
 import resource
 import signal
 import sys
@@ -48,6 +49,10 @@ WORDS = [
 ]  # fmt: skip
 
 
+NUMBER = re.compile(rb"-?\d+(\.\d+)?")
+WORD = re.compile(rb"[^\s,:;]+")
+
+
 @dataclass
 class Outcome:
     """What became of an input: "refused", "told", "answered", or a fault in words."""
@@ -71,7 +76,7 @@ def noisy(random, text):
     """Text with one or two changes: bytes, lines, words, numbers."""
     data = bytearray(text.encode())
     for _ in range(int(random.integers(1, 3))):
-        way, at = int(random.integers(0, 10)), int(random.integers(0, max(len(data), 1)))
+        way, at = int(random.integers(0, 12)), int(random.integers(0, max(len(data), 1)))
         lines = bytes(data).split(b"\n")
         line = int(random.integers(0, len(lines)))
         if way == 0 and data:
@@ -86,25 +91,22 @@ def noisy(random, text):
         elif way == 4:
             data[at:at] = bytes(random.integers(0, 256, 8).astype(np.uint8))
         else:
-            parts = lines[line].replace(b",", b" , ").replace(b":", b" : ").split()
-            if parts:
-                chosen = int(random.integers(0, len(parts)))
-                parts[chosen] = _other(random, parts[chosen], way)
-                lines[line] = b" ".join(parts)
-                data = bytearray(b"\n".join(lines))
+            found = list((NUMBER if way > 6 else WORD).finditer(lines[line]))
+            if found:
+                one = found[int(random.integers(0, len(found)))]
+                other = str(random.choice(WORDS)).encode()
+                if way > 6:
+                    other = f"{float(one[0]) * 10 ** random.uniform(-0.5, 0.5):.6g}".encode()
+                lines[line] = lines[line][: one.start()] + other + lines[line][one.end() :]
+            data = bytearray(b"\n".join(lines))
     return bytes(data)
 
 
-def _other(random, part, way):
-    """Another word in the place of one, or another number of its size."""
+def _is_number(part):
     try:
-        return (
-            f"{float(part) * 10 ** random.uniform(-1, 1):.6g}".encode()
-            if way > 6
-            else str(random.choice(WORDS)).encode()
-        )
+        return bool(np.isfinite(float(part)))
     except ValueError:
-        return str(random.choice(WORDS)).encode()
+        return False
 
 
 def _points(y=lambda y: y, z=lambda z: z, x=lambda x: x):
@@ -222,9 +224,12 @@ def noise_of_command(random, folder):
         "1",
         "--json",
     ]
-    for _ in range(int(random.integers(1, 4))):
+    for _ in range(int(random.integers(1, 3))):
         at = int(random.integers(1, len(words)))
-        words[at] = str(random.choice([*WORDS, "--gm", "--draught", "-9e9", "1e3 t", "0.25Fn", "400"]))
+        if random.random() < 0.5 and _is_number(words[at]):
+            words[at] = f"{float(words[at]) * 10 ** random.uniform(-0.5, 0.3):.4g}"
+        else:
+            words[at] = str(random.choice([*WORDS, "--gm", "--draught", "-9e9", "1e3 t", "0.25Fn", "400"]))
     return _command(folder, words)
 
 
@@ -232,7 +237,10 @@ def noise_of_call(random, _):
     call = {"ship": "wigley", "speed": 5.0, "heading": 60, "wave_length": 100, "wave_height": 1.0, "gm": 0.8}
     key = str(random.choice([*call, "kg", "draught", "harmonics", "form", "autopilot", "x"]))
     values = [*WORDS, None, True, [], {}, [1] * 1000, float("nan"), 10**400, -1, {"a": {"b": []}}, 1e308, "9" * 5000]
-    call[key] = values[int(random.integers(0, len(values)))]
+    if random.random() < 0.3 and _is_number(call.get(key, "")):
+        call[key] *= 10 ** random.uniform(-0.5, 0.3)
+    else:
+        call[key] = values[int(random.integers(0, len(values)))]
     try:
         found = VerdictCall.model_validate(json.loads(json.dumps(call)))
     except ValidationError:

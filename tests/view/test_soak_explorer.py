@@ -7,7 +7,7 @@ import json
 import socket
 import subprocess
 import sys
-import time
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -22,11 +22,13 @@ CALLS, AT_A_TIME = 500, 16
 
 
 def _verdict_takes(explorer):
+    """Processor time of one verdict, kernels compiled [s]."""
+    ask(explorer, "/api/verdict", query=CONDITION)
     taken = []
     for heading in (20, 70, 120):
-        begin = time.monotonic()
+        begin = explorer.worked()
         assert ask(explorer, "/api/verdict", query=CONDITION | {"heading": heading})[0] == 200
-        taken.append(time.monotonic() - begin)
+        taken.append(explorer.worked() - begin)
     return float(np.median(taken))
 
 
@@ -49,14 +51,15 @@ def test_five_hundred_calls_are_answered_or_told_to_wait_and_the_next_is_served(
     alone = _verdict_takes(explorer)
     with ThreadPoolExecutor(AT_A_TIME) as pool:
         answers = list(pool.map(call, range(CALLS)))
-    begin = time.monotonic()
+    begin = explorer.worked()
     assert ask(explorer, "/api/verdict", query=CONDITION)[0] == 200
-    took = time.monotonic() - begin
+    took = explorer.worked() - begin
     for status, answer in answers:
         assert status in (None, 200, 503), answer
         assert status != 503 or list(answer) == ["error"]
     assert sum(status == 200 for status, _ in answers) > CALLS // 3
-    assert took < 2 * alone + 2.0, (took, alone)  # two more of the clock, for whoever else uses the machine
+    print(Counter(status for status, _ in answers), f"next caller {took:.2f} s of processor time, alone {alone:.2f} s")
+    assert took < 2 * alone + 0.2, (took, alone)  # processor time is counted in hundredths, beside that of the pages
     assert "Traceback" not in explorer.written()
 
 

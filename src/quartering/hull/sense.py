@@ -39,6 +39,7 @@ def check_proportions(name: str, length: float, beam: float, draught: float) -> 
     Examples
     --------
     >>> with warnings.catch_warnings(record=True) as said:
+    ...     warnings.simplefilter("always")
     ...     check_proportions("my.yaml", 80.0, 12.0, 0.03)
     >>> str(said[0].message)
     'my.yaml: beam 12 m is 400 times the draught of 0.03 m; is the unit of both right?'
