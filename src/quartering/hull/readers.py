@@ -139,10 +139,10 @@ def _made(where: str, keys: ShipKeys) -> Ship:
     """Ship from checked keys, on its base ship when it has one: its hull and loading, then every other option."""
     base, base_keys = _base(where, keys)
     hull = hull_of(where, keys, base.hull if base else None)
-    entries = loading_entries(own_entries(keys), base_keys, base, hull)
-    loading = loading_of(where, hull, entries)
     if base is None:
         hull = replace(hull, ends=cast(Ends, OPTIONS["ends"].default))
+    entries = loading_entries(own_entries(keys), base_keys, base, hull)
+    loading = loading_of(where, hull, entries)
     start = Ship(hull.name, hull, loading) if base is None else replace(base, hull=hull, loading=loading, database=None)
     given = {
         name: entry.value for name, entry in keys.told.items() if name not in (*DIMENSIONS, *LOADING, "loading_case")

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numba
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quartering.compiled import kernel
+from quartering.compiled import inlined, kernel
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hull.strips import Strips
 from quartering.loads.stations import Stations
@@ -104,7 +103,7 @@ def _pressure_integrals(
     return out
 
 
-@numba.njit(cache=True, nogil=True, inline="always")
+@inlined
 def _lid(t: float, sine: float) -> float:
     """Value of (sin t - t cos t)/t^3, by its series where the difference would cancel."""
     if abs(t) < 0.3:

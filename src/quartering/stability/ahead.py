@@ -27,6 +27,10 @@ from quartering.stability.assessment import assess
 from quartering.threads import workers
 
 NOTICE = "compiling numerical kernels, once (15 to 30 s)"
+NOT_KEPT = (
+    "compiling numerical kernels (15 to 30 s), in every process, since no folder for them can be written; name one in "
+    "NUMBA_CACHE_DIR"
+)
 
 
 @cache
@@ -41,8 +45,9 @@ def announce_compilation() -> None:
     """
     if parent_process() is not None or compiled():
         return
-    logging.getLogger("quartering").warning(NOTICE)
-    if workers() > 1 and sys.executable:
+    kept = all(_folders(module) for module in _MODULES)
+    logging.getLogger("quartering").warning(NOTICE if kept else NOT_KEPT)
+    if kept and workers() > 1 and sys.executable:
         beside = subprocess.Popen(
             [sys.executable, "-m", "quartering.stability.ahead"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
@@ -61,14 +66,22 @@ def compiled() -> bool:
     -----
     Source: none; bookkeeping.
     """
-    return all(_cached(module) for module in (diffraction, harmonic, variation, transition, approach))
+    return all(_cached(module) for module in _MODULES)
+
+
+_MODULES = (diffraction, harmonic, variation, transition, approach)
+
+
+def _folders(module: ModuleType) -> set[str]:
+    """Where the kernels of a module are kept; nowhere, if no folder can be written."""
+    paths = (kernel.stats.cache_path for kernel in vars(module).values() if hasattr(kernel, "stats"))
+    return {path for path in paths if path}
 
 
 def _cached(module: ModuleType) -> bool:
     source = Path(str(module.__file__))
-    folders = {kernel.stats.cache_path for kernel in vars(module).values() if hasattr(kernel, "stats")}
     pattern = f"{source.stem}.*.py{sys.version_info.major}{sys.version_info.minor}*.nbi"
-    entries = [entry for folder in folders for entry in Path(folder).glob(pattern)]
+    entries = [entry for folder in _folders(module) for entry in Path(folder).glob(pattern)]
     return any(entry.stat().st_mtime >= source.stat().st_mtime for entry in entries)
 
 
