@@ -4,7 +4,10 @@ import os
 import subprocess
 import sys
 
+import pytest
+
 import quartering as qt
+import quartering.compiled
 from quartering.stability.ahead import NOTICE, compiled
 
 
@@ -22,3 +25,23 @@ def test_compilation_is_announced_once_and_only_when_the_cache_is_cold(tmp_path)
     assert cold.stderr.strip() == NOTICE
     qt.polar(qt.ship("wigley"), qt.Wave(100.0, 1.0), [5.0], [60.0])
     assert compiled()
+
+
+def test_kernels_run_where_no_folder_for_them_can_be_written(monkeypatch):
+    """The compiler refuses to cache then, in these words; anything else it refuses is passed on."""
+
+    def njit(cache=False, **_):
+        def compiler(function):
+            if cache:
+                raise RuntimeError("cannot cache function 'double': no locator available for file 'kernels.py'")
+            return function
+
+        return compiler
+
+    monkeypatch.setattr(quartering.compiled, "_njit", njit)
+    assert quartering.compiled._kind()(lambda x: 2 * x)(3.0) == 6.0
+    monkeypatch.setattr(
+        quartering.compiled, "_njit", lambda **_: lambda _: (_ for _ in ()).throw(RuntimeError("other"))
+    )
+    with pytest.raises(RuntimeError, match="other"):
+        quartering.compiled._kind()(lambda x: x)
