@@ -27,8 +27,8 @@ FLAT: Final = 25.0
 """Beam over draught from which on the draught is doubted: a light inland barge has some 20."""
 SLENDER: Final = (1.0, 20.0)
 """Length over beam outside which they are doubted."""
-EXTENT: Final = (0.95, 1.1)
-"""What the stations reach over, of the length, outside which it is told."""
+EXTENT: Final = (0.93, 1.1)
+"""What the stations reach over, of the length, outside which it is told: lines of ten spacings without an end have 0.9."""
 
 Contours = tuple[tuple[Floats, Floats], ...]
 
