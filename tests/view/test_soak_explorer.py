@@ -65,9 +65,12 @@ def test_five_hundred_calls_are_answered_or_told_to_wait_and_the_next_is_served(
 
 def test_hulls_brought_by_browser_again_and_again(visit, explorer):
     page = visit()
+    shown = "new URL(location).searchParams.get('ship')"
     for draught in (2.0, 2.5, 3.0, 3.5) * 5:
+        before = page.evaluate(shown)
         upload(page, f"barge {draught}.csv", BARGE.encode(), draught=draught)
-        page.wait_for_function("new URL(location).searchParams.get('ship').startsWith('upload-')")
+        page.wait_for_function(f"before => {shown} != before && {shown}.startsWith('upload-')", arg=before)
+        page.get_by_label("draught [m]").wait_for(state="hidden")  # else the next click is lost on the closing dialog
     upload(page, "noise.csv", bytes(range(256)) * 40)
     for name, data in (
         ("noise.stl", bytes(range(256)) * 100),
