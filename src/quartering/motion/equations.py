@@ -305,7 +305,7 @@ def _inverse(masses: Floats) -> Floats:
     scale = np.sqrt(np.abs(np.diagonal(masses, axis1=-2, axis2=-1)))
     whole = np.where((scale > 0).all(axis=-1)[..., None], scale, np.inf)
     balanced = np.abs(np.linalg.det(masses / (whole[..., :, None] * whole[..., None, :])))
-    singular = ~(balanced > 1e-12)
+    singular = np.asarray(~(balanced > 1e-12))
     if singular.all():
         raise InputError(
             "the inertia matrix (rigid body plus added mass) is singular or has a zero on its diagonal;"

@@ -202,10 +202,10 @@ def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
 def _further(call: PolarCall, fleet: Fleet, axes: Mapping[str, Any]) -> xr.Dataset:
     """The map of a call at other axes."""
     one, lengths = call.loaded(fleet), axes["wave_length"]
-    if call.steepness is None:
+    if call.wave_height is not None:
         height = np.minimum(number(one, "wave_height", call.wave_height), STEEPEST * lengths)
-    else:
-        height = number(one, "steepness", call.steepness) * lengths
+    else:  # one of the two is given: the call was refused otherwise
+        height = number(one, "steepness", call.steepness or 0.0) * lengths
     waves = [Wave(float(n), float(h)) for n, h in zip(lengths, height, strict=True)]
     return polar(one, waves, axes["speed"], axes["heading"], harmonics=call.harmonics, form=call.form)
 
