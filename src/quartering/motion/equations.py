@@ -303,7 +303,7 @@ def canonical(
 def _inverse(masses: Floats) -> Floats:
     """Inverse inertia; NaN for one condition of many whose matrix has none, which gets a status of its own."""
     scale = np.sqrt(np.abs(np.diagonal(masses, axis1=-2, axis2=-1)))
-    whole = np.where((scale > 0).all(axis=-1)[..., None], scale, np.inf)
+    whole = np.where((scale > 0).all(axis=-1, keepdims=True), scale, np.inf)
     balanced = np.abs(np.linalg.det(masses / (whole[..., :, None] * whole[..., None, :])))
     singular = np.asarray(~(balanced > 1e-12))
     if singular.all():
