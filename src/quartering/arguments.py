@@ -29,6 +29,13 @@ _ARGUMENTS = (
     Option("density", "density", "of the water", low=0, above=True, usual="1025 kg/m3"),
     Option("time_factor", "ratio", "on the times of a record", low=0, above=True, usual=1.0,
            hint="of a model of 1:68 sqrt(68)"),
+    Option("hs", "length", "significant wave height of a sea", low=0, above=True, high=30, usual="6 m"),
+    Option("tp", "time", "period of the peak of a sea", low=1, high=40, usual="11 s"),
+    Option("tz", "time", "mean zero-crossing period of a sea", low=0.7, high=35, usual="8.5 s"),
+    Option("gamma", "ratio", "peak enhancement of a spectrum", low=1, high=20, usual=3.3),
+    Option("sharpness", "ratio", "lambda of a wave system of Ochi and Hubble", low=0.5, above=True, high=50, usual=1.0),
+    Option("hours", "ratio", "that largest motions are of", low=0, above=True, high=1e5, usual=3.0),
+    Option("course", "angle", "of a ship, clockwise from north", low=-360, high=360, usual="45 deg"),
     Option("reference_x", "length", "of a point, forward of midship", usual="0 m"),
     Option("reference_z", "length", "of a point, below the calm plane", usual="0 m"),
 )  # fmt: skip

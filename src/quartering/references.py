@@ -96,6 +96,22 @@ REFERENCES: Final[dict[str, str]] = {
     "theory. AIAA Journal 12.",
     "VanOosterom83": "Van Oosterom, A., Strackee, J. (1983). The solid angle of a plane triangle. IEEE Transactions on "
     "Biomedical Engineering 30.",
+    "Hasselmann73": "Hasselmann, K. et al. (1973). Measurements of wind-wave growth and swell decay during the Joint North Sea "
+    "Wave Project (JONSWAP). Deutsche Hydrographische Zeitschrift, Reihe A, 8.",
+    "Bretschneider59": "Bretschneider, C. L. (1959). Wave variability and wave spectra for wind-generated gravity waves. "
+    "Beach Erosion Board, Technical Memorandum 118.",
+    "PiersonMoskowitz64": "Pierson, W. J., Moskowitz, L. (1964). A proposed spectral form for fully developed wind seas "
+    "based on the similarity theory of S. A. Kitaigorodskii. Journal of Geophysical Research 69.",
+    "OchiHubble76": "Ochi, M. K., Hubble, E. N. (1976). Six-parameter wave spectra. 15th Coastal Engineering Conference.",
+    "TorsethaugenHaver04": "Torsethaugen, K., Haver, S. (2004). Simplified double peak spectral model for ocean waves. 14th "
+    "International Offshore and Polar Engineering Conference.",
+    "LonguetHiggins63": "Longuet-Higgins, M. S., Cartwright, D. E., Smith, N. D. (1963). Observations of the directional "
+    "spectrum of sea waves using the motions of a floating buoy. Ocean Wave Spectra, Prentice-Hall.",
+    "Kazakov54": "Kazakov, I. E. (1954). An approximate method for the statistical investigation of nonlinear systems. "
+    "Trudy VVIA im. Zhukovskogo 394.",
+    "Rice44": "Rice, S. O. (1944). Mathematical analysis of random noise. Bell System Technical Journal 23, 24.",
+    "Vanmarcke75": "Vanmarcke, E. H. (1975). On the distribution of the first-passage time for normal stationary random "
+    "processes. Journal of Applied Mechanics 42.",
     "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
     "Numerische Mathematik 58.",
 }
