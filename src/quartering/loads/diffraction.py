@@ -8,7 +8,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.compiled import kernel
+from quartering.compiled import summing
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hydro.table import SectionTable
 from quartering.loads.interpolation import frequency_weights
@@ -84,23 +84,36 @@ def contour_diffraction(
     return 2.0 * density * forces
 
 
-@kernel
+@summing
 def _contour_forces(
     x: Floats, weight: Floats, y: Floats, z: Floats, ny: Floats, nz: Floats, psi: Phasors,
     first: NDArray[np.int64], lagrange: Floats, waves: Floats, x_aft: float, transom: float,
 ) -> Phasors:  # fmt: skip
     """Forces per (2 rho amplitude) about the waterline point; waves (n, 6) are k, k1, sin delta, sigma, omega, U."""
     out = np.zeros((waves.shape[0], 3), dtype=np.complex128)
+    decay, normal, of = np.empty_like(y), np.empty(y.shape[1]), -1.0
     for n in range(waves.shape[0]):
         k, k1, across, sigma, omega, U = waves[n]
+        if k != of:  # waves of one length, from several sides, decay alike with depth
+            of = k
+            for s in range(x.size):
+                for p in range(y.shape[1]):
+                    decay[s, p] = math.exp(-k * z[s, p])
         for s in range(x.size):
             g2 = g4 = 0.0j
             for p in range(y.shape[1]):
                 t = k * across * y[s, p]
-                normal = math.exp(-k * z[s, p]) * (across * math.cos(t) * ny[s, p] - math.sin(t) * nz[s, p])
-                for q in range(lagrange.shape[1]):
-                    g2 += lagrange[n, q] * normal * psi[first[n] + q, s, p, 0]
-                    g4 += lagrange[n, q] * normal * psi[first[n] + q, s, p, 1]
+                normal[p] = decay[s, p] * (across * math.cos(t) * ny[s, p] - math.sin(t) * nz[s, p])
+            for q in range(lagrange.shape[1]):
+                a2 = b2 = a4 = b4 = 0.0
+                for p in range(y.shape[1]):
+                    sway, roll = psi[first[n] + q, s, p, 0], psi[first[n] + q, s, p, 1]
+                    a2 += normal[p] * sway.real
+                    b2 += normal[p] * sway.imag
+                    a4 += normal[p] * roll.real
+                    b4 += normal[p] * roll.imag
+                g2 += lagrange[n, q] * complex(a2, b2)
+                g4 += lagrange[n, q] * complex(a4, b4)
             if omega < 0:
                 g2, g4 = g2.conjugate(), g4.conjugate()
             wave = 1j * sigma * cmath.exp(1j * k1 * x[s]) * weight[s]

@@ -85,14 +85,19 @@ def _pressure_integrals(
     z0: float,
 ) -> Phasors:
     """Force per (rho g amplitude) of each condition: (n, 3) complex; x from G, k1 = along, k2 = across [1/m]."""
-    out = np.zeros((wavenumber.size, 3), dtype=np.complex128)
+    out, decays, of = np.zeros((wavenumber.size, 3), dtype=np.complex128), np.empty_like(y), -1.0
     for n in range(wavenumber.size):
         k, k1, k2 = wavenumber[n], along[n], across[n]
+        if k != of:  # waves of one length, from several sides, decay alike with depth
+            of = k
+            for s in range(x.size):
+                for p in range(y.shape[1]):
+                    decays[s, p] = math.exp(-k * z[s, p])
         for s in range(x.size):
             sway = roll = taper = 0.0
             for p in range(y.shape[1]):
                 t = k2 * y[s, p]
-                decay, sine = math.exp(-k * z[s, p]), math.sin(t)
+                decay, sine = decays[s, p], math.sin(t)
                 sway += decay * sine * dz[s, p]
                 roll -= decay * sine * (y[s, p] * dy[s, p] + (z[s, p] + z0) * dz[s, p])
                 taper += decay * k2 * y[s, p] ** 3 * _lid(t, sine) * dz[s, p]
