@@ -50,6 +50,14 @@ TWO_WAYS = {
         lambda n, mu, u: qt.compare_forces(SHIP, n, mu, u).amplitude, (["0.8L"], ["1 rad"], "5kn"),
         ([80.0], [np.degrees(1.0)], 5 * KNOT),
     ),
+    "Sea": (
+        lambda hs, tp, mu: (sea := qt.Sea(hs=hs, tp=tp, heading=mu)) and [sea.hs, sea.tp, sea.heading],
+        ("400 cm", "0.2 min", "1 rad"), (4.0, 12.0, np.degrees(1.0)),
+    ),
+    "sea_response": (
+        lambda u, mu: qt.sea_response(SHIP, qt.Sea(hs=1, tp=8), u, mu).roll_rms, ("10kn", ["1 rad"]),
+        (10 * KNOT, [np.degrees(1.0)]),
+    ),
     "Autopilot": (lambda *g: list(vars(qt.Autopilot(*g)).values()), (1, "0.1 min", "2 s"), (1.0, 6.0, 2.0)),
     "Loading": (
         lambda *g: list(vars(qt.Loading(*g)).values()), ("100 cm", "5.1 m", 3.0, 25.0, "5 %", "1 t/m3"),

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from quartering.hydro.strip import hydrodynamics
     from quartering.loads.comparison import compare_forces
     from quartering.loads.forces import wave_forces
+    from quartering.loads.sea.sea import Sea
     from quartering.loads.waves import Wave, encounter_frequency
     from quartering.motion.equations import Model
     from quartering.motion.irregular import irregular
@@ -50,6 +51,7 @@ if TYPE_CHECKING:
     from quartering.study.extension import edges_of_largest
     from quartering.study.paper.model import paper_ship
     from quartering.study.polar import polar
+    from quartering.study.seas.response import sea_response
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
     from quartering.study.tornado import tornado
@@ -77,6 +79,7 @@ _HOMES = {
     "bem_forces": "hydro.bem",
     "bem_hydrodynamics": "hydro.bem",
     "compare_forces": "loads.comparison",
+    "Sea": "loads.sea.sea",
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
     "all_motions": "study.coexisting",
@@ -94,6 +97,7 @@ _HOMES = {
     "Verdict": "stability.verdict",
     "paper_ship": "study.paper.model",
     "polar": "study.polar",
+    "sea_response": "study.seas.response",
     "sensitivity": "study.sensitivity",
     "sweep": "study.sweep",
     "tornado": "study.tornado",
@@ -107,6 +111,7 @@ __all__ = [
     "Model",
     "Motion",
     "RangeWarning",
+    "Sea",
     "Section",
     "Ship",
     "Verdict",
@@ -133,6 +138,7 @@ __all__ = [
     "read_decay",
     "righting_arm",
     "roll_decay",
+    "sea_response",
     "section_coefficients",
     "sensitivity",
     "ship",

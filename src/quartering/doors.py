@@ -16,6 +16,7 @@ _ADVICE: Final = {
     "Ship": 'quartering.ship("wigley")',
     "Hull": 'quartering.ship("wigley").hull',
     "Wave": "quartering.Wave(100.0, 2.0)",
+    "Sea": "quartering.Sea(hs=6, tp=11)",
     "Model": "quartering.equations(ship, wave, speed, heading)",
     "Motion": "quartering.steady_motion(model)",
     "DecayRecord": 'quartering.read_decay("decay.csv")',

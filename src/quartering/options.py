@@ -456,7 +456,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
            high=1000, usual="20 m2", acts=False, example="20 m2"),
     Option("openings", "angle", "heel at which unprotected openings go under: a capsize", low=0, above=True, high=180,
            usual="40 deg", example="40 deg"),
-    Option("highest_position", "group", "where people are highest", acts=False,
+    Option("highest_position", "group", "where people are highest, whose acceleration in a sea counts",
            typed="Mapping[str, float | str] | str", example="{x: 40 m, height: 25 m}"),
     Option("highest_position_x", "length", "from midship, + forward", group="highest_position", key="x", low="-1 L", high="1 L",
            usual="0.3 L"),

@@ -107,7 +107,7 @@ class ShipOptions(TypedDict, total=False):
     openings: float | str | None
     """Heel at which unprotected openings go under: a capsize [deg, rad]."""
     highest_position: Mapping[str, float | str] | str | None
-    """Where people are highest; recorded."""
+    """Where people are highest, whose acceleration in a sea counts."""
     highest_position_x: float | str | None
     """From midship, + forward [m, L, B, T]."""
     highest_position_height: float | str | None

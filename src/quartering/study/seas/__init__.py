@@ -1,0 +1,1 @@
+"""Ships in a sea: response, largest motions, stability, one sea or many."""
