@@ -12,7 +12,7 @@ from quartering.view.interrupts import quiet_start
 with quiet_start():
     import typer
 
-    from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_ships, cli_studies
+    from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_seas, cli_ships, cli_studies
     from quartering.view.outcome import BAD_INPUT
     from quartering.view.ship_options import takes_ship_options
     from quartering.view.typed_options import Command
@@ -59,6 +59,7 @@ _COMMANDS = (
     cli_motions.simulate,
     cli_motions.branch,
     cli_motions.basin,
+    cli_seas.sea,
     cli_studies.polar,
     cli_studies.vary,
     cli_studies.sweep,
@@ -77,6 +78,7 @@ _OF_A_SHIP = (
     cli_motions.simulate,
     cli_motions.branch,
     cli_motions.basin,
+    cli_seas.sea,
     cli_studies.polar,
     cli_studies.vary,
 )
