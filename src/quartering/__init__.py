@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from quartering.study.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.paper.model import paper_ship
     from quartering.study.polar import polar
+    from quartering.study.responses import responses
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
     from quartering.study.tornado import tornado
@@ -95,6 +96,7 @@ _HOMES = {
     "Verdict": "stability.verdict",
     "paper_ship": "study.paper.model",
     "polar": "study.polar",
+    "responses": "study.responses",
     "sensitivity": "study.sensitivity",
     "sweep": "study.sweep",
     "tornado": "study.tornado",
@@ -133,6 +135,7 @@ __all__ = [
     "paper_ship",
     "polar",
     "read_decay",
+    "responses",
     "righting_arm",
     "roll_decay",
     "section_coefficients",

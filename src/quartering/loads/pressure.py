@@ -147,7 +147,7 @@ def direct_loads(
     >>> calm = Waves(*np.zeros((4, 1)))
     >>> loads, jacobian = direct_loads(box, np.zeros((1, 3)), calm)
     >>> round(float(loads[0, 2]), 6), round(float(jacobian[0, 2, 0]), 6), round(float(jacobian[0, 3, 1] / 1e4), 4)
-    (-10000.0, -2000.0, 0.1667)
+    (-10000.0, -2000.0, -3.1667)
     """
     states = np.ascontiguousarray(np.atleast_2d(state), dtype=float)
     packed = np.array([np.broadcast_to(part, len(states)) for part in waves]).T.copy()

@@ -19,13 +19,15 @@ from quartering.hull.told import condition, count, number, numbers
 from quartering.loads.floating import HEAVE, TRIM, Balance, FloatingHull, balanced, floating_hull
 from quartering.loads.pressure import Pressure, Waves, immersion
 from quartering.loads.waves import Wave, heading_components
+from quartering.motion.six_modes import vertical_motion
 from quartering.study.dataset import attributes
 
-BalanceBy = Literal["heave-trim", "heave", "fixed"]
+BalanceBy = Literal["heave-trim", "heave", "dynamic", "fixed"]
 
 BALANCES: Final[dict[str, str]] = {
     "heave-trim": "heave and trim carry the weight without a pitching moment",
     "heave": "heave carries the weight, the trim is that of calm water",
+    "dynamic": "heave and trim are those of the linear motion at speed at this moment",
     "fixed": "heave and trim are those of calm water",
 }
 """How the ship lies on the wave -> in words."""
@@ -35,7 +37,7 @@ PRESSURES: Final[dict[str, str]] = {
 }
 LADDER: Final = 5.0
 """Largest step of heel between two balances [deg]."""
-_SOLVED: Final = {"heave-trim": TRIM, "heave": HEAVE, "fixed": 0}
+_SOLVED: Final = {"heave-trim": TRIM, "heave": HEAVE, "dynamic": 0, "fixed": 0}
 _WITHIN, _ON_STRAIGHT_SIDES, _OVER_DECK = range(3)
 _WATER: Final = ("within_the_lines", "on_straight_sides", "over_the_deck")
 _MOST_POSITIONS: Final = 1000
@@ -59,9 +61,9 @@ def gm_in_waves(
     wave : Wave
     heading : float     mu: 0 following, 90 beam, 180 head [deg]
     positions : int     of the crest, over one wave length; at midship first, then on the way the wave runs
-    balance : str       "heave-trim", "heave" or "fixed": what the ship does on the wave
+    balance : str       "heave-trim", "heave", "dynamic" or "fixed": what the ship does on the wave
     pressure : str      "hydrostatic", or "smith" with the decay of the wave's pressure
-    speed : float       U, recorded; a ship balanced at rest on the wave does not depend on it [m/s]
+    speed : float       U; only the dynamic balance depends on it [m/s]
 
     Returns
     -------
@@ -80,7 +82,9 @@ def gm_in_waves(
     Notes
     -----
     GM = d GZ/d phi at phi = 0, heave and trim following; GZ = -K/W with the pressure over the instantaneous wetted hull. In a
-    wave of no height it is the GM of the loading. In oblique waves GZ is not 0 at heel 0.
+    wave of no height it is the GM of the loading. In oblique waves GZ is not 0 at heel 0. The dynamic balance takes heave and
+    pitch of `responses`. Against nonlinear motions its variation of GM was 2 to 19 % off in five cases, where the balance at
+    rest was 17 to 38 % off; in one where heave resonates 36 %, the balance 20 %.
     Source: pressure of the linear wave stretched to its surface.  Valid: frozen deep-water wave, hull watertight to the top of
     the offsets.
 
@@ -99,7 +103,10 @@ def gm_in_waves(
         raise InputError(f"positions = {positions}; at most {_MOST_POSITIONS}; try 10")
     floats, smith = floating_hull(ship), _pressure(pressure) == "smith"
     waves = frozen_waves(floats, wave, mu, share)
-    found = _balanced(floats, np.zeros(share.size), waves, _balance(balance), smith)
+    start = np.zeros((share.size, 2))
+    if _balance(balance) == "dynamic":
+        start = _moving(ship, wave, U, mu, waves.phase)
+    found = balanced(floats, np.zeros(share.size), waves, _SOLVED[balance], start, smith)
     water, over = _water(ship, floats, np.zeros(share.size), found, waves)
     _warn(ship, found, over, f"crest at position {share[int(np.argmax(over))]:.3g} of the wave")
     fields = {"gm": found.slope, "heave": found.heave, "trim": np.degrees(found.pitch)}
@@ -129,7 +136,7 @@ def righting_arm(
     wave : Wave           None: calm water, without trim
     heading : float       mu: 0 following, 90 beam, 180 head [deg]
     position : float      of the crest: 0 at midship, 0.5 the trough; the share of a wave length it has run from there
-    balance : str         "heave-trim", "heave" or "fixed"
+    balance : str         "heave-trim", "heave" or "fixed"; "dynamic" is for `gm_in_waves`
     pressure : str        "hydrostatic" or "smith"
 
     Returns
@@ -167,6 +174,8 @@ def righting_arm(
         raise InputError("heel = 90 deg; it is less than 90 deg to either side; try 40 deg")
     share, floats = number(ship, "position", position), floating_hull(ship)
     smith, by = _pressure(pressure) == "smith", _balance(balance)
+    if by == "dynamic":
+        raise InputError("balance 'dynamic' needs a speed, and is for gm_in_waves; try 'heave-trim'")
     arms = np.full(angles.size, np.nan)
     flat = angles.ravel()
     for side in (flat[flat >= 0], flat[flat < 0]):
@@ -176,7 +185,7 @@ def righting_arm(
         ladder = np.unique(np.concatenate([steps, side]))
         ladder = ladder[np.argsort(np.abs(ladder), kind="stable")]
         waves = frozen_waves(floats, wave, mu, np.full(ladder.size, share))
-        found = _balanced(floats, np.radians(ladder), waves, by, smith)
+        found = balanced(floats, np.radians(ladder), waves, _SOLVED[by], np.zeros((ladder.size, 2)), smith)
         _, over = _water(ship, floats, np.radians(ladder), found, waves)
         _warn(ship, found, over, f"heel of {ladder[int(np.argmax(over))]:.3g} deg")
         wanted = (flat >= 0) if side[0] >= 0 else (flat < 0)
@@ -212,8 +221,18 @@ def frozen_waves(floats: FloatingHull, wave: Wave, heading: float, share: Floats
     return Waves(wave.amplitude * ones, along * ones, wave.wavenumber * float(across) * ones, phase)
 
 
-def _balanced(floats: FloatingHull, roll: Floats, waves: Waves, by: str, smith: bool) -> Balance:
-    return balanced(floats, roll, waves, _SOLVED[by], np.zeros((roll.size, 2)), smith)
+def _moving(ship: Ship, wave: Wave, speed: float, heading: float, phase: Floats) -> Floats:
+    """Heave and pitch (n, 2) of the linear motion when the phase of the wave at G is this."""
+    kyy = float(ship.value("gyradius_pitch"))
+    k, U, mu = (np.array([value]) for value in (wave.wavenumber, speed, heading))
+    motion = vertical_motion(ship, k, U, mu, kyy)[0]
+    if not np.isfinite(motion).all():
+        raise InputError(
+            f"speed {speed:.4g} m/s, heading {heading:g} deg: the ship keeps pace with the wave, and has no periodic motion; "
+            'take another speed, or balance="heave-trim"'
+        )
+    turned = wave.amplitude * motion[None, 1:] * np.exp(1j * phase)[:, None]
+    return np.ascontiguousarray(turned.real)
 
 
 def _water(
