@@ -250,17 +250,20 @@ def direct_load(x, weight, count, y, z, z0, state, wave, smith, exact, scratch, 
             _combine(sums, both, eta, eta_x, k)
         _lever_terms(sums[0], sums[1], 1.0, 0.0, c)
         _lever_terms(sums[0], sums[3], e0, e1, c)
-        w = weight[s]
-        _add(w, xs, st, ct, exact, sums[0], load)
-        for by in range(3):
-            _add(w, xs, st, ct, exact, sums[1 + by], jacobian[:, by])
-        # the directions of the moments turn with the pitch
-        value = sums[0]
-        jacobian[3, 2] += w * st * value[_VB]
-        jacobian[4, 2] += w * (ct * value[_VQ] - xs * st * value[_V])
-        if exact:
-            jacobian[3, 2] -= w * ct * value[_HXB]
-            jacobian[4, 2] += w * (st * value[_HXQ] + xs * ct * value[_HX])
+        add_section(weight[s], xs, st, ct, exact, sums, load, jacobian)
+
+
+@inner
+def along_surface(points, y, z, depth, heel, k, scratch):  # type: ignore[no-untyped-def]
+    """Area of a section, its moments across and down, and the same weighted with e^{-kd}, in the first row of the sums.
+
+    After them the weighted second moment across.
+    The section lies with its reference point at a depth below a level surface, at a heel.
+    """
+    scratch[3:, :8] = 0.0
+    surface = (depth, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, k)
+    for sign in (1.0, -1.0):
+        _side(points, y, z, sign, math.sin(heel), math.cos(heel), surface, False, 0.0, 0.0, scratch)
 
 
 @inner
@@ -323,6 +326,7 @@ def _point_along(b, q, d, db, dq, k, c, e0, e1, sums):  # type: ignore[no-untype
         value[3] += inv * whole
         value[4] += inv * b * whole
         value[5] += inv * (q_surface * whole + (whole - d * decay) / (k * c))
+        value[6] += inv * b * b * whole  # asked for by tables
         inv, rolls, pitches = inv * decay, rolls * decay, pitches * decay
         by_heave[3] += inv
         by_heave[4] += inv * b
@@ -399,6 +403,21 @@ def _lever_terms(value, change, e0, e1, c):  # type: ignore[no-untyped-def]
     change[_VQ] -= (e0 * value[_V] + 2.0 * e1 * value[_VQ]) / c
     change[_HXQ] -= (e0 * value[_HX] + 2.0 * e1 * value[_HXQ]) / c
     change[_HYQ] -= (e0 * value[_HY] + 2.0 * e1 * value[_HYQ]) / c
+
+
+@inner
+def add_section(weight, x, st, ct, exact, sums, load, jacobian):  # type: ignore[no-untyped-def]
+    """Add what a section gives to the loads and to their Jacobian."""
+    _add(weight, x, st, ct, exact, sums[0], load)
+    for by in range(3):
+        _add(weight, x, st, ct, exact, sums[1 + by], jacobian[:, by])
+    # the directions of the moments turn with the pitch
+    value = sums[0]
+    jacobian[3, 2] += weight * st * value[_VB]
+    jacobian[4, 2] += weight * (ct * value[_VQ] - x * st * value[_V])
+    if exact:
+        jacobian[3, 2] -= weight * ct * value[_HXB]
+        jacobian[4, 2] += weight * (st * value[_HXQ] + x * ct * value[_HX])
 
 
 @inner

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import warnings
-from importlib.metadata import version
 from typing import Any, Final, Literal, get_args
 
 import numpy as np
@@ -20,7 +19,7 @@ from quartering.loads.floating import HEAVE, TRIM, Balance, FloatingHull, balanc
 from quartering.loads.pressure import Pressure, Waves, immersion
 from quartering.loads.waves import Wave, heading_components
 from quartering.motion.six_modes import vertical_motion
-from quartering.study.dataset import attributes
+from quartering.study.dataset import attributes, made_by
 
 BalanceBy = Literal["heave-trim", "heave", "dynamic", "fixed"]
 
@@ -299,7 +298,7 @@ def _heading(ship: Ship, wave: Wave, mu: float, U: float, balance: str, pressure
         "pressure": f"{pressure}: {PRESSURES[pressure]}",
         "sides": sides_words(ship),
         "reference_point": REFERENCE_POINT,
-        "source": f"quartering {version('quartering')}",
+        "source": made_by(),
     }
 
 

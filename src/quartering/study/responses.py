@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from importlib.metadata import version
 from typing import Any, Final
 
 import numpy as np
@@ -20,7 +19,7 @@ from quartering.loads.forces import form_words
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.motion.six_modes import lateral_motion, vertical_motion
-from quartering.study.dataset import attributes
+from quartering.study.dataset import attributes, made_by
 
 Place = Sequence[float | str]
 
@@ -201,5 +200,5 @@ def _heading(ship: Ship, kyy: float, given: bool, place: str) -> dict[str, Any]:
         "diffraction": f"sway, roll, yaw: {form_words(ship, 'stf')}; heave, pitch: from the heave potentials on the contours",
         "references": "STF70, Frank67, Lamb32, H71",
         "Conventions": "CF-1.8",
-        "source": f"quartering {version('quartering')}",
+        "source": made_by(),
     }
