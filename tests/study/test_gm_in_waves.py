@@ -173,3 +173,17 @@ def test_gm_varies_along_the_motion_as_the_march_in_time_says(name, gm, steepnes
     found, at_rest = (2 * abs(np.fft.rfft(one.gm.to_numpy())[1]) / 24 for one in (moving, still))
     assert at_rest == pytest.approx(quasi_static, rel=0.01)
     assert found == pytest.approx(first, rel=0.10)
+
+
+@pytest.mark.parametrize("pressure", ["hydrostatic", "smith"])
+def test_tables_of_sections_give_the_gm_of_the_pressure(pressure):
+    """GM to 3 mm, heave to 1 mm, in a wave of its own length and steepness 0.03; in no wave the GM of the loading."""
+    ship = qt.ship("series60-cb60")
+    wave = qt.Wave(length=ship.hull.length, height=0.03 * ship.hull.length)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", qt.RangeWarning)
+        direct, table = (qt.gm_in_waves(ship, wave, pressure=pressure, integration=by) for by in ("direct", "table"))
+    assert table.gm.to_numpy() == pytest.approx(direct.gm.to_numpy(), abs=3e-3)
+    assert table.heave.to_numpy() == pytest.approx(direct.heave.to_numpy(), abs=1e-3)
+    flat = qt.gm_in_waves(ship, qt.Wave(length=ship.hull.length, height=0.0), integration="table")
+    assert flat.gm.to_numpy() == pytest.approx(ship.loading.gm, abs=1e-9)

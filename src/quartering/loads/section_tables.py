@@ -43,8 +43,8 @@ class SectionTables(NamedTuple):
     first : (2,) float                first depth [m] and heel [rad]
     step : (2,) float                 their steps
     spline : (s, d, c, 3 or 7) float  coefficients of cubic B-splines: area, its moments across and down from the reference
-                                      point, and with a wave number the same weighted with e^{-kd}, and the weighted second moment
-                                      across [m2, m3, m4]
+                                      point; with a wave number the same weighted with e^{-kd}, and the weighted second
+                                      moment across [m2, m3, m4]
     """
 
     x: Floats

@@ -15,13 +15,15 @@ from quartering.hull import righting
 from quartering.hull.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition, count, number, numbers
-from quartering.loads.floating import HEAVE, TRIM, Balance, FloatingHull, balanced, floating_hull
+from quartering.loads.floating import HEAVE, TRIM, Balance, FloatingHull, balanced, floating_hull, floating_tables
 from quartering.loads.pressure import Pressure, Waves, immersion
 from quartering.loads.waves import Wave, heading_components
 from quartering.motion.six_modes import vertical_motion
 from quartering.study.dataset import attributes, made_by
 
 BalanceBy = Literal["heave-trim", "heave", "dynamic", "fixed"]
+
+Integration = Literal["direct", "table"]
 
 BALANCES: Final[dict[str, str]] = {
     "heave-trim": "heave and trim carry the weight without a pitching moment",
@@ -51,6 +53,7 @@ def gm_in_waves(
     balance: BalanceBy = "heave-trim",
     pressure: Pressure = "hydrostatic",
     speed: float | str = 0.0,
+    integration: Integration = "direct",
 ) -> xr.Dataset:
     """Metacentric height of a ship on a frozen wave, over the position of the crest.
 
@@ -63,6 +66,7 @@ def gm_in_waves(
     balance : str       "heave-trim", "heave", "dynamic" or "fixed": what the ship does on the wave
     pressure : str      "hydrostatic", or "smith" with the decay of the wave's pressure
     speed : float       U; only the dynamic balance depends on it [m/s]
+    integration : str   "direct": of the pressure; "table": of tables of the sections, faster once they are made
 
     Returns
     -------
@@ -105,7 +109,13 @@ def gm_in_waves(
     start = np.zeros((share.size, 2))
     if _balance(balance) == "dynamic":
         start = _moving(ship, wave, U, mu, waves.phase)
-    found = balanced(floats, np.zeros(share.size), waves, _SOLVED[balance], start, smith)
+    if integration not in get_args(Integration):
+        raise InputError(f"integration {integration!r} is unknown; allowed: {', '.join(get_args(Integration))}")
+    tables = None
+    if integration == "table":
+        tables, volume = floating_tables(ship, wave.wavenumber if smith else 0.0)
+        floats = floats._replace(volume=volume)
+    found = balanced(floats, np.zeros(share.size), waves, _SOLVED[balance], start, smith, tables)
     water, over = _water(ship, floats, np.zeros(share.size), found, waves)
     _warn(ship, found, over, f"crest at position {share[int(np.argmax(over))]:.3g} of the wave")
     fields = {"gm": found.slope, "heave": found.heave, "trim": np.degrees(found.pitch)}
