@@ -23,7 +23,6 @@ if TYPE_CHECKING:
     from quartering.conventions import DamageWarning, InputError, RangeWarning
     from quartering.hull.autopilot import Autopilot
     from quartering.hull.hydrostatics import hydrostatics
-    from quartering.hull.righting import righting_arm
     from quartering.hull.section import Section
     from quartering.hull.ship import Loading, Ship, ship
     from quartering.hydro.bem import bem_forces, bem_hydrodynamics
@@ -49,8 +48,10 @@ if TYPE_CHECKING:
     from quartering.study.cure import cures
     from quartering.study.edge import edge
     from quartering.study.extension import edges_of_largest
+    from quartering.study.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.paper.model import paper_ship
     from quartering.study.polar import polar
+    from quartering.study.responses import responses
     from quartering.study.seas.response import sea_response
     from quartering.study.sensitivity import sensitivity
     from quartering.study.sweep import sweep
@@ -63,7 +64,6 @@ _HOMES = {
     "DamageWarning": "conventions",
     "RangeWarning": "conventions",
     "hydrostatics": "hull.hydrostatics",
-    "righting_arm": "hull.righting",
     "Section": "hull.section",
     "Loading": "hull.ship",
     "Ship": "hull.ship",
@@ -87,6 +87,8 @@ _HOMES = {
     "cures": "study.cure",
     "edge": "study.edge",
     "edges_of_largest": "study.extension",
+    "gm_in_waves": "study.gm_in_waves",
+    "righting_arm": "study.gm_in_waves",
     "Model": "motion.equations",
     "equations": "motion.of_ship",
     "irregular": "motion.irregular",
@@ -97,6 +99,7 @@ _HOMES = {
     "Verdict": "stability.verdict",
     "paper_ship": "study.paper.model",
     "polar": "study.polar",
+    "responses": "study.responses",
     "sea_response": "study.seas.response",
     "sensitivity": "study.sensitivity",
     "sweep": "study.sweep",
@@ -129,6 +132,7 @@ __all__ = [
     "edges_of_largest",
     "encounter_frequency",
     "equations",
+    "gm_in_waves",
     "hydrodynamics",
     "hydrodynamics6",
     "hydrostatics",
@@ -136,6 +140,7 @@ __all__ = [
     "paper_ship",
     "polar",
     "read_decay",
+    "responses",
     "righting_arm",
     "roll_decay",
     "sea_response",

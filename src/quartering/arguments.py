@@ -12,7 +12,7 @@ from quartering.options import Option
 _ARGUMENTS = (
     Option("frequency", "frequency", "of motion", low=0, usual="0.6 rad/s", hint="fold a negative one to |omega|"),
     Option("excitation", "ratio", "share of the wave force", low=0, usual=1.0),
-    Option("heel", "angle", "in calm water", low=-90, high=90, usual="40 deg", hint="less than 90 to either side"),
+    Option("heel", "angle", "to starboard", low=-90, high=90, usual="40 deg", hint="less than 90 to either side"),
     Option("limit", "roll angle", "roll that counts as capsize", low=0, above=True, usual="90 deg"),
     Option("phase", "roll angle", "of a component of a sea", usual=0.0),
     Option("duration", "time", "of a motion", low=0, above=True, usual="300 s"),
@@ -29,6 +29,8 @@ _ARGUMENTS = (
     Option("density", "density", "of the water", low=0, above=True, usual="1025 kg/m3"),
     Option("time_factor", "ratio", "on the times of a record", low=0, above=True, usual=1.0,
            hint="of a model of 1:68 sqrt(68)"),
+    Option("position", "ratio", "of the crest, share of a wave length from midship, the way the wave runs", low=-1, high=1,
+           usual=0.0),
     Option("hs", "length", "significant wave height of a sea", low=0, above=True, high=30, usual="6 m"),
     Option("tp", "time", "period of the peak of a sea", low=1, high=40, usual="11 s"),
     Option("tz", "time", "mean zero-crossing period of a sea", low=0.7, high=35, usual="8.5 s"),

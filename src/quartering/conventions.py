@@ -100,6 +100,13 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "encounter_frequency": Symbol(
         "omega", "rad/s", "frequency of encounter; negative when the ship overtakes the wave"
     ),
+    "position": Symbol(
+        "x_c/lambda", "1", "how far the crest has run from midship, the way the wave runs, of its length"
+    ),
+    "gz": Symbol("GZ", "m", "righting arm; positive rights the ship"),
+    "heel": Symbol("phi", "deg", "angle of heel, + starboard side down"),
+    "heave": Symbol("zeta", "m", "heave of G, + down"),
+    "trim": Symbol("theta", "deg", "trim, + bow up"),
     "sway": Symbol("P1", "m", "amplitude of the integrated sway velocity, fundamental"),
     "roll": Symbol("P2", "deg", "amplitude of roll, fundamental"),
     "yaw": Symbol("P3", "deg", "amplitude of yaw, fundamental"),

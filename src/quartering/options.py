@@ -391,7 +391,7 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
     Option("roll_period", "time", "natural roll period; gives the radius of gyration in roll, in its place", place="loading",
            low=0.1, high=120, usual="12 s", axis=True, dial=(), example="12 s"),
     Option("gyradius_pitch", "length", "radius of gyration in pitch, without added mass", place="loading", low=0, above=True,
-           high="2 L", usual="0.25 L", default="0.25 L", acts=False, example="0.25 L"),
+           high="2 L", usual="0.25 L", default="0.25 L", example="0.25 L"),
     Option("gyradius_yaw", "length", place="loading", low=0, above=True, high="2 L", usual="0.25 L", default="0.25 L",
            axis=True, dial=(("m", "0.15 L", "0.35 L", 0.1), ("L", 0.15, 0.35, 0.005)), home="loading.gyradius_yaw",
            label="yaw gyradius"),

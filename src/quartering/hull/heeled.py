@@ -52,7 +52,7 @@ def cross_curve(hull: Hull, phi: tuple[float, ...]) -> tuple[Floats, Floats]:
     >>> round(float(kn[1]) / 0.1, 2), round(float(freeboard[0]), 6)
     (9.18, 5.0)
     """
-    y, height = _polygons(hull)
+    y, height = polygons(hull)
     upright = float(hull.weight @ _cut(y, hull.draught - height).area)
     cosine, sine = np.cos(phi)[:, None, None], np.sin(phi)[:, None, None]
     across, up = y * cosine + height * sine, height * cosine - y * sine  # axes level with the water
@@ -78,14 +78,33 @@ def _levels(hull: Hull, across: Floats, up: Floats, volume: float) -> Floats:
     return level
 
 
-def _polygons(hull: Hull) -> tuple[Floats, Floats]:
-    """Sections as polygons (stations, points): keel, up the starboard side, across the deck, down the port side."""
+@lru_cache(maxsize=64)
+def polygons(hull: Hull, pieces: int = PIECES) -> tuple[Floats, Floats]:
+    """Sections as polygons with both sides, closed at the deck.
+
+    Parameters
+    ----------
+    hull : Hull
+    pieces : int    straight pieces of half a section, at least
+
+    Returns
+    -------
+    y, height : (s, n) float    keel, up the starboard side, across the deck, down the port side; the last point of a side is
+                                repeated where a section has fewer [m]
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull
+    >>> y, height = polygons(box_hull(100.0, 20.0, 5.0, 10.0))
+    >>> float(y.min()), float(height.max())
+    (-10.0, 10.0)
+    """
     halves = []
     for i in range(len(hull.x)):
         curve, _ = immersed_curve(hull, i)
         ends = np.unique(curve.chord)
-        pieces = max(1, -(-PIECES // (len(ends) - 1)))
-        fraction = np.arange(pieces) / pieces
+        each = max(1, -(-pieces // (len(ends) - 1)))
+        fraction = np.arange(each) / each
         s = np.append((ends[:-1, None] + np.diff(ends)[:, None] * fraction).ravel(), ends[-1])
         halves.append(np.stack(along(curve, s)[:2]))
     longest = max(half.shape[1] for half in halves)

@@ -43,6 +43,7 @@ class Hull:
     design_draught : float           draught the lines were drawn for [m]
     outline : str                    how contour points are joined: "smooth" or "straight"
     section_method : str             how the water at a section is solved: "auto", "lewis" or "close-fit"
+    lines_end : float or None        height at which the lowest of the given lines end, where `with_depth` carried them up [m]
     ends : str                       "strips": every section as if it went on for ever, or "three-dimensional"
     datum : str                      where the heights of the file were counted from: "keel" or "waterline"
     """
@@ -63,6 +64,7 @@ class Hull:
     section_method: Sections = "auto"
     ends: Ends = "strips"
     datum: Datum = "keel"
+    lines_end: float | None = None
 
     def __repr__(self) -> str:
         sizes = f"L {self.length:.6g} B {self.beam:.4g} T {self.draught:.4g} m"
@@ -243,6 +245,7 @@ def scaled(hull: Hull, length: float, beam: float, height: float) -> Hull:
         contours=tuple((frozen(y * beam), frozen(h * height)) for y, h in hull.contours),
         x_aft=hull.x_aft * length,
         x_fore=hull.x_fore * length,
+        lines_end=None if hull.lines_end is None else hull.lines_end * height,
     )
 
 
@@ -282,7 +285,9 @@ def with_depth(hull: Hull, depth: float, called: str | None = None) -> Hull:
     raised = tuple(
         (frozen([*y, y[-1], y[-1]]), frozen([*h, h[-1], depth])) if h[-1] < depth else (y, h) for y, h in hull.contours
     )
-    return replace(hull, contours=raised)
+    tops = [float(h[-1]) for _, h in hull.contours if h[-1] < depth]
+    known = [hull.lines_end] if hull.lines_end is not None else []
+    return replace(hull, contours=raised, lines_end=min([*known, *tops], default=None))
 
 
 def frozen(values: ArrayLike) -> Floats:

@@ -49,7 +49,7 @@ class ShipOptions(TypedDict, total=False):
     roll_period: float | str | None
     """Natural roll period; gives the radius of gyration in roll, in its place [s, min]."""
     gyradius_pitch: float | str | None
-    """Radius of gyration in pitch, without added mass [m, L, B, T]; recorded."""
+    """Radius of gyration in pitch, without added mass [m, L, B, T]."""
     gyradius_yaw: float | str | None
     """Radius of gyration in yaw, without added mass [m, L, B, T]."""
     roll_damping: float | str | None

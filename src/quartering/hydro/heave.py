@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.cache import remembered
+from quartering.digest import fingerprint, source_digest
+from quartering.hull.immersed import strips
+from quartering.hull.offsets import Hull
+from quartering.hull.option_types import Sections
 from quartering.hull.section import Floats
-from quartering.hull.strips import Strips
+from quartering.hull.strips import Strips, wholly_under_water
 from quartering.hydro.closefit import close_fit, close_fit_limits
-from quartering.hydro.lewis import added_mass_at_infinite_frequency
+from quartering.hydro.lewis import added_mass_at_infinite_frequency, lewis_forms
 from quartering.hydro.multipole import CONTOUR_POINTS, radiation
-from quartering.hydro.table import REFINEMENT, SectionTable, own_outlines
+from quartering.hydro.table import REFINEMENT, SectionTable, default_frequencies, own_outlines
+from quartering.hydro.wavemaker import Complexes
 
 PANELS = REFINEMENT * (CONTOUR_POINTS + 1)
 """Panels on the half contour, as for sway and roll."""
@@ -64,3 +75,81 @@ def heave_sections(strips: Strips, table: SectionTable) -> Heave:
     solved = close_fit(outlines, table.frequency, "heave", density=table.density, panels=PANELS)
     *_, infinite = close_fit_limits(outlines, table.density, panels=PANELS)
     return Heave(solved.added_mass[:, which, 0, 0], solved.damping[:, which, 0, 0], infinite[which])
+
+
+@dataclass(frozen=True, eq=False)
+class HeaveTable:
+    """Heave of all sections of a hull over frequency, with the potentials on their contours.
+
+    On the contour, a33 + b33/(i w) = -2 density sum(psi nz).
+
+    Parameters
+    ----------
+    frequency : (f,) float     ascending [rad/s]
+    a, b : (f, s) float        a33 [kg/m], b33 [kg/(m s)]
+    y, z, ny, nz : (s, n)      starboard contour, and outward normal times arc length weight [m]
+    psi : (f, s, n) complex    potential per unit velocity [m]
+    """
+
+    frequency: Floats
+    a: Floats
+    b: Floats
+    y: Floats
+    z: Floats
+    ny: Floats
+    nz: Floats
+    psi: Complexes
+
+
+@lru_cache(maxsize=16)
+def heave_table(hull: Hull, density: float) -> HeaveTable:
+    """Heave coefficients and potentials of a hull's sections at the standard frequencies, kept on disk.
+
+    Parameters
+    ----------
+    hull : Hull        at its draught
+    density : float    of the water [kg/m3]
+
+    Returns
+    -------
+    HeaveTable
+
+    Notes
+    -----
+    Close-fit coefficients are those of twice as many panels as the contour has points.
+    Source: [Frank67], or [Tasai61] on [Lewis29] forms, by the hull's choice.  Valid: as `radiation_table`.
+
+    Examples
+    --------
+    >>> from quartering.hull.offsets import box_hull
+    >>> table = heave_table(box_hull(100.0, 20.0, 5.0, 10.0), 1025.0)
+    >>> bool(table.b.min() > -1e-6 * table.b.max())
+    True
+    """
+    s, w = strips(hull), default_frequencies(hull.beam, hull.draught)
+    content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), hull.section_method)
+    name = f"heave-{fingerprint([source_digest('hull', 'hydro'), *content])}"
+    arrays = remembered(name, lambda: _solved(s, w, density, hull.section_method))
+    return HeaveTable(**arrays)
+
+
+def _solved(s: Strips, w: Floats, density: float, method: Sections) -> dict[str, NDArray[Any]]:
+    """Arrays of a heave table by name; equal sections are solved once."""
+    if method == "lewis":
+        kept = fine = radiation(lewis_forms(s.half_breadth, s.draught, s.area), w, "heave", density=density)
+        which = np.arange(s.x.size)
+    else:
+        outlines, which = own_outlines(s)
+        kept = close_fit(outlines, w, "heave", density=density, panels=CONTOUR_POINTS + 1)
+        fine = close_fit(outlines, w, "heave", density=density, panels=PANELS)
+    point, normal = kept.point[which], kept.normal[which]
+    found = {
+        "a": fine.added_mass[:, which, 0, 0],
+        "b": fine.damping[:, which, 0, 0],
+        "psi": kept.potential[..., 0][:, which],
+    }
+    under = wholly_under_water(s)
+    for values in found.values():
+        values[:, under] = 0.0  # of a bulb: its own flow alone would be far too strong
+    place = {"y": point.real, "z": point.imag, "ny": normal.real, "nz": normal.imag}
+    return {"frequency": w, **found, **{key: np.ascontiguousarray(value) for key, value in place.items()}}

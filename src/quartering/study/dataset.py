@@ -134,6 +134,12 @@ def attributes(name: str) -> dict[str, object]:
     return known
 
 
+@lru_cache(maxsize=1)
+def made_by() -> str:
+    """Name and version of this library, for the attribute ``source``."""
+    return f"quartering {version('quartering')}"
+
+
 def plain_attributes(values: Mapping[str, object]) -> dict[str, object]:
     """Attributes in types JSON knows, floats unchanged.
 
@@ -209,5 +215,5 @@ def _heading(ship: Ship, form: Form, harmonics: int) -> Mapping[str, object]:
         "steady_motion": "modified Struble method" if harmonics == 1 else f"harmonic balance to order {harmonics}",
         "references": ", ".join(dict.fromkeys(("H71", "STF70", *c.references))),
         "Conventions": "CF-1.8",
-        "source": f"quartering {version('quartering')}",
+        "source": made_by(),
     }

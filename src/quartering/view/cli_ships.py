@@ -56,12 +56,45 @@ def new(
         new_file(ship, file, json)
 
 
-def hull(ship: Ship, output: Picture = None, json: Json = False, changes: Changes = None) -> None:
-    """Body plan, hydrostatics, righting arm, and course stability in calm water."""
+def hull(
+    ship: Ship,
+    wave_length: Annotated[
+        str | None,
+        typer.Option(help="Of a wave on which GM and GZ are wanted too [m]: 150 or 1.0L, or a period, 9.8s."),
+    ] = None,
+    wave_height: Annotated[str | None, typer.Option(help="Of that wave [m].")] = None,
+    heading: Annotated[str, typer.Option(help="To that wave [deg]; 0 is a following sea.")] = "0",
+    output: Picture = None,
+    json: Json = False,
+    changes: Changes = None,
+) -> None:
+    """Body plan, hydrostatics, righting arm in calm water and on a wave, and course stability in calm water."""
     with answering():
         from quartering.view.commands.hull import describe_hull
 
-        describe_hull(ship, changes or {}, output, json)
+        describe_hull(ship, (wave_length, wave_height, heading), changes or {}, output, json)
+
+
+def responses(
+    ship: Ship,
+    speed: Speed = "0.2Fn",
+    wave_lengths: Annotated[str, typer.Option(help="Wave lengths: 0.5L,1L,2L or from:to:count.")] = "0.4L:3L:27",
+    headings: Annotated[str, typer.Option(help="Headings [deg]: 0:180:13 or a list.")] = "0:180:7",
+    place: Annotated[
+        str | None,
+        typer.Option(
+            help="Of accelerations: x forward of midship, y to starboard, height over the baseline; G by default."
+        ),
+    ] = None,
+    output: Annotated[str | None, typer.Option("-o", "--output", help="Table to write: .csv or .nc (netCDF).")] = None,
+    json: Json = False,
+    changes: Changes = None,
+) -> None:
+    """Linear responses in all six modes per metre of wave amplitude, over wave length and heading."""
+    with answering():
+        from quartering.view.commands.responses import list_responses
+
+        list_responses(ship, (speed, wave_lengths, headings, place), changes or {}, output, json)
 
 
 def coefficients(

@@ -6,8 +6,10 @@ import dataclasses
 from collections.abc import Mapping
 
 import numpy as np
+import xarray as xr
+from rich.table import Table
 
-from quartering.conventions import SYMBOLS, in_unit, written
+from quartering.conventions import SYMBOLS, InputError, in_unit, written
 from quartering.hull.bulb import bulb
 from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
 from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
@@ -15,9 +17,12 @@ from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.freedamping import FreeDamping, free_damping, total_words
+from quartering.loads.waves import Wave
 from quartering.options import OPTIONS, parts
+from quartering.study.gm_in_waves import gm_in_waves
+from quartering.study.gm_in_waves import righting_arm as arm_on_wave
 from quartering.units import quantity
-from quartering.view.commands.conditions import typed_ship
+from quartering.view.commands.conditions import typed_ship, typed_value
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table
@@ -42,9 +47,14 @@ _FROUDE_NUMBERS = (0.0, 0.15, 0.25)
 _NEUTRAL = 1e-9
 
 
-def describe_hull(name: str, changes: Mapping[str, str], output: str | None, as_json: bool) -> None:
+OnWave = tuple[str | None, str | None, str]
+"""Length, height and heading of a wave as typed; no wave without length and height."""
+
+
+def describe_hull(name: str, on_wave: OnWave, changes: Mapping[str, str], output: str | None, as_json: bool) -> None:
     """Print hydrostatics, loading, righting arm and calm-water exponents; draw the hull where asked."""
     one = typed_ship(name, changes)
+    wave, heading = _wave(one, on_wave)
     path = claim(output, PICTURES) if output is not None else None
     floats, fit = hydrostatics(one), righting_polynomial(one)
     angles = np.linspace(0.0, 60.0, 61)
@@ -57,15 +67,64 @@ def describe_hull(name: str, changes: Mapping[str, str], output: str | None, as_
         from quartering.view.plots import style
         from quartering.view.plots.hull import hull_picture
 
-        write((path, lambda part: style.save(hull_picture(one, angles, arms, fit), part)))
+        picture = hull_picture(one, angles, arms, fit, waves=_arms_on(one, wave, heading, angles))
+        write((path, lambda part: style.save(picture, part)))
+    found = gm_in_waves(one, wave, heading) if wave is not None else None
     if as_json:
-        show_json(_facts(one, floats, fit, calm))
+        show_json(_facts(one, floats, fit, calm) | ({"on_wave": _facts_on(found)} if found is not None else {}))
         return
     _print(one, floats, fit, calm)
+    if found is not None:
+        show(_on_wave(found))
     if path is not None:
         show(f"Wrote {path}")
     again = option_words(changes)
     show(next_steps(f"quartering coefficients {name}{again}", f"quartering polar {name}{again}"))
+
+
+def _wave(one: Ship, on_wave: OnWave) -> tuple[Wave | None, float]:
+    """The wave typed, None where none was, and the heading to it."""
+    length, height, heading = on_wave
+    mu = typed_value("heading", heading, one.sizes)
+    if length is None and height is None:
+        return None, mu
+    if length is None or height is None:
+        missing = "--wave-length" if length is None else "--wave-height"
+        raise InputError(
+            f"{missing} is missing; a wave has a length and a height, such as --wave-length 1.0L --wave-height 4"
+        )
+    return Wave(
+        *(typed_value(key, text, one.sizes) for key, text in (("wave_length", length), ("wave_height", height)))
+    ), mu
+
+
+def _arms_on(one: Ship, wave: Wave | None, heading: float, angles: np.ndarray) -> dict[str, np.ndarray]:
+    """Righting arms with the crest and with the trough at midship."""
+    if wave is None:
+        return {}
+    places = {"crest at midship": 0.0, "trough at midship": 0.5}
+    return {words: arm_on_wave(one, angles, wave, heading, place) for words, place in places.items()}
+
+
+def _on_wave(found: xr.Dataset) -> Table:
+    """GM, heave and trim over the position of the crest."""
+    columns = (found["position"], found["gm"], found["heave"], found["trim"])
+    rows = [tuple(f"{float(value) + 0.0:.4g}" for value in row) for row in zip(*columns, strict=True)]
+    about = found.attrs
+    title = (
+        f"On a wave of {about['wave_length']:.4g} m, {about['wave_height']:.3g} m high, heading {about['heading']:g} deg, "
+        f"balanced in heave and trim; {about['sides']}"
+    )
+    return table(
+        title,
+        ("crest from midship, of the wave", "GM [m]", "heave, down [m]", "trim, bow up [deg]"),
+        rows,
+        (0, 1, 2, 3),
+    )
+
+
+def _facts_on(found: xr.Dataset) -> dict[str, object]:
+    return dict(found.attrs) | {str(name): found[name].to_numpy() for name in (*found.coords, *found.data_vars)}
 
 
 def _print(one: Ship, floats: Hydrostatics, fit: RightingFit, calm: Mapping[float, np.ndarray]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from matplotlib.figure import Figure
 
@@ -14,7 +15,14 @@ from quartering.view.plots.body_plan import draw_body_plan
 from quartering.view.plots.righting import draw_righting_arm
 
 
-def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit, width: float = 12.0) -> Figure:
+def hull_picture(
+    ship: Ship,
+    angles: Floats,
+    arms: Floats,
+    fit: RightingFit,
+    width: float = 12.0,
+    waves: Mapping[str, Floats] | None = None,
+) -> Figure:
     """Body plan and righting arm of a ship.
 
     Parameters
@@ -23,6 +31,7 @@ def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit, wid
     angles, arms : (n,) float    heel [deg] and GZ [m]
     fit : RightingFit
     width : float                of the figure [inches]
+    waves : mapping              further righting arms, on waves, by what they are called [m]
 
     Returns
     -------
@@ -31,7 +40,7 @@ def hull_picture(ship: Ship, angles: Floats, arms: Floats, fit: RightingFit, wid
     made = style.figure(width, 1.4 + width / 3)
     left, right = made.subplots(1, 2, width_ratios=(1.15, 1.0))
     draw_body_plan(left, ship)
-    draw_righting_arm(right, angles, arms, fit, ship.righting == "polynomial")
+    draw_righting_arm(right, angles, arms, fit, ship.righting == "polynomial", waves)
     hull = ship.hull
     style.title(made, f"{ship.name}: L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m")
     gm = ship.provenance.get("gm", "given").split(";")[0]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from matplotlib.axes import Axes
 
@@ -10,7 +12,14 @@ from quartering.hull.section import Floats
 from quartering.view.plots import style
 
 
-def draw_righting_arm(ax: Axes, angles: Floats, arms: Floats, fit: RightingFit, used: bool = True) -> None:
+def draw_righting_arm(
+    ax: Axes,
+    angles: Floats,
+    arms: Floats,
+    fit: RightingFit,
+    used: bool = True,
+    waves: Mapping[str, Floats] | None = None,
+) -> None:
     """Draw GZ over heel with its fit and its slope at 0.
 
     Parameters
@@ -20,8 +29,12 @@ def draw_righting_arm(ax: Axes, angles: Floats, arms: Floats, fit: RightingFit, 
     arms : (n,) float      GZ [m]
     fit : RightingFit
     used : bool            is the fit what the equations carry? Otherwise it is for comparison
+    waves : mapping        arms on waves by what they are called; the fit then gives way to them
     """
     ax.axhline(0.0, color=style.QUIET, linewidth=0.8)
+    if waves:
+        _draw_waves(ax, angles, arms, waves)
+        return
     ax.plot(angles, arms, color=style.INK, linewidth=1.8, label="GZ of the heeled sections")
     fitted = np.linspace(0.0, fit.max_angle, 60)
     order = 7 if fit.gz7 else 5 if fit.gz5 else 3
@@ -38,4 +51,18 @@ def draw_righting_arm(ax: Axes, angles: Floats, arms: Floats, fit: RightingFit, 
     ax.set_xlabel("heel angle φ [deg]")
     ax.set_ylabel("righting arm GZ [m]")
     ax.set_title("Righting arm in calm water")
+    ax.legend(frameon=True, framealpha=0.9, edgecolor="none", loc="best")
+
+
+def _draw_waves(ax: Axes, angles: Floats, arms: Floats, waves: Mapping[str, Floats]) -> None:
+    """Calm water beside the positions of a wave."""
+    ax.plot(angles, arms, color=style.INK, linewidth=1.8, label="calm water")
+    for (words, on_wave), colour, dashes in zip(waves.items(), style.CONTRAST, ("--", "-.", ":", "-"), strict=False):
+        ax.plot(angles, on_wave, color=colour, linestyle=dashes, linewidth=1.6, label=words)
+    every = np.concatenate([arms, *waves.values()])
+    top = float(np.nanmax(every))
+    ax.set(xlim=(0, angles[-1]), ylim=(min(0.0, float(np.nanmin(every))) - 0.03 * top, 1.08 * top))
+    ax.set_xlabel("heel angle φ [deg]")
+    ax.set_ylabel("righting arm GZ [m]")
+    ax.set_title("Righting arm in calm water and on the wave")
     ax.legend(frameon=True, framealpha=0.9, edgecolor="none", loc="best")
