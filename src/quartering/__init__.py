@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from quartering.conventions import DamageWarning, InputError, RangeWarning
     from quartering.hull.autopilot import Autopilot
     from quartering.hull.hydrostatics import hydrostatics
+    from quartering.hull.propulsion import Propulsion
     from quartering.hull.section import Section
     from quartering.hull.ship import Loading, Ship, ship
     from quartering.hydro.bem import bem_forces, bem_hydrodynamics
@@ -41,10 +42,13 @@ if TYPE_CHECKING:
     from quartering.motion.of_ship import equations
     from quartering.motion.simulate import simulate
     from quartering.motion.steady import Motion, steady_motion
+    from quartering.motion.surf_riding import surf_riding_thresholds
     from quartering.references import cite
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branch import branch
     from quartering.study.coexisting import all_motions
+    from quartering.study.criteria.judged import criteria
+    from quartering.study.criteria.limiting_kg import limiting_kg
     from quartering.study.cure import cures
     from quartering.study.edge import edge
     from quartering.study.extension import edges_of_largest
@@ -64,6 +68,7 @@ _HOMES = {
     "DamageWarning": "conventions",
     "RangeWarning": "conventions",
     "hydrostatics": "hull.hydrostatics",
+    "Propulsion": "hull.propulsion",
     "Section": "hull.section",
     "Loading": "hull.ship",
     "Ship": "hull.ship",
@@ -84,6 +89,8 @@ _HOMES = {
     "encounter_frequency": "loads.waves",
     "all_motions": "study.coexisting",
     "branch": "study.branch",
+    "criteria": "study.criteria.judged",
+    "limiting_kg": "study.criteria.limiting_kg",
     "cures": "study.cure",
     "edge": "study.edge",
     "edges_of_largest": "study.extension",
@@ -95,6 +102,7 @@ _HOMES = {
     "simulate": "motion.simulate",
     "Motion": "motion.steady",
     "steady_motion": "motion.steady",
+    "surf_riding_thresholds": "motion.surf_riding",
     "cite": "references",
     "Verdict": "stability.verdict",
     "paper_ship": "study.paper.model",
@@ -113,6 +121,7 @@ __all__ = [
     "Loading",
     "Model",
     "Motion",
+    "Propulsion",
     "RangeWarning",
     "Sea",
     "Section",
@@ -126,6 +135,7 @@ __all__ = [
     "cite",
     "coefficients",
     "compare_forces",
+    "criteria",
     "cures",
     "decay_record",
     "edge",
@@ -137,6 +147,7 @@ __all__ = [
     "hydrodynamics6",
     "hydrostatics",
     "irregular",
+    "limiting_kg",
     "paper_ship",
     "polar",
     "read_decay",
@@ -150,6 +161,7 @@ __all__ = [
     "simulate",
     "stability",
     "steady_motion",
+    "surf_riding_thresholds",
     "sweep",
     "tornado",
     "vary",

@@ -21,6 +21,7 @@ _ADVICE: Final = {
     "Motion": "quartering.steady_motion(model)",
     "DecayRecord": 'quartering.read_decay("decay.csv")',
     "Dataset": "quartering.bem_forces(ship, [100.0], [90.0])",
+    "Propulsion": "quartering.Propulsion(resistance, diameter=2.6, thrust=(0.36, -0.28, -0.12))",
     "Section": "quartering.Section(y=[0, 5, 5], z=[4, 4, 0])",
 }
 """Kind -> how one is made."""

@@ -103,7 +103,7 @@ class ShipOptions(TypedDict, total=False):
     bilge_keel_breadth: float | str | None
     """Breadth of one bilge keel of the pair [m, L, B, T]."""
     bilge_keel_area: float | str | None
-    """Total area of the bilge keels, where their length and breadth are not given [m2]; recorded."""
+    """Total area of the bilge keels, where their length and breadth are not given [m2]."""
     openings: float | str | None
     """Heel at which unprotected openings go under: a capsize [deg, rad]."""
     highest_position: Mapping[str, float | str] | str | None
@@ -113,7 +113,7 @@ class ShipOptions(TypedDict, total=False):
     highest_position_height: float | str | None
     """Over the keel [m, L, B, T]."""
     windage: Mapping[str, float | str] | str | None
-    """What the wind meets: side above the water; recorded."""
+    """What the wind meets: side above the water."""
     windage_area: float | str | None
     """Projected on the side [m2]."""
     windage_lever: float | str | None

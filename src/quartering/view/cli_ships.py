@@ -128,3 +128,27 @@ def forces(
         from quartering.view.commands.forces import compare_forms
 
         compare_forms(ship, speed, wave_lengths, form or [], changes or {}, output, json)
+
+
+def criteria(
+    ship: Ship,
+    speed: Annotated[
+        str | None, typer.Option(help="Service speed: 15kn, 0.25Fn; what needs it is not judged without.")
+    ] = None,
+    kgmax: Annotated[bool, typer.Option("--kgmax", help="Limiting heights of G of every level instead.")] = False,
+    draughts: Annotated[
+        str | None, typer.Option(help="Draughts of --kgmax: 5,6.5 [m], or from:to:count; by default the ship's own.")
+    ] = None,
+    json: Json = False,
+    changes: Changes = None,
+) -> None:
+    """The five failure modes of second-generation intact stability, levels 1 and 2."""
+    with answering():
+        from quartering.view.commands.criteria import judge_criteria, limit_heights
+
+        if kgmax:
+            limit_heights(ship, speed, draughts, changes or {}, json)
+        elif draughts is not None:
+            raise InputError("--draughts are those of --kgmax; one draught of the ship is --draught")
+        else:
+            judge_criteria(ship, speed, changes or {}, json)
