@@ -28,14 +28,14 @@ def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any, smallest: i
     kernel : compiled function    writes its results into some of the arrays
     count : int                   number of conditions
     *arrays                       passed on unchanged
-    smallest : int                conditions that are worth a block of their own
+    smallest : int                conditions that are worth a block of their own; blocks are multiples of it
 
     Notes
     -----
     Blocks are a fraction of each core's share, so that a core that meets harder conditions does not hold the others up.
     Inside work that `spread` has already put on a thread, the kernel runs there and then.
     """
-    block = max(smallest, -(-count // (8 * _WORKERS)))
+    block = smallest * max(1, -(-count // (8 * _WORKERS * smallest)))
     if getattr(_inside, "busy", False) or _WORKERS == 1 or count <= block:
         kernel(0, count, *arrays)
         return

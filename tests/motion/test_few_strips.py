@@ -31,7 +31,9 @@ def test_rule_of_stations_has_the_moments_of_all_of_them():
 
 
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
-@pytest.mark.parametrize("name", ["series60-cb60", "s175", "dtc"])
+@pytest.mark.parametrize(
+    "name", ["s175", *(pytest.param(one, marks=pytest.mark.soak) for one in ("series60-cb60", "dtc"))]
+)
 def test_roll_is_that_of_a_strip_at_every_station_and_of_many_samples(name, monkeypatch):
     """In steep waves of 0.5 to 30 lengths: 1e-4 of roll or slope in 99 of 100, 2e-4 in all; by samples of the cycle 2e-4.
 

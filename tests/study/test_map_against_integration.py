@@ -6,7 +6,6 @@ import pytest
 import quartering as qt
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
-from quartering.study.beside import other_stable_motions
 
 HEADINGS = np.arange(20.0, 161.0, 20.0)
 RATIOS = (0.75, 1.0, 1.5, 2.0, 3.0)
@@ -22,16 +21,6 @@ def settled(ship, length: float, height: float, speed: float, heading: float) ->
     return float(np.abs(trace["roll"].values[-120:]).max())
 
 
-def both_are_stable(ship, wave: qt.Wave, speed: float, heading: float, ends: float) -> bool:
-    """Does integration stay on the map's motion when it begins there, and is where it ended [deg] named beside it?"""
-    model = qt.equations(ship, wave, speed, float(heading))
-    motion = qt.steady_motion(model, 5)
-    trace = qt.simulate(model, PERIODS * 2 * np.pi / model.frequency, motion.state(0.0), tolerance=1e-8)
-    stays, told = float(np.abs(trace["roll"].values[-120:]).max()), float(np.degrees(motion.peak[1]))
-    beside = np.degrees(other_stable_motions(model, motion, 5))
-    return abs(stays - told) <= 0.01 * told + 0.05 and bool((np.abs(beside - ends) <= 0.01 * ends + 0.05).any())
-
-
 @pytest.mark.soak
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
 @pytest.mark.parametrize("steepness", [1 / 60, 1 / 25, 1 / 15])
@@ -39,8 +28,7 @@ def both_are_stable(ship, wave: qt.Wave, speed: float, heading: float, ends: flo
 def test_every_cell_with_a_stable_motion_is_where_integration_ends(name, steepness):
     """Roll within 1 % and 0.05 deg where the map says stable, but for cells whose slow mode dies out too slowly to wait for.
 
-    In one of 600 cells, Series 60 in waves of 1/15, 1.5 L, 60 deg, two stable motions stand side by side, 49 and 25.4 deg:
-    the map judges one, the ship from upright comes to the other. Either is then asked for by itself.
+    Among them Series 60 in 1/15, 1.5 L, 60 deg, where another stable motion, of 49 deg, stands beside the one from rest.
     """
     ship = qt.ship(name)
     speed = 0.2 * np.sqrt(9.81 * ship.hull.length)
@@ -56,7 +44,6 @@ def test_every_cell_with_a_stable_motion_is_where_integration_ends(name, steepne
                 continue
             ends = settled(ship, float(length), float(length) * steepness, speed, float(heading))
             told = float(cell["roll_peak"])
-            wave = qt.Wave(float(length), float(length) * steepness)
-            if not abs(ends - told) <= 0.01 * told + 0.05 and not both_are_stable(ship, wave, speed, heading, ends):
+            if not abs(ends - told) <= 0.01 * told + 0.05:
                 apart.append((float(heading), float(length) / ship.hull.length, told, ends))
     assert apart == []

@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from quartering.compiled import inner, kernel
 from quartering.conventions import InputError
 from quartering.motion.balance import balance, copy_motion, newton, room_for_one
+from quartering.motion.basis import Basis
+from quartering.motion.batch import rows
 from quartering.motion.equations import FEWEST, Floats, System, kernel_arguments
 from quartering.motion.follow import follow
-from quartering.motion.lockstep import in_step
-from quartering.motion.rates import fill
+from quartering.motion.lockstep import ALTERED, FOUND, FOUND_ALTERED, TO_FOLLOW, WAITING, in_step
+from quartering.motion.rates import WIDTH, fill
 from quartering.motion.status import Status
 from quartering.threads import in_threads
 
@@ -30,13 +32,14 @@ the memory. The number of conditions must not decide: the two ways differ in the
 
 
 @inner
-def _changed(before, after):
-    """Is roll more than twice or less than half of what it was?"""
-    old, new = 0.0, 0.0
+def _altered(before, after):
+    """Does roll differ by more than a tenth of the lesser, in size or phase?"""
+    old, new, apart = 0.0, 0.0, 0.0
     for b in range(before.shape[1]):
         old += before[1, b] ** 2
         new += after[1, b] ** 2
-    return new > 4.0 * old or old > 4.0 * new
+        apart += (after[1, b] - before[1, b]) ** 2
+    return apart > ALTERED * min(old, new)
 
 
 @kernel
@@ -68,7 +71,8 @@ def _solve(first, last, program, parts, tables, given_start, from_rest, u, waiti
             outcome, _ = newton(one, tables, u[i], work)
         elif outcome == 0:
             outcome, side_found = newton(one, tables, u[i], work)
-            elsewhere = outcome == 0 and from_rest and (side_found != side or _changed(linear_motion, u[i]))
+            unlike = side_found != side or waiting[i] == TO_FOLLOW or _altered(linear_motion, u[i])
+            elsewhere = outcome == 0 and from_rest and unlike
             if elsewhere:
                 copy_motion(u[i], kept)
             if (outcome != 0 or elsewhere) and follow(one, tables, linear_motion, u[i], work):
@@ -164,8 +168,8 @@ def harmonic_balance(
     system : System                   n conditions
     orders : tuple of int             harmonics kept (see `orders_for`)
     start : (n, 3, b), optional       start of Newton's method; by default the linear solution
-    from_rest : bool                  where Newton's method from the linear solution ends beyond a fold, or with roll
-                                      changed more than twofold, take the motion reached by raising the wave from nothing
+    from_rest : bool                  take the motion that raising the wave from nothing leads to: it is looked for wherever
+                                      Newton's method ends beyond a fold, or at roll a tenth off the linear solution's
 
     Returns
     -------
@@ -231,6 +235,44 @@ def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tup
     return _solved(system, orders, start, False, abreast=plain, careful=not plain)[:2]
 
 
+_SAME, _NEAR = 1e-3, 0.1
+_SHARES = (1 / 3, 2 / 3)
+
+
+def _reached_otherwise(system: System, table: Basis, u: Floats) -> NDArray[np.bool_]:
+    """Conditions (n,) whose motion is not the one that the wave raised in thirds leads to.
+
+    Where the linear motion is large, Newton's method may come from it to a motion that stands beside the one from rest, on the
+    same side of folds and even of the linear motion's own roll. To go up in thirds is cheap, abreast, the last third only where
+    the first two do not point at the motion; where that ends elsewhere, or loses the motion, the branch is to be followed.
+    """
+    v, before, lost = np.zeros_like(u), np.zeros_like(u), np.zeros(system.count, dtype=bool)
+    for k, share in enumerate(_SHARES):
+        start = 2 * v - before
+        lost |= ~_raised(system, table, share, start, from_linear=k == 0)
+        v, before = start, v
+    ahead = 2 * v - before
+    doubtful = np.flatnonzero(lost | _apart(ahead, u, _NEAR))
+    if doubtful.size:
+        last = ahead[doubtful]
+        solved = _raised(rows(system, doubtful), table, 1.0, last, from_linear=False)
+        lost[doubtful] |= ~solved | _apart(last, u[doubtful], _SAME)
+    return lost
+
+
+def _raised(system: System, table: Basis, share: float, start: Floats, *, from_linear: bool) -> NDArray[np.bool_]:
+    """Solve in a share of the wave, abreast and in place, and say where (n,) a motion was found."""
+    waiting, residual = np.full(system.count, WAITING, dtype=np.int8), np.zeros(system.count)
+    given = kernel_arguments(system.raised(np.array([share])), table)
+    in_threads(in_step, system.count, *given, not from_linear, False, start, waiting, residual, smallest=WIDTH)
+    return np.asarray(waiting == FOUND)
+
+
+def _apart(v: Floats, u: Floats, share: float) -> NDArray[np.bool_]:
+    """Where (n,) roll differs by more than a share of it."""
+    return np.asarray(~(np.abs(v - u).max(axis=2) <= share * np.abs(u).max(axis=2))[:, 1])
+
+
 def _solved(
     system: System,
     orders: tuple[int, ...],
@@ -247,9 +289,13 @@ def _solved(
     status, waiting = np.where(finite, _CONVERGED, _NOT_FINITE).astype(np.int8), finite.astype(np.int8)
     given = (*kernel_arguments(system, table), start is not None, from_rest, u, waiting)
     if abreast:
-        in_threads(in_step, system.count, *given, residual)
+        in_threads(in_step, system.count, *given, residual, smallest=WIDTH)
+        altered = np.flatnonzero(waiting == FOUND_ALTERED)
+        waiting[altered] = FOUND
+        if altered.size:
+            waiting[altered[_reached_otherwise(rows(system, altered), table, u[altered])]] = TO_FOLLOW
     if not careful:
-        status[waiting == 1] = _NO_MOTION
+        status[waiting == WAITING] = _NO_MOTION
     elif waiting.any():
         in_threads(_solve, system.count, *given, status, residual)
     with np.errstate(invalid="ignore"):

@@ -6,6 +6,8 @@ Conditions that need more care than full Newton steps are left for `harmonic`.
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from quartering.compiled import abreast, kernel
@@ -14,6 +16,14 @@ from quartering.motion.rates import WIDTH, enter_inputs, forces, gather, room_fo
 
 _ITERATIONS = 8
 _LEFT, _DONE = 1, 2
+FOUND: Final = 0
+WAITING: Final = 1
+TO_FOLLOW: Final = 2
+FOUND_ALTERED: Final = 3
+"""Where a condition stands: its motion found, wanted, wanted from following the wave as it rises, found but much unlike the
+linear motion that Newton's method set out from."""
+ALTERED: Final = 0.1**2
+"""Square of the share of roll by which it may differ from the linear motion's without doubt whether it is the one from rest."""
 _NO_AUTOPILOT = (0j, 0j, 0j)
 
 
@@ -299,26 +309,27 @@ def _newton(program, tables, lanes, u, stage, sign, work):
 
 
 @abreast
-def _turned(linear_motion, u, l):
-    """Is roll more than twice or less than half of what it was?"""
-    old, new = 0.0, 0.0
+def _altered(linear_motion, u, l):
+    """Does the roll differ by more than a tenth of the lesser, in size or phase?"""
+    old, new, apart = 0.0, 0.0, 0.0
     for b in range(u.shape[1]):
         old += linear_motion[1, b, l] ** 2
         new += u[1, b, l] ** 2
-    return new > 4.0 * old or old > 4.0 * new
+        apart += (u[1, b, l] - linear_motion[1, b, l]) ** 2
+    return apart > ALTERED * min(old, new)
 
 
 @kernel
 def in_step(first, last, program, parts, tables, given_start, from_rest, start, waiting, error):
-    """Motions of conditions first..last that full Newton steps find; ``waiting`` of those becomes 0.
+    """Motions of conditions first..last that full Newton steps find, with ``waiting`` set.
 
     Parameters
     ----------
     program, parts, tables    of a `System`, and of a `Basis` with the wave's harmonics
     given_start : bool        begin at ``start``, not at the linear motion
-    from_rest : bool          leave a condition whose motion is not clearly the one that grows from rest
+    from_rest : bool          leave a condition whose motion lies beyond a fold, mark one with roll not near the linear one's
     start : (n, 3, b)         in and, where found, out
-    waiting : (n,) int8       1 where a motion is wanted
+    waiting : (n,) int8       `WAITING` where a motion is wanted; out: `FOUND`, or `FOUND_ALTERED` where ``from_rest`` asks
     error : (n,)              out: largest imbalance relative to the excitation
 
     Notes
@@ -350,9 +361,10 @@ def in_step(first, last, program, parts, tables, given_start, from_rest, start, 
             i = begin + l
             if stage[l] != _DONE:
                 continue
-            if from_rest and not given_start and (sign[0, l] != side[l] or _turned(linear_motion, u, l)):
+            from_linear = from_rest and not given_start
+            if from_linear and sign[0, l] != side[l]:
                 continue
-            waiting[i] = 0
+            waiting[i] = FOUND_ALTERED if from_linear and _altered(linear_motion, u, l) else FOUND
             scale = 1e-300
             for k in range(3):
                 scale = max(scale, abs(parts.cos[i, k]), abs(parts.sin[i, k]), abs(parts.mean[i, k]))

@@ -137,6 +137,7 @@ def variation_along(
         np.array(rows),
         out,
         along,
+        smallest=WIDTH,
     )
     phasors = np.empty((system.count, len(harmonics), 3, 4), dtype=complex)
     phasors[:, 0] = out[:, 0]
