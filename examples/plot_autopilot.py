@@ -1,6 +1,6 @@
 """What an autopilot does for a ship that does not keep its course: the growth of a disturbance over the rate gain.
 
-Series 60, CB 0.80, at 11 m/s, 10 deg to waves of her length and 2 m height. With the rudder amidships she leaves her course,
+Series 60, CB 0.80, at 11 m/s, 10 deg to waves of its length and 2 m height. With the rudder amidships it leaves its course,
 without any wave too. A gain of 0.1 on the heading alone does not hold it: the rudder must answer the rate of turn as well,
 by an amount that Routh's criterion gives. A gain of 1 needs none. Rudder forces are estimated.
 
