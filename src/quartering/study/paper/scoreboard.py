@@ -156,7 +156,9 @@ Each claim of the 1971 paper, measured on a hull. This page is written by `quart
 docs/scoreboard.md`, never by hand, and a test computes every line anew. Series 60, CB 0.60, as loaded in the library, Fn 0.25,
 waves of the ship's length, unless the line says otherwise. The claims are in our words. The coefficients are
 [estimates](what_is_estimated.md) (no set measured on this hull is published), so "does not hold" means: not for these.
-S = -K2/(2 n2) is the stability index."""
+S = -K2/(2 n2) is the stability index. Equations are the paper's own (`qt.paper_ship`: velocities over ground, cubic
+drag, the fitted righting polynomial, strips without ends); what holds through the water, as the library takes it by default,
+stands beside them on a [page of its own](moving_water.md)."""
 
 _FOOT = """
 
