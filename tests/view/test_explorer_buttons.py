@@ -120,7 +120,7 @@ def test_bilge_keels_are_fitted_by_keyboard_and_taken_off_again(visit):
     assert (float(link(page)["bilge_keel_length"]), float(link(page)["bilge_keel_breadth"])) == pytest.approx(keels)
     fitted = ship.with_(roll_damping="ikeda", bilge_keels=keels)
     motion = qt.steady_motion(qt.equations(fitted, qt.Wave(150.0, 4.0), speed=7.5, heading=30.0), start="rest")
-    assert f"Roll amplitude {motion.amplitude[1] * 57.29577951308232:.3g}°" in page.inner_text(".says")
+    assert f"Largest roll {motion.peak[1] * 57.29577951308232:.3g}°" in page.inner_text(".says")
     assert "% of critical at 10° of roll" in page.inner_text(".dials")
     pressed(page, "the ship's own loading")
     page.wait_for_function("!location.search.includes('bilge_keel')")

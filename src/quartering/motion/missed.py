@@ -21,6 +21,7 @@ from quartering.motion.harmonic import MOST_HARMONICS
 from quartering.motion.lockstep import balance_abreast, derivative_abreast, gather_motions
 from quartering.motion.rates import WIDTH, fill, gather, room_for, row_of_lanes
 from quartering.motion.truncation import columns_of, widened
+from quartering.rowwise import rowwise
 from quartering.threads import in_threads
 
 FEWEST_OF_ESTIMATE: Final = 24
@@ -119,4 +120,4 @@ def missed_roll(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
     first = columns.index((min(h for h in orders if h), "cos"))
     roll = np.hypot(start[:, 1, first], start[:, 1, first + 1])
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.abs(out @ over).max(axis=1) / roll)
+        return np.asarray(np.abs(rowwise(out, over)).max(axis=1) / roll)

@@ -256,7 +256,7 @@ def _crossing(trials: Trials, name: str, margin: float, unstable: float, stable:
     One row of factors between the two, then the secant; at a jump of the exponent, where a motion appears or vanishes, a row
     between two of them again.
     """
-    target, slope = -margin - 2.0 * _INSIDE, math.nan
+    target, slope = -margin - _INSIDE, math.nan
     factor = stable
     for _ in range(_ROUNDS):
         factors = np.geomspace(unstable, stable, _SECTIONS + 1)
@@ -276,12 +276,12 @@ def _crossing(trials: Trials, name: str, margin: float, unstable: float, stable:
 
 def _by_the_ship(trials: Trials, name: str, margin: float, factor: float, slope: float, away: float) -> float | None:
     """A factor near an interpolated one at which the ship itself is stable with the margin: by the secant, or beyond it."""
-    target, good = -margin - 2.0 * _INSIDE, None
+    target, good = -margin - _INSIDE, None
     for _ in range(_SECANTS):
         growth = float(trials.settled(name, np.array([factor]))[0])
         if growth < -margin - 0.5 * _INSIDE:
             good = factor
-            if growth > -margin - 4.0 * _INSIDE:
+            if growth > -margin - 2.0 * _INSIDE:
                 return good
         if not math.isfinite(growth) or not slope or abs(step := (target - growth) / slope) > _FARTHEST:
             break

@@ -50,7 +50,7 @@ def edges_of_largest(result: xr.Dataset) -> list[Edge]:
     >>> from quartering.hull.ship import ship
     >>> from quartering.study.sweep import sweep
     >>> [edge.axis for edge in edges_of_largest(sweep(ship("wigley"), [4.0, 5.0], [80.0, 90.0, 100.0], 100.0, 1.0))]
-    ['speed']
+    ['speed', 'heading']
     """
     roll = result["roll_peak"]
     values = roll.values
