@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 SLOW = {"plot_how_good", "plot_roll_excitation"}
-QUICK = {"plot_polar_map", "plot_paper_in_moving_water"}
-"""Examples that every run draws; the others are of the long tier, and of `make docs`."""
+QUICK = {"plot_polar_map"}
+"""The example that every run draws; the others are of the long tier, and of `make docs`."""
 EXAMPLES = [
     pytest.param(script, id=script.stem, marks=() if script.stem in QUICK else pytest.mark.soak)
     for script in sorted((Path(__file__).parents[1] / "examples").glob("*.py"))

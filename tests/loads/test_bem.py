@@ -46,7 +46,7 @@ def test_without_capytaine_the_message_says_what_to_install(monkeypatch):
 
 
 @pytest.mark.usefixtures("capytaine")
-@pytest.mark.parametrize("name", ["wigley", "series60-cb60"])
+@pytest.mark.parametrize("name", ["wigley", pytest.param("series60-cb60", marks=pytest.mark.soak)])
 def test_pressure_of_the_undisturbed_wave_is_the_same_in_both(name):
     """Froude-Krylov forces need no theory: axes, time factor, G and mesh are right when size and phase agree."""
     ship = qt.ship(name)
@@ -78,7 +78,7 @@ def test_the_border_is_crossed_as_the_reader_of_capytaine_files_crosses_it(capyt
 
 
 @pytest.mark.usefixtures("capytaine")
-@pytest.mark.parametrize("name", ["wigley", "series60-cb60"])
+@pytest.mark.parametrize("name", ["wigley", pytest.param("series60-cb60", marks=pytest.mark.soak)])
 def test_beam_sea_sway_force_is_within_ten_per_cent_beyond_0_8_ship_lengths(name):
     ship = qt.ship(name)
     lengths = RATIOS * ship.hull.length
@@ -87,7 +87,9 @@ def test_beam_sea_sway_force_is_within_ten_per_cent_beyond_0_8_ship_lengths(name
 
 
 @pytest.mark.usefixtures("capytaine")
-@pytest.mark.parametrize(("name", "most"), [("wigley", 0.2), ("series60-cb60", 0.25)])
+@pytest.mark.parametrize(
+    ("name", "most"), [("wigley", 0.2), pytest.param("series60-cb60", 0.25, marks=pytest.mark.soak)]
+)
 def test_beam_sea_roll_moment_differs_by_the_ends_of_the_ship(name, most):
     """Strip theory lets no water round the ends: its moment about the waterline is a fifth too large at most here.
 

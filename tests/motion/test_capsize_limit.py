@@ -106,6 +106,7 @@ def test_a_hull_past_its_vanishing_angle_goes_over(name):
     assert trace.attrs["capsize_time"] < 2 * natural
 
 
+@pytest.mark.soak
 def test_histories_stop_at_the_limit_of_their_model():
     model = roll_alone({"K_phi": -1.0}, openings=20.0)
     pushed = (0.0, 0.0, np.radians(40.0), 0.0)

@@ -54,6 +54,7 @@ def test_the_upper_motion_newtons_method_loses_between_one_harmonic_and_more_is_
     np.testing.assert_allclose(stable, exact[[0, 2]], atol=2e-4 if harmonics == 3 else 1e-5)
 
 
+@pytest.mark.soak
 def test_all_motions_of_one_harmonic_are_the_roots_of_their_cubic():
     """Closed form: soft and hard, far out on the resonance too (10.5 rad in the first)."""
     draw = np.random.default_rng(12)
@@ -66,6 +67,7 @@ def test_all_motions_of_one_harmonic_are_the_roots_of_their_cubic():
         np.testing.assert_allclose(amplitudes(model_of(of), 1), exact_of_one_harmonic(c, k, w, force), rtol=1e-9)
 
 
+@pytest.mark.soak
 def test_no_motion_of_softening_oscillators_is_missed():
     """Shooting from 576 starts each: every motion it meets is found, and the number of motions is odd."""
     of = bistable(16, 7)

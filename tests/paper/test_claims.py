@@ -53,8 +53,17 @@ def assert_same_to_printed_digits(found: str, quoted: str) -> None:
         assert float(one) == pytest.approx(float(other), abs=1.001 * 10.0**-digits if digits else 1e-9)
 
 
+LONG = {"modified_model_is_unstable_in_quartering_seas"}
+
+
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
-@pytest.mark.parametrize("claim", CLAIMS, ids=[claim.measure.__name__ for claim in CLAIMS])
+@pytest.mark.parametrize(
+    "claim",
+    [
+        pytest.param(one, id=one.measure.__name__, marks=pytest.mark.soak if one.measure.__name__ in LONG else ())
+        for one in CLAIMS
+    ],
+)
 def test_claim_is_answered_as_recorded_and_as_the_page_says(claim):
     found = claim.measure()
     assert found.answer == ANSWERS[claim.measure.__name__]

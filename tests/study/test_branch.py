@@ -34,7 +34,7 @@ def test_both_folds_of_the_damped_duffing_curve():
     np.testing.assert_allclose(roll, np.sort(exact[:, 1]), atol=1e-6)
 
 
-@pytest.mark.parametrize("upper", [1.2, 1.5])
+@pytest.mark.parametrize("upper", [1.2, pytest.param(1.5, marks=pytest.mark.soak)])
 def test_a_branch_ends_on_its_limit(upper):
     """Closed form [H71] App. C with damping: P^2 ((1 - w^2 + 3/4 b P^2)^2 + (2 z w)^2) = X0^2; folds at 1.10 and 1.26."""
     terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}

@@ -17,6 +17,7 @@ def duffing_folds():
     return qt.edge(model, ("frequency", "excitation"), limits=((0.9, 1.6), (0.1, 1.5)), harmonics=1)
 
 
+@pytest.mark.soak
 def test_every_point_is_a_fold_of_the_one_harmonic_duffing_curve(duffing_folds):
     """Closed form [H71] App. C with damping: both the response curve and its fold condition hold."""
     w, force = duffing_folds["frequency"].values, FORCE * duffing_folds["excitation"].values

@@ -107,6 +107,7 @@ def cubic(frequency):
     return np.array([w2 * a**2, -2 * w2 * C * a, (1 - w2) ** 2 + w2 * C**2, -(F**2)])
 
 
+@pytest.mark.soak
 def test_isola_of_nonlinear_damping_is_found_whole_and_obeys_its_cubic():
     """Closed form: the amplitude equation above; the ends of the loop are where its discriminant is zero."""
     terms = IDLE | {"K_p": -C, "K_ppp": D}
@@ -130,6 +131,7 @@ def test_isola_of_nonlinear_damping_is_found_whole_and_obeys_its_cubic():
     np.testing.assert_allclose([frequency.min(), frequency.max()], ends, atol=1e-8)
 
 
+@pytest.mark.soak
 def test_a_branch_may_start_at_a_fold():
     """Bad luck in the limits: the first point is itself a fold, where the tangent has no part along the parameter."""
     terms = IDLE | {"K_phiphiphi": -0.2, "K_p": -0.04}

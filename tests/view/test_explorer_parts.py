@@ -161,7 +161,7 @@ def test_an_error_in_a_turn_reaches_its_own_waiter_only():
     "changes",
     [
         pytest.param({"steepness": None, "wave_height": 3.0, "gm": 0.8}, marks=pytest.mark.soak),
-        {"steepness": 0.02, "gm": 0.8},
+        pytest.param({"steepness": 0.02, "gm": 0.8}, marks=pytest.mark.soak),
         {"steepness": 1 / 30, "bilge_keel_length": 36.0, "bilge_keel_breadth": 0.4, "harmonics": 3},
     ],
 )

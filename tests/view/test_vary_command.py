@@ -75,6 +75,7 @@ def test_keels_are_fitted_where_a_size_is_a_value(run):
     assert stiffnesses["roll"][0] == pytest.approx(own, rel=1e-9)
 
 
+@pytest.mark.soak
 def test_tornado_lists_the_largest_effects_first(run, tmp_path):
     result = run("--tornado", "10%", "-o", "tornado.svg", "--json")
     facts = json.loads(result.stdout)

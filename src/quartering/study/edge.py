@@ -89,7 +89,7 @@ def edge(
 
     >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
     >>> model = Model(np.eye(3), terms, 1.0, (0, 0.1, 0), (0, 0, 0))
-    >>> ds = edge(model, ("frequency", "excitation"), limits=((0.9, 1.6), (0.1, 1.5)), harmonics=1)
+    >>> ds = edge(model, ("frequency", "excitation"), limits=((1.0, 1.1), (0.1, 0.3)), harmonics=1)
     >>> round(float(ds["frequency"].min()), 3), set(ds["kind"].values.tolist())
     (1.035, {'fold'})
     """
