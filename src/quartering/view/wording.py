@@ -223,13 +223,18 @@ def sentence(words: str) -> str:
     return f"{words[:1].upper()}{words[1:]}."
 
 
-def edge_words(ds: xr.Dataset, advice: str) -> list[str]:
+_MAP_OPTIONS = {"speed": "speed", "heading": "headings", "wave_length": "wave-lengths"}
+"""Axes of a map as the options of `quartering polar` name them."""
+
+
+def edge_words(ds: xr.Dataset, advice: str, otherwise: str = "") -> list[str]:
     """That the largest roll of a result stands on an edge of it, a sentence for all edges; nothing where it stands inside.
 
     Parameters
     ----------
     ds : Dataset    of `polar` or `sweep`
-    advice : str    how to go on past the edge, with the axis in the place of {}
+    advice : str    how to go on past an edge, with the axis in the place of {}
+    otherwise : str    said after that
     """
     edges = edges_of_largest(ds)
     if not edges:
@@ -241,10 +246,10 @@ def edge_words(ds: xr.Dataset, advice: str) -> list[str]:
         "wave_length": lambda value: f"wave length {value:.4g} m, {value / length:.3g} L",
     }
     where = " and ".join(words[edge.axis](edge.value) for edge in edges)
-    further = " and ".join(advice.format(edge.axis.replace("_", "-")) for edge in edges)
+    further = " and ".join(advice.format(_MAP_OPTIONS[edge.axis]) for edge in edges)
     return [
         f"The largest roll, {edges[0].roll:.3g} deg, stands on the edge of the map ({where}): the true largest may lie beyond;"
-        f" extend with {further}."
+        f" extend with {further}{otherwise}."
     ]
 
 

@@ -89,14 +89,19 @@ def level2(p: Particulars) -> Judgement:
     most = limit("parametric_rolling.c1_limit")
     known = not math.isnan(p.speed)
     value = total if known else math.nan
+    if not known:
+        reason = "needs the service speed"
+    else:
+        passed = value <= most
+        reason = (
+            f"C1 {value:.3g}; up to {most:g}" if passed else f"C1 {value:.3g} is above {most:g}; no second check yet"
+        )
     return Judgement(
         "parametric_rolling", 2,
         (
             Quantity("c1", value, "1", f"first check, up to {most:g}"),
             Quantity("c2", math.nan, "1", "second check, by the roll in head and following seas"),
         ),
-        (False if value <= most else None) if known else None,
-        "" if known and value <= most else
-        (f"C1 {value:.3g} is above {most:g}; the second check is not there yet" if known else "needs the service speed"),
+        False if value <= most else None, reason,
         notes=p.keel_note, cases=tuple(cases),
     )  # fmt: skip

@@ -94,7 +94,7 @@ def draw_map(
         show_json(_facts(ds, summary) | {"dataset": str(data), "picture": str(picture)})
         return
     _print(one, ds, summary)
-    show(*edge_words(ds, _FURTHER if extend else f"{_FURTHER} or --extend"))
+    show(*edge_words(ds, _FURTHER, "" if extend else ", or --extend"))
     show(*notes(ds))
     show(f"Wrote {data} and {picture}")
     worst = max((s for s in summary if np.isfinite(s.worst_roll)), key=lambda s: s.worst_roll)
