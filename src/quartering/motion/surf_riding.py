@@ -7,11 +7,14 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import inner, kernel
 from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
 from quartering.doors import takes
 from quartering.hull.propulsion import Propulsion, larger_root
+
+Floats = NDArray[np.float64]
 
 _STEPS = 4000
 """Steps of the march over one wave; its fourth-order error is below 1e-9 of the threshold."""
@@ -119,23 +122,11 @@ class _Surge:
     density: float
 
     def melnikov(self) -> float:
-        """Revolutions by Melnikov's method.
-
-        With T(u) - R(u) = [T - R](c) - sum A_i xi'^i and the lower separatrix xi' = -2 s cos(k xi/2), s^2 = f/(k M), whose
-        integrals of cos^n over it are 4, pi, 8/3, 3 pi/4, 32/15:
-            2 pi [T - R](c) + 8 A1 s - 4 pi A2 s^2 + (64/3) A3 s^3 - 12 pi A4 s^4 + (1024/15) A5 s^5 = 0.
-        Only [T - R](c) and A1 hold n: a quadratic in n.
-        """
-        tau0, tau1, tau2 = self.propulsion.thrust_terms(self.density)
-        c, s = self.celerity, math.sqrt(self.force / (self.wavenumber * self.inertia))
-        _, a1, a2, a3, a4, a5 = _shifted(self.propulsion.resistance, c)
-        a1, a2 = a1 - 2 * tau2 * c, a2 - tau2
-        rest = (
-            8 * a1 * s - 4 * math.pi * a2 * s**2 + 64 / 3 * a3 * s**3 - 12 * math.pi * a4 * s**4 + 1024 / 15 * a5 * s**5
+        """Revolutions by Melnikov's method."""
+        quadratic = melnikov_quadratic(
+            self.propulsion, self.inertia, self.wavenumber, self.celerity, self.force, self.density
         )
-        whole = 2 * math.pi
-        constant = whole * (tau2 * c**2 - self.propulsion.drag(c)) + rest
-        return larger_root(whole * tau0, tau1 * (whole * c - 8 * s), constant)
+        return larger_root(*(float(one) for one in quadratic))
 
     def exact(self) -> float:
         """Revolutions at which the way out of one saddle leads into the next, by bisection; NaN where none do.
@@ -166,10 +157,29 @@ class _Surge:
         return bool(_turns(shifted, self.force, self.inertia, self.wavenumber, _STEPS, _START))
 
 
-def _shifted(polynomial, point):
+def melnikov_quadratic(
+    propulsion: Propulsion, inertia: float, wavenumber: ArrayLike, celerity: ArrayLike, force: ArrayLike, density: float
+) -> tuple[Floats, Floats, Floats]:
+    """Melnikov's condition as a quadratic a n^2 + b n + c in the revolutions, for one wave or many.
+
+    With T(u) - R(u) = [T - R](c) - sum A_i xi'^i and the lower separatrix xi' = -2 s cos(k xi/2), s^2 = f/(k M), whose
+    integrals of cos^n over it are 4, pi, 8/3, 3 pi/4, 32/15:
+        2 pi [T - R](c) + 8 A1 s - 4 pi A2 s^2 + (64/3) A3 s^3 - 12 pi A4 s^4 + (1024/15) A5 s^5 = 0.
+    Only [T - R](c) and A1 hold n.
+    """
+    tau0, tau1, tau2 = propulsion.thrust_terms(density)
+    c, s = np.asarray(celerity), np.sqrt(np.asarray(force) / (np.asarray(wavenumber) * inertia))
+    drag, a1, a2, a3, a4, a5 = _shifted(propulsion.resistance, c)
+    a1, a2 = a1 - 2 * tau2 * c, a2 - tau2
+    rest = 8 * a1 * s - 4 * math.pi * a2 * s**2 + 64 / 3 * a3 * s**3 - 12 * math.pi * a4 * s**4 + 1024 / 15 * a5 * s**5
+    whole = 2 * math.pi
+    return np.asarray(whole * tau0), tau1 * (whole * c - 8 * s), whole * (tau2 * c**2 - drag) + rest
+
+
+def _shifted(polynomial: ArrayLike, point: ArrayLike) -> list[Floats]:
     """Coefficients of a polynomial of degree 5 in powers of the distance from a point: its Taylor series there."""
-    whole = np.polynomial.Polynomial(polynomial)
-    return [float(whole.deriv(i)(point)) / math.factorial(i) if i else float(whole(point)) for i in range(6)]
+    whole = np.polynomial.Polynomial(np.asarray(polynomial, dtype=float))
+    return [np.asarray((whole.deriv(i) if i else whole)(np.asarray(point))) / math.factorial(i) for i in range(6)]
 
 
 @inner

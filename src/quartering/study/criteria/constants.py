@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import yaml
-from numpy.typing import NDArray
 
 __all__ = ["Constant", "constant", "constants", "interpolated", "limit"]
 
@@ -66,8 +65,3 @@ def interpolated(table: str, value: float) -> float:
     """A table of the weather criterion at a value, linear between its entries and held beyond them."""
     x, y = (np.array(column, dtype=float) for column in list(_whole()[table].values())[:2])
     return float(np.interp(value, x, y))
-
-
-def table_column(table: str, column: str) -> NDArray[np.float64]:
-    """One column of a table."""
-    return np.array(_whole()[table][column], dtype=float)

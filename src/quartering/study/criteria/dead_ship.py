@@ -16,7 +16,7 @@ from quartering.hydro.freedamping import free_damping
 from quartering.study.criteria.constants import interpolated, limit
 from quartering.study.criteria.excessive_acceleration import slope_ratio
 from quartering.study.criteria.particulars import Particulars
-from quartering.study.criteria.record import Judgement, Quantity
+from quartering.study.criteria.record import Judgement, Quantity, not_judged
 from quartering.study.criteria.sea_states import bretschneider, scatter
 
 Floats = NDArray[np.float64]
@@ -31,7 +31,7 @@ def level1(p: Particulars) -> Judgement:
     """The weather criterion: area of the righting arm left after a gust against that of the roll to windward."""
     wind = _wind(p)
     if wind is None:
-        return _missing(1, ("area_ratio",))
+        return not_judged("dead_ship", 1, ("area_ratio",), _NEEDS)
     area, lever = wind
     arm = _arm(p)
     mass = p.ship.loading.density * p.volume
@@ -73,7 +73,7 @@ def level2(p: Particulars) -> Judgement:
     """C: chance of passing the equal-area angles in an hour of beam wind and waves, over all sea states."""
     wind = _wind(p)
     if wind is None:
-        return _missing(2, ("c",))
+        return not_judged("dead_ship", 2, ("c",), _NEEDS)
     table, response = scatter(), _Response(p, *wind)
     total = 0.0
     for hs, row in zip(table.hs, table.weight, strict=True):
@@ -201,7 +201,3 @@ def _slope_at(arm: _Arm, heel: float) -> float:
 def _wind(p: Particulars) -> tuple[float, float] | None:
     area, lever = p.ship.value("windage_area"), p.ship.value("windage_lever")
     return None if area is None or lever is None else (float(area), float(lever))
-
-
-def _missing(level: int, names: tuple[str, ...]) -> Judgement:
-    return Judgement("dead_ship", level, tuple(Quantity(name, math.nan, "", "") for name in names), None, _NEEDS)

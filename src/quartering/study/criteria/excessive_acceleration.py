@@ -11,12 +11,13 @@ from quartering.hydro.freedamping import free_damping
 from quartering.study.criteria.constants import interpolated, limit
 from quartering.study.criteria.parametric_rolling import standard
 from quartering.study.criteria.particulars import Particulars
-from quartering.study.criteria.record import Judgement, Quantity
+from quartering.study.criteria.record import Judgement, Quantity, not_judged
 from quartering.study.criteria.sea_states import bretschneider, scatter
 
 Floats = NDArray[np.float64]
 
 _FREQUENCIES = 400
+_NEEDS = "needs highest_position: {x: .., height: ..}"
 
 
 def slope_ratio(frequency: ArrayLike, beam: float, draught: float, og: float) -> Floats:
@@ -46,7 +47,7 @@ def level1(p: Particulars) -> Judgement:
     """Acceleration at the highest place of people in a resonant roll."""
     place = _place(p)
     if place is None:
-        return _missing(1, ("acceleration",))
+        return not_judged("excessive_acceleration", 1, ("acceleration",), _NEEDS)
     x, height = place
     applies, reason = _applies(p, height)
     lever, share = _lever(p, height), longitudinal(p, x)
@@ -80,7 +81,7 @@ def level2(p: Particulars) -> Judgement:
     """
     place = _place(p)
     if place is None:
-        return _missing(2, ("c",))
+        return not_judged("excessive_acceleration", 2, ("c",), _NEEDS)
     x, height = place
     applies, reason = _applies(p, height)
     low, high = max(0.5 / p.roll_period, 0.2), min(25 / p.roll_period, 2.0)
@@ -136,8 +137,3 @@ def _applies(p: Particulars, height: float) -> tuple[bool, str]:
     if p.gm <= gm * p.beam:
         return False, f"GM {p.gm:.3g} m is not above {gm:g} B = {gm * p.beam:.3g} m"
     return True, ""
-
-
-def _missing(level: int, names: tuple[str, ...]) -> Judgement:
-    empty = tuple(Quantity(name, math.nan, "", "") for name in names)
-    return Judgement("excessive_acceleration", level, empty, None, "needs highest_position: {x: .., height: ..}")

@@ -11,7 +11,7 @@ from quartering.study.criteria.constants import limit
 from quartering.study.criteria.in_waves import HEELS, arms, gm_least
 from quartering.study.criteria.parametric_rolling import by_waterplanes
 from quartering.study.criteria.particulars import Particulars
-from quartering.study.criteria.record import Judgement, Quantity
+from quartering.study.criteria.record import Judgement, Quantity, not_judged
 from quartering.study.criteria.sea_states import effective_deviation, scatter
 
 Floats = NDArray[np.float64]
@@ -93,8 +93,7 @@ def level2(p: Particulars) -> Judgement:
     applies, reason = _applies(p)
     most = limit("pure_loss.limit")
     if math.isnan(p.speed):
-        nothing = (Quantity("cr1", math.nan, "1", ""), Quantity("cr2", math.nan, "1", ""))
-        return Judgement("pure_loss", 2, nothing, None, "needs the service speed")
+        return not_judged("pure_loss", 2, ("cr1", "cr2"), "needs the service speed")
     table = scatter()
     by_height = angles(p)
     heights = np.minimum(

@@ -86,6 +86,11 @@ class Judgement:
         return "vulnerable" if self.vulnerable else "not vulnerable"
 
 
+def not_judged(mode: Mode, level: int, names: tuple[str, ...], reason: str) -> Judgement:
+    """A level that lacks something: its numbers are NaN, and the reason says what it needs."""
+    return Judgement(mode, level, tuple(Quantity(name, math.nan, "1", "") for name in names), None, reason)
+
+
 class Row(NamedTuple):
     """One line of the table of a judgement."""
 

@@ -11,12 +11,15 @@ import numpy as np
 import yaml
 from numpy.typing import ArrayLike, NDArray
 
+from quartering.loads.sea.shape import integral, mean_period_ratio, shape
 from quartering.study.criteria.constants import limit
 
 Floats = NDArray[np.float64]
 
 _FILE = Path(__file__).with_name("scatter.yaml")
 _FREQUENCIES = 4000
+_TAIL = 5.0
+"""Power of the tail of Bretschneider's spectrum."""
 
 
 class Scatter(NamedTuple):
@@ -68,7 +71,8 @@ def bretschneider(frequency: ArrayLike, hs: ArrayLike, tz: ArrayLike) -> Floats:
     S = (4 pi^3 Hs^2/Tz^4) w^-5 exp(-16 pi^3 w^-4/Tz^4); its m0 is Hs^2/16.
     """
     w, height, period = (np.asarray(one, dtype=float) for one in (frequency, hs, tz))
-    return 4 * math.pi**3 * height**2 / period**4 * w**-5 * np.exp(-16 * math.pi**3 / (w * period) ** 4)
+    peak = 2 * math.pi * mean_period_ratio(_TAIL) / period
+    return height**2 / 16 / (peak * integral(_TAIL)) * shape(w / peak, _TAIL)
 
 
 def effective_deviation(length: float, hs: ArrayLike, tz: ArrayLike) -> Floats:

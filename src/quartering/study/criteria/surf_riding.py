@@ -9,9 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.hull.immersed import strips
 from quartering.hull.propulsion import Propulsion
+from quartering.motion.surf_riding import melnikov_quadratic
 from quartering.study.criteria.constants import limit
 from quartering.study.criteria.particulars import Particulars
-from quartering.study.criteria.record import Judgement, Quantity
+from quartering.study.criteria.record import Judgement, Quantity, not_judged
 from quartering.study.criteria.sea_states import joint_density, scatter
 
 Floats = NDArray[np.float64]
@@ -37,7 +38,7 @@ def level2(p: Particulars, propulsion: Propulsion | None) -> Judgement:
     """C: share of waves, over all sea states, whose second threshold of surf-riding lies below the service speed."""
     missing = "needs propulsion: resistance and thrust" if propulsion is None else "needs the service speed"
     if propulsion is None or math.isnan(p.speed):
-        return Judgement("surf_riding", 2, (Quantity("c", math.nan, "1", ""),), None, missing)
+        return not_judged("surf_riding", 2, ("c",), missing)
     caught = caught_by(p, propulsion)
     table, cell = scatter(), _RATIO_STEP * _STEEPNESS_STEP
     total = 0.0
@@ -63,14 +64,9 @@ def caught_by(p: Particulars, propulsion: Propulsion) -> NDArray[np.bool_]:
     inertia = (1 + limit("surf_riding.added_mass")) * mass
     k = 2 * math.pi / (_RATIOS * p.length)
     force = surge_force(p, k)[:, None] * (_STEEPNESSES * _RATIOS[:, None] * p.length / 2)
-    c, s = np.sqrt(gravity / k)[:, None], np.sqrt(force / (k[:, None] * inertia))
-    tau0, tau1, tau2 = propulsion.thrust_terms(density)
-    whole = np.polynomial.Polynomial(propulsion.resistance)
-    _, a1, a2, a3, a4, a5 = (whole.deriv(i)(c) / math.factorial(i) if i else whole(c) for i in range(6))
-    a1, a2 = a1 - 2 * tau2 * c, a2 - tau2
-    rest = 8 * a1 * s - 4 * math.pi * a2 * s**2 + 64 / 3 * a3 * s**3 - 12 * math.pi * a4 * s**4 + 1024 / 15 * a5 * s**5
-    linear, constant = tau1 * (2 * math.pi * c - 8 * s), 2 * math.pi * (tau2 * c**2 - whole(c)) + rest
-    root = (-linear + np.sqrt(np.maximum(linear**2 - 8 * math.pi * tau0 * constant, 0.0))) / (4 * math.pi * tau0)
+    celerity = np.sqrt(gravity / k)[:, None]
+    a, b, c = melnikov_quadratic(propulsion, inertia, k[:, None], celerity, force, density)
+    root = (-b + np.sqrt(np.maximum(b**2 - 4 * a * c, 0.0))) / (2 * a)
     return np.asarray(propulsion.revolutions(p.speed, density) > root)
 
 
