@@ -1,5 +1,7 @@
 """What follows from the hull alone is found once for it, however often a verdict asks."""
 
+import sys
+
 import pytest
 
 import quartering as qt
@@ -18,8 +20,12 @@ OF_THE_HULL = {
 
 @pytest.fixture
 def emptied():
-    for one in (*OF_THE_HULL.values(), heeled.cross_curve):
-        one.cache_clear()
+    """Nothing remembered anywhere: a memory of what follows from these would hide that they are asked for."""
+    for name, module in list(sys.modules.items()):
+        if name.startswith("quartering"):
+            for one in vars(module).values():
+                if hasattr(one, "cache_clear"):
+                    one.cache_clear()
 
 
 @pytest.mark.usefixtures("emptied")
