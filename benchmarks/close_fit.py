@@ -11,12 +11,12 @@ import time
 import numpy as np
 
 from quartering.conventions import GRAVITY
-from quartering.hull.immersed import strips
-from quartering.hull.ship import ship
-from quartering.hydro.closefit import close_fit
-from quartering.hydro.lewis import lewis_forms
-from quartering.hydro.multipole import Radiation, radiation
-from quartering.hydro.outline import strip_outline
+from quartering.hull.file.read import ship
+from quartering.hull.lines.immersed import strips
+from quartering.hydro.section.closefit.coefficients import close_fit
+from quartering.hydro.section.lewis import lewis_forms
+from quartering.hydro.section.multipole import Radiation, radiation
+from quartering.hydro.section.outline import strip_outline
 
 FREQUENCIES = 40
 HEADINGS = np.arange(0.0, 181.0, 30.0)

@@ -25,11 +25,11 @@ import numpy as np
 import others
 
 import quartering as qt
-from quartering.motion.basis import basis
-from quartering.motion.batch import joined, rows
-from quartering.motion.harmonic import harmonic_balance, solve_with_care
+from quartering.motion.equations.basis import basis
+from quartering.motion.equations.batch import joined, rows
 from quartering.motion.of_ship import ship_system
 from quartering.motion.status import Status
+from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
 from quartering.stability.assessment import assess
 from quartering.stability.first_order import roll_mode
 from quartering.stability.floquet import fastest_rate, floquet

@@ -20,12 +20,13 @@ import numpy as np
 from scipy.special import exp1
 
 from quartering.conventions import GRAVITY
-from quartering.hull.immersed import strips
-from quartering.hull.offsets import scaled
-from quartering.hull.ship import Ship, ship
-from quartering.hydro.outline import Outline, strip_outline
-from quartering.hydro.scattering import section_diffraction
-from quartering.hydro.sixmodes import hydrodynamics6
+from quartering.hull.file.read import ship
+from quartering.hull.lines.hull import scaled
+from quartering.hull.lines.immersed import strips
+from quartering.hull.ship import Ship
+from quartering.hydro.added_mass import hydrodynamics6
+from quartering.hydro.section.diffraction import section_diffraction
+from quartering.hydro.section.outline import Outline, strip_outline
 
 FREQUENCIES, HEADINGS, FEW_HEADINGS = 40, 37, 7
 REPEATS = 7

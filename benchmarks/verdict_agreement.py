@@ -12,10 +12,10 @@ import numpy as np
 
 import quartering as qt
 from quartering.conventions import CUBIC_MONOMIALS
-from quartering.hull.readers import available_ships
-from quartering.motion.equations import System
+from quartering.hull.file.read import available_ships
+from quartering.motion.equations.system import System
 from quartering.motion.of_ship import ship_system
-from quartering.motion.steady import peaks, steady_motions
+from quartering.motion.steady.motion import peaks, steady_motions
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
 

@@ -1,6 +1,6 @@
 """Comfort against stability: what less roll costs.
 
-The paper's fourth conclusion: changes of the loading that make a ship roll less may make her motion less stable. Each line is
+The paper's fourth conclusion: changes of the loading that make a ship roll less may make its motion less stable. Each line is
 one heading; along it GM (left) or the roll gyradius (right) grows from the open mark to the filled one. A line that climbs to
 the right is the conflict: the calmer ship is the one whose disturbances die out more slowly.
 

@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import quartering as qt
-from quartering.motion.ensemble import safe_shares
+from quartering.motion.transient.basin import safe_shares
 from quartering.view.plots.branch import MARKS, curves_on, multipliers_on
 
 DAMPING, FREQUENCY = 0.1, 0.8

@@ -13,7 +13,7 @@ the *peak* away from resonance, the *fundamental* on the backbone curve, there t
 
 # %%
 # Numbers at a few frequencies; a minus sign means opposite in phase to the force.
-from quartering.study.duffing import duffing_table
+from quartering.study.paper.duffing import duffing_table
 from quartering.study.paper.sets import DUFFING
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown

@@ -18,11 +18,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import quartering as qt
-from quartering.hull.offsets import scaled
+from quartering.hull.lines.hull import scaled
+from quartering.hull.lines.stations import hull_from_offsets
 from quartering.hull.ship import Loading, Ship
-from quartering.hull.stations import hull_from_offsets
-from quartering.hydro.bem import bem_forces
-from quartering.hydro.sixmodes import hydrodynamics6
+from quartering.hydro.added_mass import hydrodynamics6
+from quartering.hydro.source.capytaine_run import bem_forces
 from quartering.loads.comparison import compare_forces
 from quartering.view.plots.forces import LOOKS
 

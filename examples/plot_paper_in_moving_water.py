@@ -16,7 +16,7 @@ import numpy as np
 
 import quartering as qt
 from quartering.motion.of_ship import ship_system
-from quartering.motion.steady import steady_motions
+from quartering.motion.steady.motion import steady_motions
 from quartering.stability.assessment import assess
 from quartering.stability.short_index import short_index
 

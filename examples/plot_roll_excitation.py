@@ -2,8 +2,8 @@
 
 Series 60 CB 0.60 and a Wigley hull in beam seas at zero speed, strips against Capytaine. The water escapes round the ends
 of a real ship, where a section thinks it is infinitely long. The deep, narrow end sections carry most of the sway-roll added
-mass, so the moment on a ship held fast suffers most. A ship that is free to sway meets the same added mass in her own
-motion, and what rolls her comes out within 3 %. With ends: three-dimensional the moment on the ship held fast does too,
+mass, so the moment on a ship held fast suffers most. A ship that is free to sway meets the same added mass in its own
+motion, and its roll excitation comes out within 3 %. With ends: three-dimensional the moment on the ship held fast does too,
 within 5 %. Prints the numbers quoted in docs/how_good_is_it.md.
 
 Needs Capytaine: pip install 'quartering[bem]'
@@ -18,8 +18,8 @@ import numpy as np
 import xarray as xr
 
 import quartering as qt
-from quartering.hull.mesh import hull_panels
-from quartering.hydro.moments import section_table
+from quartering.hull.lines.mesh import hull_panels
+from quartering.hydro.strip.moments import section_table
 from quartering.loads.stations import stations
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#6b6b6b"
@@ -122,7 +122,7 @@ def measures(ship: qt.Ship, ratios: np.ndarray, panels: xr.Dataset) -> dict[str,
 
 
 def draw_along(axes: plt.Axes, ship: qt.Ship) -> None:
-    """Sway-roll added mass per metre along the ship in waves of her length."""
+    """Sway-roll added mass per metre along the ship in waves of its length."""
     length, frequency = ship.hull.length, np.sqrt(2 * np.pi * 9.81 / ship.hull.length)
     found = coupling_along(ship, frequency)
     ends = coupling_of_sections(ship.with_(ends="three-dimensional"), frequency, found["x"])

@@ -10,10 +10,10 @@ import pytest
 
 from quartering import cache
 from quartering.cache import cache_folder, remembered
-from quartering.hull.immersed import strips
-from quartering.hull.ship import ship
-from quartering.hydro import table
-from quartering.hydro.table import default_frequencies, radiation_table
+from quartering.hull.file.read import ship
+from quartering.hull.lines.immersed import strips
+from quartering.hydro.strip import table
+from quartering.hydro.strip.table import default_frequencies, radiation_table
 
 DTC = ship("dtc").hull
 W = default_frequencies(DTC.beam, DTC.draught, 12)

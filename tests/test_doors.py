@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hull.yaml_text import read_yaml
+from quartering.hull.file.yaml_text import read_yaml
 
 SHIP, WAVE = qt.ship("wigley"), qt.Wave(80.0, 2.0)
 MODEL = qt.equations(SHIP, WAVE, 5.0, 60.0)

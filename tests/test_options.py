@@ -14,9 +14,9 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.hull.told import number
-from quartering.hydro.freeroll import free_roll
+from quartering.hydro.damping.natural_roll import free_roll
 from quartering.options import OPTIONS, Refused, checked, line_of, loading_axes, ship_options
-from quartering.study.case import case_grid
+from quartering.study.case.read import case_grid
 from quartering.view.cli import app
 from quartering.view.explorer.calls import VerdictCall
 from quartering.view.explorer.fleet import Fleet
@@ -342,9 +342,9 @@ OPTIONS["ice_class"] = Option("ice_class", "length", "thickness of ice it may me
                               usual="1 m", default="0.5 m", axis=True)
 import json
 import quartering as qt
-from quartering.hull.schema import ship_schema
-from quartering.hull.starting_file import write_ship
-from quartering.study.case import case_grid, case_schema
+from quartering.hull.file.schema import ship_schema
+from quartering.hull.file.new import write_ship
+from quartering.study.case.read import case_grid, case_schema
 from quartering.view.explorer.calls import VerdictCall
 from quartering.view.explorer.dials import scales_of
 from quartering.view.explorer.fleet import Fleet

@@ -102,12 +102,12 @@ def _table(place: str) -> str:
 
 def made() -> dict[Path, str]:
     """Each file and its text."""
-    from quartering.hull.schema import ship_schema
-    from quartering.study.case import case_schema
+    from quartering.hull.file.schema import ship_schema
+    from quartering.study.case.read import case_schema
 
     return {
-        SOURCE / "hull" / "ship.schema.json": ship_schema(),
-        SOURCE / "study" / "case.schema.json": case_schema(),
+        SOURCE / "hull" / "file" / "ship.schema.json": ship_schema(),
+        SOURCE / "study" / "case" / "case.schema.json": case_schema(),
         ROOT / "docs" / "options.md": page(),
     }
 

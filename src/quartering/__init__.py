@@ -22,45 +22,45 @@ from quartering.hull import roll_period as _roll_period
 if TYPE_CHECKING:
     from quartering.conventions import DamageWarning, InputError, RangeWarning
     from quartering.hull.autopilot import Autopilot
+    from quartering.hull.file.read import ship
     from quartering.hull.hydrostatics import hydrostatics
+    from quartering.hull.lines.section import Section
     from quartering.hull.propulsion import Propulsion
-    from quartering.hull.section import Section
-    from quartering.hull.ship import Loading, Ship, ship
-    from quartering.hydro.bem import bem_forces, bem_hydrodynamics
+    from quartering.hull.ship import Loading, Ship
+    from quartering.hydro.added_mass import hydrodynamics, hydrodynamics6
     from quartering.hydro.coefficients import coefficients
-    from quartering.hydro.decayrecord import decay_record, read_decay
-    from quartering.hydro.sections import section_coefficients
-    from quartering.hydro.shipdecay import roll_decay
-    from quartering.hydro.sixmodes import hydrodynamics6
-    from quartering.hydro.strip import hydrodynamics
+    from quartering.hydro.decay.of_ship import roll_decay
+    from quartering.hydro.decay.record import decay_record, read_decay
+    from quartering.hydro.section.dataset import section_coefficients
+    from quartering.hydro.source.capytaine_run import bem_forces, bem_hydrodynamics
     from quartering.loads.comparison import compare_forces
     from quartering.loads.forces import wave_forces
     from quartering.loads.sea.sea import Sea
     from quartering.loads.waves import Wave, encounter_frequency
-    from quartering.motion.equations import Model
-    from quartering.motion.irregular import irregular
+    from quartering.motion.equations.system import Model
     from quartering.motion.of_ship import equations
-    from quartering.motion.simulate import simulate
-    from quartering.motion.steady import Motion, steady_motion
+    from quartering.motion.steady.motion import Motion, steady_motion
     from quartering.motion.surf_riding import surf_riding_thresholds
+    from quartering.motion.transient.irregular import irregular
+    from quartering.motion.transient.simulate import simulate
     from quartering.references import cite
     from quartering.stability.verdict import Verdict, stability
-    from quartering.study.branch import branch
-    from quartering.study.coexisting import all_motions
+    from quartering.study.branches.branch import branch
+    from quartering.study.branches.coexisting import all_motions
+    from quartering.study.branches.edge import edge
     from quartering.study.criteria.judged import criteria
     from quartering.study.criteria.limiting_kg import limiting_kg
-    from quartering.study.cure import cures
-    from quartering.study.edge import edge
-    from quartering.study.extension import edges_of_largest
+    from quartering.study.effects.cure import cures
+    from quartering.study.effects.sensitivity import sensitivity
+    from quartering.study.effects.tornado import tornado
+    from quartering.study.effects.vary import vary
     from quartering.study.gm_in_waves import gm_in_waves, righting_arm
+    from quartering.study.maps.extension import edges_of_largest
+    from quartering.study.maps.polar import polar
+    from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
-    from quartering.study.polar import polar
     from quartering.study.responses import responses
     from quartering.study.seas.response import sea_response
-    from quartering.study.sensitivity import sensitivity
-    from quartering.study.sweep import sweep
-    from quartering.study.tornado import tornado
-    from quartering.study.vary import vary
 
 _HOMES = {
     "Autopilot": "hull.autopilot",
@@ -69,50 +69,50 @@ _HOMES = {
     "RangeWarning": "conventions",
     "hydrostatics": "hull.hydrostatics",
     "Propulsion": "hull.propulsion",
-    "Section": "hull.section",
+    "Section": "hull.lines.section",
     "Loading": "hull.ship",
     "Ship": "hull.ship",
-    "ship": "hull.ship",
+    "ship": "hull.file.read",
     "coefficients": "hydro.coefficients",
-    "decay_record": "hydro.decayrecord",
-    "read_decay": "hydro.decayrecord",
-    "roll_decay": "hydro.shipdecay",
-    "section_coefficients": "hydro.sections",
-    "hydrodynamics": "hydro.strip",
-    "hydrodynamics6": "hydro.sixmodes",
+    "decay_record": "hydro.decay.record",
+    "read_decay": "hydro.decay.record",
+    "roll_decay": "hydro.decay.of_ship",
+    "section_coefficients": "hydro.section.dataset",
+    "hydrodynamics": "hydro.added_mass",
+    "hydrodynamics6": "hydro.added_mass",
     "wave_forces": "loads.forces",
-    "bem_forces": "hydro.bem",
-    "bem_hydrodynamics": "hydro.bem",
+    "bem_forces": "hydro.source.capytaine_run",
+    "bem_hydrodynamics": "hydro.source.capytaine_run",
     "compare_forces": "loads.comparison",
     "Sea": "loads.sea.sea",
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
-    "all_motions": "study.coexisting",
-    "branch": "study.branch",
+    "all_motions": "study.branches.coexisting",
+    "branch": "study.branches.branch",
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
-    "cures": "study.cure",
-    "edge": "study.edge",
-    "edges_of_largest": "study.extension",
+    "cures": "study.effects.cure",
+    "edge": "study.branches.edge",
+    "edges_of_largest": "study.maps.extension",
     "gm_in_waves": "study.gm_in_waves",
     "righting_arm": "study.gm_in_waves",
-    "Model": "motion.equations",
+    "Model": "motion.equations.system",
     "equations": "motion.of_ship",
-    "irregular": "motion.irregular",
-    "simulate": "motion.simulate",
-    "Motion": "motion.steady",
-    "steady_motion": "motion.steady",
+    "irregular": "motion.transient.irregular",
+    "simulate": "motion.transient.simulate",
+    "Motion": "motion.steady.motion",
+    "steady_motion": "motion.steady.motion",
     "surf_riding_thresholds": "motion.surf_riding",
     "cite": "references",
     "Verdict": "stability.verdict",
     "paper_ship": "study.paper.model",
-    "polar": "study.polar",
+    "polar": "study.maps.polar",
     "responses": "study.responses",
     "sea_response": "study.seas.response",
-    "sensitivity": "study.sensitivity",
-    "sweep": "study.sweep",
-    "tornado": "study.tornado",
-    "vary": "study.vary",
+    "sensitivity": "study.effects.sensitivity",
+    "sweep": "study.maps.sweep",
+    "tornado": "study.effects.tornado",
+    "vary": "study.effects.vary",
 }
 __all__ = [
     "Autopilot",
@@ -172,7 +172,7 @@ __all__ = [
 @_roll_period.find_by
 def _gyradius_of_period(ship: Ship, period: float, where: str) -> float:
     """Radius of gyration in roll of a natural roll period, which `hull` is told and `hydro` works out."""
-    from quartering.hydro.freeroll import gyradius_of_period
+    from quartering.hydro.damping.natural_roll import gyradius_of_period
 
     return gyradius_of_period(ship, period, where)
 

@@ -1,4 +1,4 @@
-"""Arrays kept on disk from one process to the next, by a digest of all they follow from.
+"""Disk cache of arrays, keyed by a hash of their inputs and of the source files.
 
 A file counts only when it is whole and was written for its name: anything else is made anew. That the folder cannot be
 written, or that another process works in it, is no error; the arrays are then computed.
@@ -57,7 +57,7 @@ def cache_folder() -> Path | None:
 
 
 def remembered(name: str, make: Callable[[], Arrays]) -> Arrays:
-    """Arrays of a name, from disk when they are there, else made and put there.
+    """Load arrays by key from the disk cache; compute and store them if absent.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Axes, signs, units and names: the one page every room agrees on.
+"""Axes, signs, units and names used by every package.
 
 Body axes: x to the bow, y to starboard, z down, origin at the centre of gravity G. Positive roll puts the starboard
 side down, positive yaw turns the bow to starboard. Modes in the paper's order: 1 sway, 2 roll, 3 yaw. The state is
@@ -156,10 +156,6 @@ def written(name: str) -> str:
     -------
     str
 
-    Notes
-    -----
-    Source: none needed; loading values go by their symbols, as in the field, conditions by their words.
-
     Examples
     --------
     >>> [written(name) for name in ("gm", "gyradius_roll", "roll_damping", "wave_height", "K_p")]
@@ -183,10 +179,6 @@ def in_unit(unit: str) -> str:
     -------
     str
 
-    Notes
-    -----
-    Source: none needed.
-
     Examples
     --------
     >>> in_unit("m"), in_unit("1")
@@ -206,10 +198,6 @@ def headed(name: str, unit: str) -> str:
     Returns
     -------
     str
-
-    Notes
-    -----
-    Source: none needed.
 
     Examples
     --------

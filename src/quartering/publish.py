@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def publish(path: Path, data: bytes) -> None:
-    """Write a file under another name beside its own, see it on the disk, and then give it its name.
+    """Write a file atomically: temporary file, fsync, rename.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Compiled kernels over many conditions, spread over this machine's cores.
+"""Run compiled kernels over many conditions on all cores.
 
 A kernel takes ``(first, last, *arrays)``, works on that range of conditions and releases the interpreter lock, so plain
 threads share the work: nothing is copied, nothing is compiled twice, and two callers never disturb each other.

@@ -118,10 +118,6 @@ def split_quantity(value: float | str, what: str = "value") -> tuple[float, str]
     ------
     InputError    no number, or one that is not finite
 
-    Notes
-    -----
-    Source: the format of the ship file.
-
     Examples
     --------
     >>> split_quantity("0.38 B")

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError, RangeWarning
+from quartering.hull.file.read import ship
+from quartering.hull.formats.meshes import box_triangles
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.mesh_files import box_triangles
-from quartering.hull.ship import ship
-from quartering.hydro.manoeuvring import clarke_derivatives
+from quartering.hydro.manoeuvring.lift import clarke_derivatives
 
 pytestmark = pytest.mark.quick
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.hull.bulb import bulb
+from quartering.hull.file.read import ship
+from quartering.hull.formats.meshes import box_triangles
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.mesh_files import box_triangles
-from quartering.hull.ship import ship
-from quartering.hydro.ship_source import source_of
+from quartering.hull.lines.bulb import bulb
+from quartering.hydro.source.of_ship import source_of
 from tests.hull.test_datum import X, gdf, read, refused, stl
 
 pytestmark = pytest.mark.quick

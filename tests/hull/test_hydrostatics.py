@@ -10,10 +10,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
+from quartering.hull.file.read import available_ships, ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.offsets import at_draught, box_hull, scaled, wigley_hull
-from quartering.hull.readers import available_ships
-from quartering.hull.ship import ship
+from quartering.hull.lines.hull import at_draught, box_hull, scaled, wigley_hull
 
 SHIPS = [entry.name for entry in available_ships()]
 

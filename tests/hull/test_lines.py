@@ -11,13 +11,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import InputError
-from quartering.hull.contour import along, chord_at_height, contour_curve
-from quartering.hull.immersed import immersed_curve, strips
-from quartering.hull.offsets import Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
-from quartering.hull.quadrature import station_weights
-from quartering.hull.readers import available_ships
-from quartering.hull.ship import ship
-from quartering.hull.stations import hull_from_offsets
+from quartering.hull.file.read import available_ships, ship
+from quartering.hull.lines.contour import along, chord_at_height, contour_curve
+from quartering.hull.lines.hull import Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
+from quartering.hull.lines.immersed import immersed_curve, strips
+from quartering.hull.lines.quadrature import station_weights
+from quartering.hull.lines.stations import hull_from_offsets
 
 pytestmark = pytest.mark.quick
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.mesh import hull_panels
-from quartering.hull.ship import ship
+from quartering.hull.lines.mesh import hull_panels
 
 HULLS = ["wigley", "box", "series60-cb60", "series60-cb80", "s175", "dtc", "dtmb5415"]
 

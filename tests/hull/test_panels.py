@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from quartering.hull import panels
-from quartering.hull.contour import chord_at_height, contour_curve
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
-from quartering.hull.panels import panel_ends, panel_nodes
-from quartering.hull.ship import ship
+from quartering.hull.lines import panels
+from quartering.hull.lines.contour import chord_at_height, contour_curve
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.panels import panel_ends, panel_nodes
 
 # y = 5 sin(a)^0.5, z = 4 (1 - cos a), a from 0 to 90 deg: int sin^1.5 da = sqrt(pi)/2 gamma(5/4)/gamma(7/4)
 HALF_AREA = 20.0 * 0.8740191847640399

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.hull.contour import along, chord_at_height
-from quartering.hull.from_file import hull_from_lines, read_lines
+from quartering.hull.file.read import ship
+from quartering.hull.formats.meshes import box_triangles
+from quartering.hull.formats.read import hull_from_lines, read_lines
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.mesh_files import box_triangles
-from quartering.hull.ship import ship
+from quartering.hull.lines.contour import along, chord_at_height
 
 pytestmark = pytest.mark.quick
 

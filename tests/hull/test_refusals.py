@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 import pytest
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
-from quartering.hull.refusals import allowed, own_words
+from quartering.hull.file.refusals import allowed, own_words
 
 pytestmark = pytest.mark.quick
 

@@ -10,13 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
-from quartering.hull.contour import along
-from quartering.hull.heeled import cross_curve, deck_angle
+from quartering.hull.file.read import available_ships, ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.offsets import Hull, box_hull
-from quartering.hull.readers import available_ships
-from quartering.hull.righting import righting_arm, righting_polynomial
-from quartering.hull.ship import Loading, Ship, ship
+from quartering.hull.lines.contour import along
+from quartering.hull.lines.hull import Hull, box_hull
+from quartering.hull.righting.arm import righting_arm, righting_polynomial
+from quartering.hull.righting.heeled import cross_curve, deck_angle
+from quartering.hull.ship import Loading, Ship
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.contributions import righting_moment
 

@@ -12,10 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from quartering.conventions import InputError
+from quartering.hull.file.new import write_ship
+from quartering.hull.file.read import LIBRARY, available_ships, ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.readers import LIBRARY, available_ships
-from quartering.hull.ship import ship
-from quartering.hull.starting_file import write_ship
 from quartering.units import quantity, split_quantity
 
 pytestmark = pytest.mark.quick
@@ -343,7 +342,7 @@ def test_what_is_not_a_value_is_refused(text: Any) -> None:
 
 def test_a_copied_ship_file_keeps_saying_what_is_assumed(tmp_path: Path) -> None:
     """A value repeated from the built-in ship keeps its status; one that is changed becomes the file's own."""
-    from quartering.hull.starting_file import write_ship
+    from quartering.hull.file.new import write_ship
 
     file = write_ship("series60-cb60", tmp_path / "my.yaml")
     assert ship(file).provenance["gyradius_roll"].startswith("assumed")

@@ -6,8 +6,8 @@ import pytest
 import yaml
 
 from quartering.conventions import InputError
-from quartering.hull import yaml_text
-from quartering.hull.yaml_text import key_lines, parsed
+from quartering.hull.file import yaml_text
+from quartering.hull.file.yaml_text import key_lines, parsed
 
 pytestmark = pytest.mark.quick
 

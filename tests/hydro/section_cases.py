@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from quartering.hull.strips import Strips
+from quartering.hull.lines.strips import Strips
 
 DATA = Path(__file__).parents[1] / "data"
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from quartering.hydro.lewis import lewis_contour, lewis_forms
-from quartering.hydro.table import own_outlines, radiation_table
+from quartering.hydro.section.lewis import lewis_contour, lewis_forms
+from quartering.hydro.strip.table import own_outlines, radiation_table
 
 LEWIS_LIKE = 0.01
 """Largest distance of a Lewis-like contour from its form, over the root of its area."""

@@ -10,22 +10,22 @@ from hypothesis import strategies as st
 from scipy.special import exp1
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
-from quartering.hull.immersed import strips
-from quartering.hull.section import Section
-from quartering.hull.ship import ship
-from quartering.hydro.closefit import close_fit, close_fit_limits
-from quartering.hydro.exponential import scaled_exponential_integral
-from quartering.hydro.lewis import (
+from quartering.hull.file.read import ship
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.section import Section
+from quartering.hydro.section.closefit.coefficients import close_fit, close_fit_limits
+from quartering.hydro.section.dataset import section_coefficients
+from quartering.hydro.section.diffraction import section_diffraction
+from quartering.hydro.section.exponential_integral import scaled_exponential_integral
+from quartering.hydro.section.lewis import (
     added_mass_at_infinite_frequency,
     added_mass_at_zero_frequency,
     lewis_contour,
     lewis_forms,
 )
-from quartering.hydro.multipole import radiation
-from quartering.hydro.outline import section_outline, strip_outline
-from quartering.hydro.scattering import section_diffraction
-from quartering.hydro.sections import section_coefficients
-from quartering.hydro.table import default_frequencies, own_outlines, radiation_table
+from quartering.hydro.section.multipole import radiation
+from quartering.hydro.section.outline import section_outline, strip_outline
+from quartering.hydro.strip.table import default_frequencies, own_outlines, radiation_table
 from tests.hydro.section_cases import bare_strips, read_table
 
 REFERENCE = read_table("sections_reference.csv") + read_table("rectangles_reference.csv")

@@ -10,20 +10,22 @@ from hypothesis import strategies as st
 
 from quartering.conventions import CUBIC_MONOMIALS, GRAVITY, InputError
 from quartering.hull.autopilot import Autopilot
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
-from quartering.hull.offsets import scaled
-from quartering.hull.righting import righting_polynomial
-from quartering.hull.ship import Ship, ship
+from quartering.hull.lines.hull import scaled
+from quartering.hull.lines.immersed import strips
+from quartering.hull.righting.arm import righting_polynomial
+from quartering.hull.ship import Ship
+from quartering.hydro.added_mass import hydrodynamics
 from quartering.hydro.calm_water import calm_water_exponents, state_matrix
 from quartering.hydro.coefficient_table import Coefficients, rigid_inertia
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.freeroll import natural_roll_frequency
-from quartering.hydro.integrals import moment_matrix
-from quartering.hydro.manoeuvring import clarke_derivatives, hull_lift, to_si
-from quartering.hydro.moments import hull_moments, section_table
-from quartering.hydro.rolldamping import fraction_of_critical
-from quartering.hydro.strip import frequency_floor, hydrodynamics
+from quartering.hydro.damping.natural_roll import natural_roll_frequency
+from quartering.hydro.damping.roll import fraction_of_critical
+from quartering.hydro.manoeuvring.lift import clarke_derivatives, hull_lift, to_si
+from quartering.hydro.strip.integrals import moment_matrix
+from quartering.hydro.strip.lateral import frequency_floor
+from quartering.hydro.strip.moments import hull_moments, section_table
 from quartering.names import CUBIC_NAMES, DRAG_NAME, KNOWN, RESTORING_NAMES, RUDDER_NAMES, canonical, dimension, unit
 
 SHIPS = sorted(entry.name.removesuffix(".yaml") for entry in (files("quartering.hull") / "library").iterdir())

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
-from quartering.hydro.crossflow import (
+from quartering.hydro.manoeuvring.crossflow import (
     ENERGY_CUBE,
     LEAST_SQUARES_CUBE,
     LEAST_SQUARES_LINE,

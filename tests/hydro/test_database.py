@@ -5,12 +5,12 @@ import pytest
 import xarray as xr
 
 from quartering.conventions import GRAVITY, InputError
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
-from quartering.hull.quadrature import gauss
-from quartering.hull.ship import ship
-from quartering.hydro.database import read_capytaine, read_wamit, write_capytaine, write_wamit
-from quartering.hydro.strip import hydrodynamics
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.quadrature import gauss
+from quartering.hydro.added_mass import hydrodynamics
+from quartering.hydro.database.dataset import read_capytaine, read_wamit, write_capytaine, write_wamit
 from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.stations import stations
 

@@ -9,8 +9,8 @@ import pytest
 import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.hull.own_database import database_of
-from quartering.hydro.database import write_capytaine, write_wamit
-from quartering.hydro.database_check import likeness, soundness
+from quartering.hydro.database.check import likeness, soundness
+from quartering.hydro.database.dataset import write_capytaine, write_wamit
 
 S60 = qt.ship("series60-cb60")
 

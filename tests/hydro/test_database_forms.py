@@ -5,11 +5,11 @@ import pytest
 import xarray as xr
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
-from quartering.hull.ship import ship
-from quartering.hydro.capytaine_file import read_capytaine_file, write_capytaine_file
-from quartering.hydro.database import read_capytaine, read_wamit, write_capytaine
-from quartering.hydro.raw_database import RawDatabase
-from quartering.hydro.wamit_file import read_wamit_files, write_wamit_files
+from quartering.hull.file.read import ship
+from quartering.hydro.database.capytaine import read_capytaine_file, write_capytaine_file
+from quartering.hydro.database.dataset import read_capytaine, read_wamit, write_capytaine
+from quartering.hydro.database.raw import RawDatabase
+from quartering.hydro.database.wamit import read_wamit_files, write_wamit_files
 
 W = np.array([0.3, 0.5, 0.8, 1.2])
 DIRECTION = np.array([0.0, 45.0, 90.0, 180.0])

@@ -5,9 +5,9 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import ellipe
 
-from quartering.hull.mesh import Grid, hull_grid
-from quartering.hull.ship import ship
-from quartering.hydro.double_body import double_body
+from quartering.hull.file.read import ship
+from quartering.hull.lines.mesh import Grid, hull_grid
+from quartering.hydro.strip.double_body import double_body
 
 FINE = (40, 16)
 TURN = np.linspace(0.0, np.pi / 2, 33)

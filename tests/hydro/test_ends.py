@@ -8,18 +8,18 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import InputError
-from quartering.hull.immersed import strips
-from quartering.hull.mesh import hull_grid
-from quartering.hull.offsets import scaled
-from quartering.hull.stations import hull_from_offsets
-from quartering.hydro.double_body import double_body
-from quartering.hydro.ends import PANELS, end_effect
-from quartering.hydro.ends import with_ends as add_ends
-from quartering.hydro.hull_table import hull_table
-from quartering.hydro.integrals import moment_matrix, section_moments
-from quartering.hydro.kramers_kronig import kramers_kronig
-from quartering.hydro.moments import hull_moments, section_table
-from quartering.hydro.table import radiation_table
+from quartering.hull.lines.hull import scaled
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.mesh import hull_grid
+from quartering.hull.lines.stations import hull_from_offsets
+from quartering.hydro.strip.double_body import double_body
+from quartering.hydro.strip.ends import PANELS, end_effect
+from quartering.hydro.strip.ends import with_ends as add_ends
+from quartering.hydro.strip.hull_table import hull_table
+from quartering.hydro.strip.integrals import moment_matrix, section_moments
+from quartering.hydro.strip.kramers_kronig import kramers_kronig
+from quartering.hydro.strip.moments import hull_moments, section_table
+from quartering.hydro.strip.table import radiation_table
 
 SHIPS = ["series60-cb60", "series60-cb80", "wigley", "s175", "mariner", "dtc", "dtmb5415", "box"]
 

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
-from quartering.hull.ship import ship
+from quartering.hull.file.read import ship
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.dampingforms import (
+from quartering.hydro.damping.forms import (
     CUBIC_OF_QUADRATIC,
     LEAST_SQUARES,
     LINEAR_OF_CUBIC,
@@ -24,8 +24,7 @@ from quartering.hydro.dampingforms import (
     quadratic_to_linear,
     quadratic_to_linear_and_cubic,
 )
-from quartering.hydro.freeroll import free_roll
-from quartering.hydro.ikeda import (
+from quartering.hydro.damping.ikeda import (
     Particulars,
     Rolling,
     eddy_speed_factor,
@@ -34,13 +33,14 @@ from quartering.hydro.ikeda import (
     section_lift_slope,
     wave_speed_factor,
 )
-from quartering.hydro.ikeda_bilge_keel import BilgeKeel, bilge_keel_wave, bilge_keels, hull_pressure_moment
-from quartering.hydro.ikeda_eddy import _fastest_point, bilge_radius, eddy_coefficient, eddy_damping
-from quartering.hydro.integrals import about_gravity_centre
-from quartering.hydro.lewis import lewis_forms
-from quartering.hydro.multipole import radiation
-from quartering.hydro.rolldamping import _warn_sharp_bilge, roll_damping
-from quartering.hydro.simplified_ikeda import simplified_ikeda
+from quartering.hydro.damping.ikeda_bilge_keel import BilgeKeel, bilge_keel_wave, bilge_keels, hull_pressure_moment
+from quartering.hydro.damping.ikeda_eddy import _fastest_point, bilge_radius, eddy_coefficient, eddy_damping
+from quartering.hydro.damping.ikeda_simplified import simplified_ikeda
+from quartering.hydro.damping.natural_roll import free_roll
+from quartering.hydro.damping.roll import _warn_sharp_bilge, roll_damping
+from quartering.hydro.section.lewis import lewis_forms
+from quartering.hydro.section.multipole import radiation
+from quartering.hydro.strip.integrals import about_gravity_centre
 
 DATA = Path(__file__).parents[1] / "data"
 S60 = ship("series60-cb60")

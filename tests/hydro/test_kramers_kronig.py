@@ -9,11 +9,10 @@ from scipy.integrate import trapezoid
 from scipy.special import dawsn
 
 from quartering.conventions import InputError
-from quartering.hull.ship import ship
-from quartering.hydro.kramers_kronig import kramers_kronig, retardation
-from quartering.hydro.moments import section_table
-from quartering.hydro.sixmodes import hydrodynamics6
-from quartering.hydro.strip import hydrodynamics
+from quartering.hull.file.read import ship
+from quartering.hydro.added_mass import hydrodynamics, hydrodynamics6
+from quartering.hydro.strip.kramers_kronig import kramers_kronig, retardation
+from quartering.hydro.strip.moments import section_table
 
 DATA = Path(__file__).parents[1] / "data" / "sections_reference.csv"
 OMEGA = np.linspace(0.05, 3.2, 64)

@@ -4,14 +4,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from quartering.conventions import InputError
-from quartering.hydro.lewis import (
+from quartering.hydro.section.lewis import (
     added_mass_at_infinite_frequency,
     added_mass_at_zero_frequency,
     area_coefficient_limits,
     lewis_contour,
     lewis_forms,
 )
-from quartering.hydro.multipole import radiation
+from quartering.hydro.section.multipole import radiation
 from tests.hydro.section_cases import read_table
 
 pytestmark = pytest.mark.quick

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
-from quartering.hydro.manoeuvring import (
+from quartering.hydro.manoeuvring.lift import (
     clarke_derivatives,
     lift_derivatives,
     to_prime,

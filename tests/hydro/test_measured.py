@@ -7,15 +7,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import CUBIC_MONOMIALS, GRAVITY, InputError
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.ship import ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.inoue import inoue_derivatives
-from quartering.hydro.manoeuvring import clarke_derivatives, to_prime, to_si
-from quartering.hydro.measured import LIBRARY, available_sets, measured_set, scaled_terms, taylor_factor, to_terms
-from quartering.hydro.measured_ship import measured_parts
-from quartering.hydro.term_transfer import moved_terms
+from quartering.hydro.manoeuvring.inoue import inoue_derivatives
+from quartering.hydro.manoeuvring.lift import clarke_derivatives, to_prime, to_si
+from quartering.hydro.manoeuvring.measured import (
+    LIBRARY,
+    available_sets,
+    measured_set,
+    scaled_terms,
+    taylor_factor,
+    to_terms,
+)
+from quartering.hydro.manoeuvring.measured_ship import measured_parts
+from quartering.hydro.manoeuvring.term_transfer import moved_terms
 from quartering.hydro.transfer import transfer, transfer_cubic
 from quartering.loads.waves import Wave
 from quartering.motion.of_ship import equations, ship_system

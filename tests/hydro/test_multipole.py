@@ -5,9 +5,9 @@ from hypothesis import strategies as st
 from scipy.special import exp1
 
 from quartering.conventions import GRAVITY, InputError
-from quartering.hydro.lewis import area_coefficient_limits, lewis_forms
-from quartering.hydro.multipole import radiation
-from quartering.hydro.wavemaker import POWERS, wavemaker
+from quartering.hydro.section.lewis import area_coefficient_limits, lewis_forms
+from quartering.hydro.section.multipole import radiation
+from quartering.hydro.section.wavemaker import POWERS, wavemaker
 from tests.hydro.section_cases import read_table
 
 # nu r: a22, b22, a33, b33 over rho pi r^2/2 (b also over w); semi-analytic, good to 1e-7 (theory reference, semicircle)

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.hull.section import Section
-from quartering.hydro.closefit import close_fit, close_fit_limits
-from quartering.hydro.outline import section_outline
-from quartering.hydro.sections import section_coefficients
+from quartering.hull.lines.section import Section
+from quartering.hydro.section.closefit.coefficients import close_fit, close_fit_limits
+from quartering.hydro.section.dataset import section_coefficients
+from quartering.hydro.section.outline import section_outline
 
 # half breadth and depth of the corners over breadth and draught, keel to waterline
 SHAPES = {

@@ -7,9 +7,9 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import RangeWarning
-from quartering.hull.immersed import strips
-from quartering.hull.stations import hull_from_offsets
-from quartering.hydro.table import radiation_table
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.stations import hull_from_offsets
+from quartering.hydro.strip.table import radiation_table
 
 OMEGA = np.linspace(0.3, 6.0, 20)
 # Keel up: wings just below the surface. Energy is missed by more than half on 25 and on 50 panels.

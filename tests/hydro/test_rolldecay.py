@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from quartering.conventions import InputError
-from quartering.hydro.decayequation import free_decay
-from quartering.hydro.decayrecord import DecayRecord, decay_record, extremes, read_decay
-from quartering.hydro.rolldecay import DecayFit, Estimate, analyse_decay, energy_decay, fit_decay
+from quartering.hydro.decay.analysis import DecayFit, Estimate, analyse_decay, energy_decay, fit_decay
+from quartering.hydro.decay.equation import free_decay
+from quartering.hydro.decay.record import DecayRecord, decay_record, extremes, read_decay
 
 DATA = Path(__file__).parents[1] / "data"
 SCALE = 68.0

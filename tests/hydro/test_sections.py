@@ -5,10 +5,10 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
-from quartering.hull.section import Section
-from quartering.hydro.multipole import radiation
-from quartering.hydro.sections import immersed_area, section_coefficients
-from quartering.hydro.table import default_frequencies, radiation_table
+from quartering.hull.lines.section import Section
+from quartering.hydro.section.dataset import immersed_area, section_coefficients
+from quartering.hydro.section.multipole import radiation
+from quartering.hydro.strip.table import default_frequencies, radiation_table
 from tests.hydro.section_cases import bare_strips
 
 DENSITY = 1025.0

@@ -9,15 +9,15 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import GRAVITY
-from quartering.hydro.dampingforms import LINEAR_OF_QUADRATIC
-from quartering.hydro.freeroll import free_roll
-from quartering.hydro.measured_ship import measured_parts
-from quartering.hydro.rolldamping import roll_damping
-from quartering.hydro.ship_damping import METHODS, equivalent_fraction
+from quartering.hydro.damping.forms import LINEAR_OF_QUADRATIC
+from quartering.hydro.damping.natural_roll import free_roll
+from quartering.hydro.damping.of_ship import METHODS, equivalent_fraction
+from quartering.hydro.damping.roll import roll_damping
+from quartering.hydro.manoeuvring.measured_ship import measured_parts
 from quartering.hydro.terms import estimates
-from quartering.study.cure import cures
+from quartering.study.effects.cure import cures
+from quartering.study.effects.uncertainty import uncertain
 from quartering.study.grid import grid
-from quartering.study.uncertainty import uncertain
 
 S60 = qt.ship("series60-cb60")
 KEELS = (30.0, 0.33)

@@ -10,13 +10,13 @@ from scipy.integrate import solve_ivp
 import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
+from quartering.hull.lines.immersed import strips
 from quartering.hydro.calm_water import calm_water_exponents, state_matrix
-from quartering.hydro.decayequation import free_decay
-from quartering.hydro.freedamping import QUADRATIC, damping_words, free_damping
-from quartering.hydro.freeroll import free_roll
-from quartering.hydro.rolldecay import fit_decay
-from quartering.hydro.shipdecay import swings
+from quartering.hydro.damping.natural_roll import free_roll
+from quartering.hydro.decay.analysis import fit_decay
+from quartering.hydro.decay.equation import free_decay
+from quartering.hydro.decay.free_roll import QUADRATIC, damping_words, free_damping
+from quartering.hydro.decay.of_ship import swings
 
 DATA = Path(__file__).parents[1] / "data"
 S60 = qt.ship("series60-cb60")

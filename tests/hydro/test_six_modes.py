@@ -9,16 +9,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import InputError
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.quadrature import gauss
-from quartering.hull.ship import Loading, Ship, ship
-from quartering.hull.stations import hull_from_offsets
-from quartering.hull.strips import Strips
-from quartering.hydro.multipole import radiation
-from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
-from quartering.hydro.sixmodes import SIX_MODES, hydrodynamics6
-from quartering.hydro.strip import hydrodynamics
-from quartering.hydro.table import radiation_table
+from quartering.hull.lines.quadrature import gauss
+from quartering.hull.lines.stations import hull_from_offsets
+from quartering.hull.lines.strips import Strips
+from quartering.hull.ship import Loading, Ship
+from quartering.hydro.added_mass import hydrodynamics, hydrodynamics6
+from quartering.hydro.section.multipole import radiation
+from quartering.hydro.strip.six_mode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
+from quartering.hydro.strip.six_modes import SIX_MODES
+from quartering.hydro.strip.table import radiation_table
 
 HEAVE, PITCH = 2, 4
 LATERAL = [1, 3, 5]

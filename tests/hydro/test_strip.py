@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import InputError
-from quartering.hydro.integrals import about_gravity_centre, moment_matrix, section_moments, shifted_moments
-from quartering.hydro.strip import derivatives_from_moments, strip_derivatives
+from quartering.hydro.strip.integrals import about_gravity_centre, moment_matrix, section_moments, shifted_moments
+from quartering.hydro.strip.lateral import derivatives_from_moments, strip_derivatives
 from quartering.hydro.transfer import transfer
 
 pytestmark = pytest.mark.quick

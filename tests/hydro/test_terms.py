@@ -5,11 +5,11 @@ from typing import get_args
 import numpy as np
 import pytest
 
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import _floating, hydrostatics
-from quartering.hull.ship import ship
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.moments import hull_moments, section_table
-from quartering.hydro.ship_damping import METHODS
+from quartering.hydro.damping.of_ship import METHODS
+from quartering.hydro.strip.moments import hull_moments, section_table
 from quartering.hydro.terms import ESTIMATES, KINDS, Kind, Term, added, estimates
 
 S60 = ship("series60-cb60")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from quartering.hull.strips import Strips
+from quartering.hull.lines.strips import Strips
 from quartering.loads.stations import Stations
 
 

@@ -9,10 +9,10 @@ import pytest
 import quartering as qt
 from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.offsets import scaled
-from quartering.hydro import bem
-from quartering.hydro.bem import bem_forces, bem_hydrodynamics
-from quartering.hydro.database import read_capytaine
+from quartering.hull.lines.hull import scaled
+from quartering.hydro.database.dataset import read_capytaine
+from quartering.hydro.source import capytaine_run as bem
+from quartering.hydro.source.capytaine_run import bem_forces, bem_hydrodynamics
 
 RATIOS = np.array([0.8, 1.0, 1.5, 2.0])
 

@@ -12,8 +12,8 @@ import pytest
 import quartering as qt
 from quartering.conventions import MODES, RangeWarning
 from quartering.hull.own_database import database_of
-from quartering.hydro.capytaine_file import read_capytaine_file, write_capytaine_file
-from quartering.hydro.database import write_capytaine
+from quartering.hydro.database.capytaine import read_capytaine_file, write_capytaine_file
+from quartering.hydro.database.dataset import write_capytaine
 from tests.loads.own_file import S60, of_strips
 
 OMEGA, HEADINGS = np.linspace(0.2, 0.9, 15), np.arange(0.0, 181.0, 30.0)

@@ -7,12 +7,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
-from quartering.hull.offsets import scaled
-from quartering.hull.ship import ship
-from quartering.hydro.moments import section_table
-from quartering.hydro.table import radiation_table
+from quartering.hull.lines.hull import scaled
+from quartering.hull.lines.immersed import strips
+from quartering.hydro.strip.moments import section_table
+from quartering.hydro.strip.table import radiation_table
 from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.forces import FORMS, wave_force_phasors, wave_forces
 from quartering.loads.froude_krylov import froude_krylov

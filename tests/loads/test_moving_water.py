@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 
 import quartering as qt
 from quartering.conventions import GRAVITY
-from quartering.hull.offsets import scaled
+from quartering.hull.lines.hull import scaled
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.forces import FORMS, relative_phasors, ship_force_phasors
 from quartering.loads.lift import moving_water_force
 from quartering.loads.water import water_velocity
-from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.of_ship import ship_system
+from quartering.motion.steady.harmonic import harmonic_balance
 from tests.reference import table
 
 SHIPS = ("s175", "series60-cb60", "dtmb5415", "dtc", "mariner")

@@ -9,8 +9,8 @@ import xarray as xr
 import quartering as qt
 from quartering.conventions import GRAVITY, InputError
 from quartering.hull.own_database import database_of
-from quartering.hydro.database import write_capytaine, write_wamit
-from quartering.hydro.own_moments import own_database
+from quartering.hydro.database.dataset import write_capytaine, write_wamit
+from quartering.hydro.source.user_database import own_database
 from quartering.loads.comparison import compare_forces
 from quartering.loads.forces import ship_force_phasors
 from quartering.study.grid import grid
@@ -235,7 +235,7 @@ def test_midship_and_density_of_the_file_count(folder, tmp_path):
 def test_a_ship_runs_from_panels(tmp_path):
     """Capytaine's own results at a frequency and heading of the file come out of the ship unchanged."""
     pytest.importorskip("capytaine", reason="the extra `bem` (Capytaine) is not installed")
-    from quartering.hydro.bem import bem_forces
+    from quartering.hydro.source.capytaine_run import bem_forces
 
     wigley = qt.ship("wigley")
     lengths = wigley.hull.length * np.geomspace(0.8, 20.0, 10)[::-1]

@@ -10,12 +10,14 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import GRAVITY, InputError
-from quartering.hydro import bem, panel_source, ship_source
-from quartering.hydro.database import write_capytaine
-from quartering.hydro.ship_source import Choice, source_of
+from quartering.hydro.database.dataset import write_capytaine
+from quartering.hydro.source import capytaine_run as bem
+from quartering.hydro.source import of_ship as ship_source
+from quartering.hydro.source import panels as panel_source
+from quartering.hydro.source.of_ship import Choice, source_of
 from quartering.loads.comparison import compare_forces
 from quartering.loads.forces import ship_force_phasors
-from quartering.study.case import case_grid
+from quartering.study.case.read import case_grid
 from quartering.view.cli import app
 from tests.loads.own_file import of_strips
 

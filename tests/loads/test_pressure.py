@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hull.immersed import strips
-from quartering.loads.floating import floating_hull
+from quartering.hull.lines.immersed import strips
 from quartering.loads.froude_krylov import froude_krylov
-from quartering.loads.pressure import Waves, direct_loads, wetted_hull
 from quartering.loads.stations import stations
+from quartering.loads.wetted_hull.floating import floating_hull
+from quartering.loads.wetted_hull.pressure import Waves, direct_loads, wetted_hull
 
 SHIPS = ("s175", "dtc")
 STATE = np.array([[0.4, np.radians(17.0), np.radians(0.9)]])

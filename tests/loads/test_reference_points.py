@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hydro.database import read_capytaine, write_capytaine
-from quartering.hydro.sixmodes import hydrodynamics6
+from quartering.hydro.added_mass import hydrodynamics6
+from quartering.hydro.database.dataset import read_capytaine, write_capytaine
 from quartering.loads.comparison import compare_forces
 
 BOX = qt.ship("box")

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import GRAVITY
-from quartering.hull.strips import Strips
+from quartering.hull.lines.strips import Strips
 from quartering.loads.relative_motion import relative_motion_diffraction, section_average
 from tests.loads.hulls import box, phasor, rows, stations_of, wigley
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from quartering.conventions import GRAVITY, WATER_DENSITY
-from quartering.hull.strips import Strips
-from quartering.hydro.table import radiation_table
+from quartering.hull.lines.strips import Strips
+from quartering.hydro.strip.table import radiation_table
 from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.relative_motion import relative_motion_diffraction

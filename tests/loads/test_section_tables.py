@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.loads.floating import floating_hull
-from quartering.loads.pressure import Waves, direct_loads
-from quartering.loads.section_tables import section_tables, table_loads
+from quartering.loads.wetted_hull.floating import floating_hull
+from quartering.loads.wetted_hull.pressure import Waves, direct_loads
+from quartering.loads.wetted_hull.section_tables import section_tables, table_loads
 
 SHIP = qt.ship("series60-cb60")
 FLOATS = floating_hull(SHIP, 24)

@@ -5,11 +5,11 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import GRAVITY, MODES, InputError
-from quartering.hydro import ship_source
-from quartering.hydro.integrals import moment_matrix
-from quartering.hydro.ship_source import Choice, source_of
-from quartering.hydro.source import Held, Hydrodynamics
-from quartering.hydro.tabled import tabled_moments
+from quartering.hydro.source import of_ship as ship_source
+from quartering.hydro.source.interpolated import tabled_moments
+from quartering.hydro.source.of_ship import Choice, source_of
+from quartering.hydro.source.record import Held, Hydrodynamics
+from quartering.hydro.strip.integrals import moment_matrix
 from quartering.loads.forces import ship_force_phasors
 from quartering.loads.source import wave_source
 from quartering.motion.of_ship import ship_system
@@ -104,7 +104,7 @@ def test_strips_have_matrices_of_six_modes_and_forces_of_three(plate):
 def test_panels_give_the_numbers_of_capytaine_where_it_solved_them():
     """Splines go through what Capytaine itself gives for the same mesh: rounding, moves between midship and G included."""
     pytest.importorskip("capytaine", reason="panels need the extra `bem`")
-    from quartering.hydro.panel_source import panel_source
+    from quartering.hydro.source.panels import panel_source
 
     wigley, panels, hats = qt.ship("wigley"), (12, 5), (0.4, 0.5, 0.6, 0.7)
     source = panel_source(wigley, hats, (30.0, 60.0, 90.0, 120.0), panels)

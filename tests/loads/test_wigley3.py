@@ -13,10 +13,10 @@ import numpy as np
 import pytest
 
 import quartering as qt
+from quartering.hull.lines.stations import hull_from_offsets
 from quartering.hull.ship import Loading, Ship
-from quartering.hull.stations import hull_from_offsets
-from quartering.hydro.bem import bem_forces
-from quartering.hydro.sixmodes import hydrodynamics6
+from quartering.hydro.added_mass import hydrodynamics6
+from quartering.hydro.source.capytaine_run import bem_forces
 
 LENGTH, BEAM, DRAUGHT = 3.0, 0.3, 0.1875
 LATERAL = ("sway", "roll", "yaw")

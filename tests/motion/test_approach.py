@@ -5,10 +5,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import quartering as qt
-from quartering.motion.approach import PERIODS, RAISED_IN, STEPS, capsizes_before
-from quartering.motion.equations import Model, System
+from quartering.motion.equations.rates import WIDTH
+from quartering.motion.equations.system import Model, System
 from quartering.motion.of_ship import ship_system
-from quartering.motion.rates import WIDTH
+from quartering.motion.transient.approach import PERIODS, RAISED_IN, STEPS, capsizes_before
 
 OLD = qt.ship("dtmb5415").with_(velocities="absolute", righting="polynomial", drag="cubic")
 LENGTH = OLD.hull.length

@@ -8,10 +8,10 @@ from scipy.integrate import solve_ivp
 
 import quartering as qt
 from quartering.hull.autopilot import Rudder
-from quartering.hydro.rudder import rudder_derivatives
-from quartering.motion.branch import balance_of
-from quartering.motion.equations import kernel_arguments
-from quartering.motion.struble import modified_struble
+from quartering.hydro.manoeuvring.rudder import rudder_derivatives
+from quartering.motion.branches.branch import balance_of
+from quartering.motion.equations.system import kernel_arguments
+from quartering.motion.steady.struble import modified_struble
 from quartering.study.conditions import RESULTS
 
 INERTIA = np.array([[1.1, 0.1, 0.1], [0.1, 1.1, 0.0], [0.05, 0.0, 1.2]])
@@ -99,7 +99,7 @@ def test_gains_of_zero_leave_the_motion_of_the_bare_ship():
 
 def test_derivative_of_the_balance_is_exact_with_a_rudder_that_lags():
     """Authority: central differences of the residual."""
-    from quartering.motion.balance import balance_at
+    from quartering.motion.steady.balance import balance_at
 
     s = model_with(qt.Autopilot(1.0, 2.0, 1.5), (0.02, 0.1, 0.05)).system
     given = kernel_arguments(s, s.basis((0, 1, 2, 3)))

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.equations import canonical
+from quartering.motion.equations.system import canonical
+from quartering.motion.equations.terms import term_table
 from quartering.motion.status import Status
-from quartering.motion.steady import steady_motions
-from quartering.motion.terms import term_table
+from quartering.motion.steady.motion import steady_motions
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
 

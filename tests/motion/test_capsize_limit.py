@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hull.capsize import least_limit
-from quartering.hull.readers import available_ships
-from quartering.hull.righting import righting_arm, righting_spline, vanishing_angle
+from quartering.hull.file.read import available_ships
+from quartering.hull.righting.arm import righting_arm, righting_spline, vanishing_angle
+from quartering.hull.righting.limit import least_limit
 from quartering.hydro.capsize import capsize_limit
-from quartering.motion.ensemble import basin, capsize_times
 from quartering.motion.status import Status
-from quartering.motion.steady import steady_motion, within_limit
+from quartering.motion.steady.motion import steady_motion, within_limit
+from quartering.motion.transient.basin import basin, capsize_times
 
 SHIPS = [entry.name for entry in available_ships()]
 IDLE = {"Y_v": -1.0, "N_r": -1.0, "K_p": -0.1}

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hull.immersed import strips
-from quartering.hydro import hull_table
+from quartering.hull.lines.immersed import strips
+from quartering.hydro.strip import hull_table
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.of_ship import ship_system
+from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.stability.assessment import assess
 from tests.hydro.sections_of_two_kinds import lewis_like, table_of_two_kinds
 from tests.reference import HERE

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.motion.duffing import duffing_amplitudes, duffing_model
-from quartering.motion.equations import Model
-from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.steady import steady_motion
-from quartering.motion.struble import modified_struble
-from quartering.study.coexisting import all_motions
+from quartering.motion.equations.system import Model
+from quartering.motion.steady.harmonic import harmonic_balance
+from quartering.motion.steady.motion import steady_motion
+from quartering.motion.steady.struble import modified_struble
+from quartering.study.branches.coexisting import all_motions
+from quartering.study.paper.duffing_formulas import duffing_amplitudes, duffing_model
 from tests.reference import DYNAMICS
 
 ROWS = [(row, i) for row in DYNAMICS["duffing"]["rows"] for i in range(len(row["exact"]))]

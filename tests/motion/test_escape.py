@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.motion.ensemble import basin, capsize_times, safe_shares
-from quartering.motion.equations import Model
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion
+from quartering.motion.equations.system import Model
+from quartering.motion.steady.motion import steady_motion
+from quartering.motion.transient.basin import basin, capsize_times, safe_shares
+from quartering.motion.transient.simulate import simulate
 from quartering.stability.verdict import stability
 from tests.reference import HERE
 

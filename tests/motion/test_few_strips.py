@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion import harmonic
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.few_strips import gauss_of_stations
-from quartering.motion.harmonic import harmonic_balance
+from quartering.motion.equations.few_strips import gauss_of_stations
 from quartering.motion.of_ship import ship_system
+from quartering.motion.steady import harmonic
+from quartering.motion.steady.harmonic import harmonic_balance
 
 
 def test_rule_of_stations_has_the_moments_of_all_of_them():

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.of_ship import ship_system
+from quartering.motion.steady.harmonic import harmonic_balance
 
 STEPS = 40
 BESIDE = {  # wave length and height over the ship's length, heading [deg], Froude number

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from quartering.hull.spline import odd_spline
-from quartering.motion.equations import restoring_table
+from quartering.hull.righting.spline import odd_spline
+from quartering.motion.equations.system import restoring_table
+from quartering.motion.equations.terms import term_table
 from quartering.motion.sea.averages import averages, drag_averages
-from quartering.motion.terms import term_table
 
 ROOT = np.array([[0.5, 0, 0, 0], [0.2, 0.3, 0, 0], [-0.1, 0.1, 0.4, 0], [0.05, -0.1, 0.1, 0.2]])
 COVARIANCE = ROOT @ ROOT.T

@@ -6,10 +6,10 @@ from scipy.integrate import solve_ivp
 
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
-from quartering.motion.ensemble import capsize_times
-from quartering.motion.equations import Model
-from quartering.motion.irregular import irregular
-from quartering.motion.simulate import simulate
+from quartering.motion.equations.system import Model
+from quartering.motion.transient.basin import capsize_times
+from quartering.motion.transient.irregular import irregular
+from quartering.motion.transient.simulate import simulate
 
 TERMS = {
     "Y_v": -0.4, "Y_p": 0.1, "Y_vvv": -0.2, "K_v": 0.05, "K_phi": -1.0, "K_p": -0.06, "K_phiphiphi": 0.3, "K_ppp": -0.1,

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from quartering.conventions import CUBIC_MONOMIALS
-from quartering.motion.equations import FEWEST, System, canonical, kernel_arguments
-from quartering.motion.harmonic import harmonic_balance, solve_with_care
-from quartering.motion.lockstep import in_step
-from quartering.motion.terms import term_table
+from quartering.motion.equations.system import FEWEST, System, canonical, kernel_arguments
+from quartering.motion.equations.terms import term_table
+from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
+from quartering.motion.steady.newton import in_step
 
 COUNT = 75  # two full rows and part of one
 

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hydro.crossflow import ENERGY_CUBE, reference_velocity
+from quartering.hydro.manoeuvring.crossflow import ENERGY_CUBE, reference_velocity
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.harmonic import harmonic_balance
+from quartering.motion.equations.water import Strips
 from quartering.motion.matched import matched_velocity
 from quartering.motion.of_ship import ship_system
-from quartering.motion.water import Strips
+from quartering.motion.steady.harmonic import harmonic_balance
 from tests.reference import HERE
 
 ROWS = json.loads((HERE / "moving_water.json").read_text())["steep"]["rows"]

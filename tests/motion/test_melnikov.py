@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from quartering.motion.ensemble import safe_shares
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
+from quartering.motion.transient.basin import safe_shares
 from tests.reference import HERE
 
 ROWS = list(csv.DictReader((HERE / "melnikov.csv").read_text().splitlines()[3:]))

@@ -7,19 +7,19 @@ import numpy as np
 import pytest
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
-from quartering.hull.spline import odd_spline
-from quartering.motion.batch import copies, joined
-from quartering.motion.change import change_of_motion
-from quartering.motion.equations import PER_CONDITION, Model
-from quartering.motion.harmonic import harmonic_balance, solve_with_care
-from quartering.motion.irregular import irregular
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion
-from quartering.motion.steering import state_matrix
-from quartering.motion.water import Strips
+from quartering.hull.righting.spline import odd_spline
+from quartering.motion.equations.batch import copies, joined
+from quartering.motion.equations.steering import state_matrix
+from quartering.motion.equations.system import PER_CONDITION, Model
+from quartering.motion.equations.water import Strips
+from quartering.motion.steady.derivative import change_of_motion
+from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
+from quartering.motion.steady.motion import steady_motion
+from quartering.motion.transient.irregular import irregular
+from quartering.motion.transient.simulate import simulate
 from quartering.stability.assessment import assess
-from quartering.stability.change import change_of_stability
 from quartering.stability.contribution import contributions
+from quartering.stability.derivative import change_of_stability
 from quartering.stability.variation import variational_harmonics
 from tests.reference import HERE
 

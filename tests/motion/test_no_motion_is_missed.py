@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.homotopy import along_arc, carried
-from quartering.motion.search import from_grid
+from quartering.motion.branches.homotopy import along_arc, carried
+from quartering.motion.branches.search import from_grid
 from tests.batch_of_rolls import Rolls, attractors, by_shooting
 
 IDLE = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0}

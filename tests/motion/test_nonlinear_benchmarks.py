@@ -7,14 +7,14 @@ restoring force of its own, which sway and yaw do not have.
 import numpy as np
 import pytest
 
-from quartering.motion.duffing import duffing_model
-from quartering.motion.ensemble import safe_shares
-from quartering.motion.equations import Model
-from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import motion_record
+from quartering.motion.equations.system import Model
+from quartering.motion.steady.harmonic import harmonic_balance
+from quartering.motion.steady.motion import motion_record
+from quartering.motion.transient.basin import safe_shares
+from quartering.motion.transient.simulate import simulate
 from quartering.stability.verdict import stability
-from quartering.study.coexisting import all_motions
+from quartering.study.branches.coexisting import all_motions
+from quartering.study.paper.duffing_formulas import duffing_model
 from tests.reference import table
 
 FORCED = [{key: float(value) for key, value in row.items()} for row in table("duffing_forced.csv")]

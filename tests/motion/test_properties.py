@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
+from quartering.motion.equations.terms import parse, term_table
 from quartering.motion.status import Status
-from quartering.motion.steady import steady_motion
-from quartering.motion.terms import parse, term_table
+from quartering.motion.steady.motion import steady_motion
 from tests.reference import DYNAMICS, model_of
 
 numbers = st.floats(-1.0, 1.0, allow_nan=False)

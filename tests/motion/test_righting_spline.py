@@ -6,9 +6,9 @@ from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline
 
 import quartering as qt
-from quartering.hull.righting import polynomial_miss, righting_arm, righting_spline, vanishing_angle
-from quartering.hull.spline import odd_spline
-from quartering.motion.harmonic import harmonic_balance
+from quartering.hull.righting.arm import polynomial_miss, righting_arm, righting_spline, vanishing_angle
+from quartering.hull.righting.spline import odd_spline
+from quartering.motion.steady.harmonic import harmonic_balance
 
 TERMS = {"Y_v": -0.4, "K_v": 0.1, "K_p": -0.05, "K_ppp": -0.08, "N_r": -0.6, "N_v": -0.1, "K_prr": 0.2}
 ANGLES = np.arange(0.0, 81.0, 5.0)
@@ -115,8 +115,8 @@ def test_multipliers_agree_with_the_flow_near_the_orbit():
 
 def test_samples_leave_an_aliasing_error_below_1e_8():
     """The samples taken (64 a harmonic) against 16 times as many, at nine harmonics past the deck edge."""
-    import quartering.motion.equations as at
-    from quartering.motion.basis import basis
+    import quartering.motion.equations.system as at
+    from quartering.motion.equations.basis import basis
 
     model = model_with(deck_edge(ANGLES))
     usual = qt.steady_motion(model, 9).coefficients

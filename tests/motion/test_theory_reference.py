@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion
+from quartering.motion.steady.harmonic import harmonic_balance
+from quartering.motion.steady.motion import steady_motion
+from quartering.motion.transient.simulate import simulate
 from tests.reference import CASES, COUPLED, DYNAMICS, coupled_model, model_of
 
 pytestmark = pytest.mark.quick

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import motion_record, steady_motion
+from quartering.motion.steady.harmonic import harmonic_balance
+from quartering.motion.steady.motion import motion_record, steady_motion
+from quartering.motion.transient.simulate import simulate
 from tests.reference import CASES, DYNAMICS, coupled_model, model_of
 
 # Harmonics with which the motion is within 1e-8 of the integrated orbit: nine where roll is moderate; more where the spring

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from quartering.hull.quadrature import station_weights
+from quartering.hull.lines.quadrature import station_weights
 
 
 def test_wave_force_along_the_ship_has_the_fourth_order_of_the_station_weights():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.simulate import simulate
+from quartering.motion.transient.simulate import simulate
 from quartering.stability.transition import transition_matrices
 from tests.motion.test_autopilot import AUTOPILOTS, model_with
 from tests.reference import DYNAMICS, model_of

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import CUBIC_MONOMIALS
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
 from quartering.motion.status import Status
-from quartering.motion.steady import Motion
+from quartering.motion.steady.motion import Motion
 
 HERE = Path(__file__).parent
 DYNAMICS = json.loads((HERE / "dynamics.json").read_text())

@@ -6,7 +6,7 @@ import pytest
 import quartering as qt
 from quartering.hydro.capsize import capsize_limit
 from quartering.motion.of_ship import ship_system
-from quartering.motion.steady import roll_peaks, steady_motions
+from quartering.motion.steady.motion import roll_peaks, steady_motions
 from quartering.stability.assessment import assess
 from quartering.study.conditions import ACCURACY
 

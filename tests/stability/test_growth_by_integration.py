@@ -10,10 +10,10 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import quartering as qt
-from quartering.motion.batch import joined, rows
-from quartering.motion.change import states_along
-from quartering.motion.harmonic import harmonic_balance
-from quartering.motion.water import Strips
+from quartering.motion.equations.batch import joined, rows
+from quartering.motion.equations.water import Strips
+from quartering.motion.steady.derivative import states_along
+from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.stability.assessment import assess
 
 CUBICS = ("vvv", "vvp", "vvr", "vpp", "vpr", "vrr", "ppp", "ppr", "prr", "rrr")

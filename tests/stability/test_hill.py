@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from quartering.motion.harmonic import harmonic_balance
+from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.stability.hill import hill_exponents
 from tests.reference import CASES, COUPLED, DYNAMICS, complexes, coupled_model, model_of
 
@@ -49,9 +49,9 @@ MATHIEU = [
 @pytest.mark.parametrize(("q", "a", "trace"), MATHIEU)
 def test_mathieu_characteristic_values(q, a, trace):
     """A variational equation with stiffness a - 2 q cos 2t: build it from a motion that modulates the restoring moment."""
-    from quartering.motion.equations import Model
+    from quartering.motion.equations.system import Model
     from quartering.motion.status import Status
-    from quartering.motion.steady import Motion
+    from quartering.motion.steady.motion import Motion
     from quartering.stability.transition import transition_matrices
 
     # phi = sqrt(x) (cos t): 3 k3 phi^2 = 1.5 k3 x (1 + cos 2t), so stiffness K1 + 1.5 k3 x + 1.5 k3 x cos 2t.

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
 from quartering.motion.status import Status
-from quartering.motion.steady import Motion
+from quartering.motion.steady.motion import Motion
 from quartering.stability.hill import hill_exponents
 from quartering.stability.transition import transition_matrices
 from tests.reference import table

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.harmonic import harmonic_balance
 from quartering.motion.of_ship import ship_system
+from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.stability.assessment import assess
 from quartering.stability.short_index import through_water
 from tests.reference import HERE

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from quartering.motion.steady import motion_record, steady_motion
+from quartering.motion.steady.motion import motion_record, steady_motion
 from quartering.stability.assessment import assess
 from quartering.stability.first_order import first_order
 from quartering.stability.transition import transition_matrices
@@ -67,7 +67,7 @@ def test_floquet_multipliers_of_the_exact_orbit_to_1e_10(name, branch):
     case = DYNAMICS["cases"][name]
     solution = case["solutions"][branch]
     model = model_of(case)
-    from quartering.motion.harmonic import harmonic_balance
+    from quartering.motion.steady.harmonic import harmonic_balance
 
     orders = tuple(range(1, 24, 2))
     start = np.zeros((1, 3, 2 * len(orders)))
@@ -117,8 +117,8 @@ def test_requested_accuracy_of_multipliers_is_kept(accuracy):
 
 def test_half_period_multiplier_is_minus_one_at_the_reference_fold():
     """A fold of the exact balance is where a half-period multiplier passes -1."""
-    from quartering.motion.equations import Model
-    from quartering.motion.harmonic import harmonic_balance
+    from quartering.motion.equations.system import Model
+    from quartering.motion.steady.harmonic import harmonic_balance
 
     fold = DYNAMICS["folds"][0]
     base = model_of(DYNAMICS["cases"]["D_fold_strong"])

@@ -8,14 +8,14 @@ import pytest
 
 import quartering as qt
 from quartering.hydro.calm_water import calm_water_exponents
-from quartering.study.estimate import BYTES, Estimate, check_size, estimate
+from quartering.study.effects.uncertainty import uncertain
 from quartering.study.grid import grid
-from quartering.study.progress import failures, outcome, progress_line, summary
-from quartering.study.query import cut, worst, worst_by, write_csv
+from quartering.study.maps.estimate import BYTES, Estimate, check_size, estimate
+from quartering.study.maps.progress import failures, outcome, progress_line, summary
+from quartering.study.maps.query import cut, worst, worst_by, write_csv
+from quartering.study.maps.result import open_result
+from quartering.study.maps.sweep import fill
 from quartering.study.resonance import missed_resonance
-from quartering.study.result import open_result
-from quartering.study.sweep import fill
-from quartering.study.uncertainty import uncertain
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
@@ -128,8 +128,8 @@ def test_progress_tells_rate_time_left_and_outcome(stored):
 def test_failed_conditions_are_grouped_with_advice():
     """Closed form: omega = 0 at U = sqrt(g lambda / 2 pi) in following seas."""
     found = grid(SHIP, [0.0, np.sqrt(9.81 * 60.0 / (2 * np.pi))], [0.0], [60.0], [0.5, 1.0])
-    from quartering.study.block_file import counted
     from quartering.study.conditions import evaluate_block
+    from quartering.study.maps.block_file import counted
 
     (group,) = failures(counted(evaluate_block(found, 0)))
     assert group.conditions == 2

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.study.case import case_grid
+from quartering.study.case.read import case_grid
 from quartering.study.loadings import loaded, own_value
 
 SHIP = qt.ship("series60-cb60")

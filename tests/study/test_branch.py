@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
 from quartering.stability.verdict import stability
-from quartering.study.branch import branch
+from quartering.study.branches.branch import branch
 from quartering.study.paper.model import paper_ship
 from tests.reference import DYNAMICS, model_of
 
@@ -111,7 +111,7 @@ def test_neimark_sacker_point_is_where_the_index_changes_sign():
     s = model.system
     from dataclasses import replace
 
-    from quartering.motion.steady import steady_motions
+    from quartering.motion.steady.motion import steady_motions
     from quartering.stability.assessment import assess
 
     at = replace(s, cos=share * s.cos, sin=share * s.sin)

@@ -8,9 +8,9 @@ import pytest
 import yaml
 
 import quartering as qt
-from quartering.study.case import case_grid, case_schema, read_case
-from quartering.study.starting_case import SCHEMA, starting_case
-from quartering.study.sweep import fill
+from quartering.study.case.new import SCHEMA, starting_case
+from quartering.study.case.read import case_grid, case_schema, read_case
+from quartering.study.maps.sweep import fill
 
 pytestmark = pytest.mark.quick
 

@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 
 import quartering as qt
-from quartering.study import executor
 from quartering.study.grid import grid
+from quartering.study.maps import executor
 
 SHIP = qt.ship("series60-cb60")
 CONDITIONS = {

@@ -3,8 +3,8 @@
 import pytest
 
 import quartering as qt
-from quartering.study import cure as search
-from quartering.study.cure import cures
+from quartering.study.effects import cure as search
+from quartering.study.effects.cure import cures
 from quartering.study.loadings import loaded
 from quartering.study.paper.model import paper_ship
 

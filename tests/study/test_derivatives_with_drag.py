@@ -11,12 +11,12 @@ from dataclasses import replace
 import numpy as np
 
 import quartering as qt
-from quartering.hull.spline import odd_spline
-from quartering.motion.change import OFFSETS, difference, states_along
-from quartering.motion.harmonic import harmonic_balance
+from quartering.hull.righting.spline import odd_spline
+from quartering.motion.steady.derivative import OFFSETS, difference, states_along
+from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.stability.assessment import assess
 from quartering.stability.first_order import roll_mode
-from quartering.study.sensitivity import coefficient_rows, derivatives
+from quartering.study.effects.sensitivity import coefficient_rows, derivatives
 from tests.motion.test_moving_water import dragged_model
 
 MEASURES = ("sway", "roll", "yaw", "k2", "index", "exponent")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.study.duffing import duffing_curves, duffing_table
+from quartering.study.paper.duffing import duffing_curves, duffing_table
 from tests.reference import DYNAMICS
 
 REFERENCE = DYNAMICS["duffing"]

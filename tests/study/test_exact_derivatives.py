@@ -10,13 +10,13 @@ from scipy.optimize import brentq
 
 import quartering as qt
 from quartering.hull.autopilot import Autopilot
-from quartering.motion.batch import joined
-from quartering.motion.change import OFFSETS, difference, products, states_along
-from quartering.motion.harmonic import harmonic_balance, orders_for
-from quartering.motion.terms import parse
+from quartering.motion.equations.batch import joined
+from quartering.motion.equations.terms import parse
+from quartering.motion.steady.derivative import OFFSETS, difference, products, states_along
+from quartering.motion.steady.harmonic import harmonic_balance, orders_for
 from quartering.stability.assessment import assess
 from quartering.stability.hill import hill_exponents
-from quartering.study.sensitivity import coefficient_rows, derivatives
+from quartering.study.effects.sensitivity import coefficient_rows, derivatives
 
 SHIP = qt.paper_ship("series60-cb60")  # every term has a name and all derivatives
 LENGTH = SHIP.hull.length

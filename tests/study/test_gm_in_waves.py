@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hull.heeled import cross_curve
-from quartering.hull.offsets import Hull, frozen
-from quartering.hull.quadrature import gauss
-from quartering.hull.righting import righting_arm as calm_arm
+from quartering.hull.lines.hull import Hull, frozen
+from quartering.hull.lines.quadrature import gauss
+from quartering.hull.righting.arm import righting_arm as calm_arm
+from quartering.hull.righting.heeled import cross_curve
 from quartering.hull.ship import Loading, Ship
-from quartering.loads.floating import floating_hull
+from quartering.loads.wetted_hull.floating import floating_hull
 from tests.reference import HERE
 
 

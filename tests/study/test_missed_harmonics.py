@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.truncation import ENOUGH
-from quartering.study.query import needing_more
+from quartering.motion.steady.truncation import ENOUGH
+from quartering.study.maps.query import needing_more
 
 
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")

@@ -8,14 +8,14 @@ import pytest
 
 import quartering as qt
 from quartering.motion.status import OnTheWay
-from quartering.motion.steady import steady_motions
+from quartering.motion.steady.motion import steady_motions
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind, near_fold
 from quartering.study.beside import capsizes_on_the_way
 from quartering.study.conditions import RESULTS, evaluate_block
 from quartering.study.grid import grid
-from quartering.study.query import capsizing
-from quartering.study.result import in_memory, open_result
+from quartering.study.maps.query import capsizing
+from quartering.study.maps.result import in_memory, open_result
 from quartering.view.plots.polar_map import polar_map
 from quartering.view.report.guidance import failure_events
 

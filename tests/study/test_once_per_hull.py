@@ -5,8 +5,10 @@ import sys
 import pytest
 
 import quartering as qt
-from quartering.hull import heeled, hydrostatics, immersed
-from quartering.hydro import ends, moments
+from quartering.hull import hydrostatics
+from quartering.hull.lines import immersed
+from quartering.hull.righting import heeled
+from quartering.hydro.strip import ends, moments
 from quartering.view.commands.verdict import examine, facts
 
 OF_THE_HULL = {

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.study.coexisting import all_motions
-from quartering.study.query import coexisting, other_rolls, worst
+from quartering.study.branches.coexisting import all_motions
+from quartering.study.maps.query import coexisting, other_rolls, worst
 from quartering.view.commands.result import show_worst
 from quartering.view.commands.verdict import examine, facts
 from quartering.view.explorer.headline import headline

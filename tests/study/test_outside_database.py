@@ -8,11 +8,11 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import GRAVITY, RangeWarning
-from quartering.hydro.database import write_capytaine
+from quartering.hydro.database.dataset import write_capytaine
 from quartering.motion.status import Status
 from quartering.study.grid import grid
-from quartering.study.progress import failures
-from quartering.study.sweep import fill
+from quartering.study.maps.progress import failures
+from quartering.study.maps.sweep import fill
 from quartering.view.cli import app
 from quartering.view.plots.polar_map import polar_map
 from tests.loads.own_file import S60, of_strips

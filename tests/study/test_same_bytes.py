@@ -13,8 +13,8 @@ from quartering.rowwise import rowwise
 from quartering.study import grid as grids
 from quartering.study.conditions import RESULTS, evaluate, evaluate_block
 from quartering.study.grid import grid
-from quartering.study.result import in_memory
-from quartering.study.sweep import evaluated
+from quartering.study.maps.result import in_memory
+from quartering.study.maps.sweep import evaluated
 from tests.loads.own_file import of_strips
 
 SPEEDS, HEADINGS = [0.0, 4.0, 8.0], np.arange(0.0, 181.0, 30.0)
@@ -61,7 +61,7 @@ def test_blocks_of_any_size_give_the_same_bytes(case):
 
 
 def test_blocks_of_a_ship_with_its_own_database_give_the_same_bytes(tmp_path):
-    from quartering.hydro.database import write_capytaine
+    from quartering.hydro.database.dataset import write_capytaine
 
     ship = qt.ship("series60-cb60")
     write_capytaine(of_strips(ship, np.linspace(0.1, 2.0, 12), np.arange(0.0, 181.0, 30.0)), tmp_path / "own.nc", ship)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.branch import balance_of
+from quartering.motion.branches.branch import balance_of
 
 SHIP = qt.paper_ship("series60-cb60")  # every term has a name and all derivatives
 LENGTH = SHIP.hull.length

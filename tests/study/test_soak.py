@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.study.result import open_result
-from quartering.study.store import read_store
+from quartering.study.maps.result import open_result
+from quartering.study.maps.store import read_store
 
 pytestmark = [pytest.mark.soak, pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")]
 
@@ -33,7 +33,7 @@ RUN = textwrap.dedent(
     import sys, time, warnings
     warnings.simplefilter("ignore")
     import numpy as np, quartering as qt
-    from quartering.study import estimate
+    from quartering.study.maps import estimate
     estimate._seconds_each = lambda *_: 1e-5  # the same blocks in every run, however busy the machine
     ship = qt.ship("series60-cb60")
     if __name__ == "__main__":

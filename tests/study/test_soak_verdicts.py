@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.hull.readers import available_ships
+from quartering.hull.file.read import available_ships
 from quartering.view.commands.verdict import examine
 
 pytestmark = [pytest.mark.soak, pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")]

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.study.case import case_grid
+from quartering.study.case.read import case_grid
 from quartering.study.grid import grid
-from quartering.study.query import worst, write_csv
-from quartering.study.result import open_result
-from quartering.study.sweep import evaluated
+from quartering.study.maps.query import worst, write_csv
+from quartering.study.maps.result import open_result
+from quartering.study.maps.sweep import evaluated
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length

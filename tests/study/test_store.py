@@ -18,17 +18,17 @@ import xarray as xr
 
 import quartering as qt
 from quartering import publish
-from quartering.hydro.database import write_capytaine
-from quartering.hydro.measured import LIBRARY
-from quartering.study import estimate as estimates
-from quartering.study import store as store_file
-from quartering.study import zarr_store
-from quartering.study.estimate import timed_block_size
+from quartering.hydro.database.dataset import write_capytaine
+from quartering.hydro.manoeuvring.measured import LIBRARY
 from quartering.study.grid import grid
-from quartering.study.result import open_result
-from quartering.study.store import open_store
-from quartering.study.sweep import fill
-from quartering.study.zarr_store import write_zarr
+from quartering.study.maps import estimate as estimates
+from quartering.study.maps import store as store_file
+from quartering.study.maps import zarr_store
+from quartering.study.maps.estimate import timed_block_size
+from quartering.study.maps.result import open_result
+from quartering.study.maps.store import open_store
+from quartering.study.maps.sweep import fill
+from quartering.study.maps.zarr_store import write_zarr
 from tests.loads.own_file import of_strips
 
 SHIP = qt.ship("series60-cb60")
@@ -136,7 +136,7 @@ CHILD = textwrap.dedent(
     """
     import sys, time
     import numpy as np, quartering as qt
-    from quartering.study import estimate
+    from quartering.study.maps import estimate
     from tests.study.test_store import SHIP, CONDITIONS
     estimate._seconds_each = lambda *_: 1e-5  # the blocks of the run it is compared with
     qt.sweep(SHIP, **CONDITIONS, store=sys.argv[1], progress=lambda done, of: time.sleep(0.05))

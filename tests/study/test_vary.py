@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 
 import quartering as qt
 from quartering.stability.kind import Kind
-from quartering.study.cure import cures
+from quartering.study.effects.cure import cures
+from quartering.study.effects.vary import refined_flips
 from quartering.study.paper.model import paper_ship
-from quartering.study.vary import refined_flips
 
 SHIP = paper_ship()
 LENGTH = SHIP.hull.length

@@ -5,9 +5,9 @@ import pytest
 from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.hull.ship import ship
-from quartering.study.case import case_grid
-from quartering.study.query import cut
+from quartering.hull.file.read import ship
+from quartering.study.case.read import case_grid
+from quartering.study.maps.query import cut
 from quartering.view.cli import app
 
 CASE = "ship: wigley\nspeed: 5 m/s\nheading: [60 deg]\nwave_length: 2 L\nwave_height: 1 m\n"
@@ -72,7 +72,7 @@ def test_a_misspelt_word_gets_the_nearest_one_at_every_door(tmp_path):
 
 def test_a_measured_set_without_its_speed_is_refused(tmp_path):
     """Its lift is that of one speed: a set that does not say which is no set."""
-    from quartering.hydro.measured import LIBRARY
+    from quartering.hydro.manoeuvring.measured import LIBRARY
 
     text = (LIBRARY / "son-nomoto-1982.yaml").read_text()
     (tmp_path / "set.yaml").write_text(text.replace("speed: 10.29, ", ""))

@@ -23,10 +23,10 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import RangeWarning
-from quartering.hull.mesh_files import box_triangles
+from quartering.hull.formats.meshes import box_triangles
 from quartering.hull.own_database import database_of
-from quartering.hydro.capytaine_file import read_capytaine_file, write_capytaine_file
-from quartering.hydro.database import write_capytaine, write_wamit
+from quartering.hydro.database.capytaine import read_capytaine_file, write_capytaine_file
+from quartering.hydro.database.dataset import write_capytaine, write_wamit
 from quartering.view.cli import app
 from quartering.view.explorer.api import _examined
 from quartering.view.explorer.calls import VerdictCall

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import vanishing_angle
+from quartering.hull.righting.arm import vanishing_angle
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.stability.kind import Kind
 from quartering.view.cli import app

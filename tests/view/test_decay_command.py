@@ -10,10 +10,10 @@ import yaml
 from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.hull.changed_file import changed_text
-from quartering.hydro.decayequation import free_decay
-from quartering.hydro.freedamping import free_damping
-from quartering.hydro.freeroll import free_roll
+from quartering.hull.file.changed import changed_text
+from quartering.hydro.damping.natural_roll import free_roll
+from quartering.hydro.decay.equation import free_decay
+from quartering.hydro.decay.free_roll import free_damping
 from quartering.view.cli import app
 
 DATA = Path(__file__).parents[1] / "data"

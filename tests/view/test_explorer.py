@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.study.result import open_result
+from quartering.study.maps.result import open_result
 from quartering.view.cli import app
 from tests.view.pages import STABLE, filled, link, sentence
 

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import InputError
-from quartering.study.result import open_result
+from quartering.study.maps.result import open_result
 from quartering.view.cli import app
 
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.loads.validity import FASTEST, SHORTEST
-from quartering.study.store import LAYOUT
+from quartering.study.maps.store import LAYOUT
 from quartering.view.cli import app
 from quartering.view.options import Sizes, value
 

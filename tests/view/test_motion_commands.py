@@ -114,7 +114,7 @@ def test_branch_picture_names_events_dashes_unstable_motions_and_shows_the_unit_
 
 def test_basin_picture_has_units_and_both_panels():
     model = qt.Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_phiphi": 1.0, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    from quartering.motion.ensemble import basin
+    from quartering.motion.transient.basin import basin
 
     ds = basin(model, np.linspace(-60, 80, 15), np.linspace(-40, 40, 11), periods=2)
     heights = np.array([0.0, 1.0])

@@ -7,7 +7,7 @@ from matplotlib.contour import QuadContourSet
 from matplotlib.text import Text
 
 import quartering as qt
-from quartering.hull.righting import righting_polynomial
+from quartering.hull.righting.arm import righting_polynomial
 from quartering.loads.comparison import compare_forces
 from quartering.stability.kind import Kind
 from quartering.view.plots import style

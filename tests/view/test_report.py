@@ -11,7 +11,7 @@ import xarray as xr
 from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.hull.ship import ship
+from quartering.hull.file.read import ship
 from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions

@@ -13,7 +13,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 from typer.testing import CliRunner
 
-from quartering.study.result import open_result
+from quartering.study.maps.result import open_result
 from quartering.view.cli import app
 
 SMALL = """\

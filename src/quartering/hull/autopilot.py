@@ -1,4 +1,4 @@
-"""Rudder and autopilot: what keeps a ship on her course."""
+"""Rudder and autopilot: course keeping."""
 
 from __future__ import annotations
 

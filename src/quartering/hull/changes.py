@@ -1,4 +1,4 @@
-"""A ship with some of its options changed: what `Ship.with_` and ship files do, whichever option it is."""
+"""Apply option values to a ship: the implementation of `Ship.with_` and of ship files."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot, Rudder
 from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.lines.hull import Hull, at_draught, scaled, with_depth
+from quartering.hull.lines.sense import check_proportions
 from quartering.hull.loading import Loading, loaded_alike, reloaded
-from quartering.hull.offsets import Hull, at_draught, scaled, with_depth
 from quartering.hull.own_database import DATABASE_IS, Database, database_of, database_of_keys
 from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.roll_period import gyradius_of_period
-from quartering.hull.sense import check_proportions
 from quartering.names import term
 from quartering.options import (
     OPTIONS,
@@ -68,7 +68,7 @@ def changed(ship: Ship, given: Mapping[str, Any], where: str | None = None) -> S
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> changed(ship("box"), {"openings": "40 deg"}).value("openings")
     40.0
     """
@@ -422,7 +422,7 @@ def _notes(ship: Ship, made: Ship, given: set[str], case: str) -> dict[str, str]
 
 
 def _note_of_damping(ship: Ship, made: Ship) -> dict[str, str]:
-    """What to say of roll damping by another method, with other keels, or of another amount."""
+    """Provenance note for a changed roll-damping method, bilge keels or amount."""
     if made.damped_by_components:
         if (made.roll_method, made.bilge_keels) != (ship.roll_method, ship.bilge_keels):
             return {"roll_damping": roll_damping_note(made.roll_method, made.bilge_keels)}

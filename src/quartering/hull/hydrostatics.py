@@ -10,8 +10,8 @@ import numpy as np
 
 from quartering.conventions import WATER_DENSITY
 from quartering.doors import takes
-from quartering.hull.immersed import strips
-from quartering.hull.offsets import Hull
+from quartering.hull.lines.hull import Hull
+from quartering.hull.lines.immersed import strips
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
@@ -69,7 +69,7 @@ def hydrostatics(ship: Ship | Hull) -> Hydrostatics:
 
     Examples
     --------
-    >>> from quartering.hull.offsets import box_hull
+    >>> from quartering.hull.lines.hull import box_hull
     >>> h = hydrostatics(box_hull(100.0, 20.0, 5.0, 10.0))
     >>> round(h.volume, 6), round(h.km, 6), round(h.cb, 6)
     (10000.0, 9.166667, 1.0)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields, replace
 
 from quartering.conventions import WATER_DENSITY
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.offsets import Hull
+from quartering.hull.lines.hull import Hull
 from quartering.hull.told import number
 from quartering.options import Refused
 
@@ -80,7 +80,7 @@ def reloaded(
 
     Examples
     --------
-    >>> from quartering.hull.offsets import box_hull
+    >>> from quartering.hull.lines.hull import box_hull
     >>> box = box_hull(100.0, 20.0, 5.0, 10.0)
     >>> round(reloaded("box", box, Loading(1.0, 8.17, 7.0, 25.0), kg=6.0).gm, 4)
     3.1667

@@ -1,4 +1,4 @@
-"""The file of hydrodynamic results a ship brings: where it is, what it needs to be read, and a digest of its content."""
+"""Reference to a user's hydrodynamic database: path, reading options, digest of its content."""
 
 from __future__ import annotations
 
@@ -78,10 +78,6 @@ def database_of(
     ------
     InputError    no such file, another kind of file, or a length not above 0
 
-    Notes
-    -----
-    Source: the formats of [Ancellin19] and [WAMIT].
-
     Examples
     --------
     >>> database_of("none.txt", "my ship")
@@ -139,10 +135,6 @@ def content_digest(path: str | Path) -> str:
     Returns
     -------
     str                   32 hexadecimal digits
-
-    Notes
-    -----
-    Source: none; a digest.
     """
     file, digest = Path(path), hashlib.sha256()
     beside = file.with_suffix(".3")

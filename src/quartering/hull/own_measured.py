@@ -1,4 +1,4 @@
-"""The file of a measured manoeuvring set a ship brings: where it is, and a digest of its content."""
+"""Reference to a user's measured manoeuvring set: path and digest of its content."""
 
 from __future__ import annotations
 
@@ -41,10 +41,6 @@ def measured_source(named: str | Path) -> str | MeasuredFile:
     ------
     Refused    neither a file nor a built-in set
 
-    Notes
-    -----
-    Source: the format of the ship file.
-
     Examples
     --------
     >>> measured_source("son-nomoto-1982")
@@ -81,9 +77,5 @@ def file_digest(path: str | Path) -> str:
     Returns
     -------
     str    32 hexadecimal digits
-
-    Notes
-    -----
-    Source: none; a digest.
     """
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()[:32]

@@ -1,4 +1,4 @@
-"""What a ship says of its roll damping: a fraction of critical, or a method and the bilge keels it is to allow for."""
+"""Roll-damping option of a ship: fraction of critical damping, or a method with its bilge keels."""
 
 from __future__ import annotations
 

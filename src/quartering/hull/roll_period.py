@@ -1,4 +1,4 @@
-"""The radius of gyration that gives a natural roll period: a place here, filled by whoever knows the water that moves along.
+"""Roll radius of gyration from a natural roll period: a hook filled by `hydro`, which knows the added inertia.
 
 A ship may be told its roll period, and what follows from that needs added mass, which is known one room further on.  So that no
 room imports one to its right, that room's function is put here: by `quartering` itself, which knows all rooms and is imported

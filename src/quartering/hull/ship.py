@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Unpack
 
 from quartering.hull.autopilot import Autopilot, Rudder
 from quartering.hull.changes import changed
+from quartering.hull.lines.hull import Hull
 from quartering.hull.loading import Loading
-from quartering.hull.offsets import Hull
 from quartering.hull.option_types import Drag, Hydrodynamics, Linear, Righting, ShipOptions, Velocities
 from quartering.hull.own_database import Database
 from quartering.hull.own_measured import MeasuredFile
@@ -23,7 +22,6 @@ __all__ = [
     "DRAG_COEFFICIENT",
     "Loading",
     "Ship",
-    "ship",
 ]
 
 DRAG_COEFFICIENT = 0.8
@@ -177,32 +175,3 @@ class Ship:
 
 Ship.with_.__signature__ = signature()  # type: ignore[attr-defined]
 Ship.with_.__doc__ = described(Ship.with_.__doc__)
-
-
-def ship(name_or_path: str | Path) -> Ship:
-    """Read a ship: a built-in one by name, or one's own from a YAML file.
-
-    Parameters
-    ----------
-    name_or_path : str or Path    such as "series60-cb60", or the path of a ship file
-
-    Returns
-    -------
-    Ship
-
-    Raises
-    ------
-    InputError    no such ship or file, or something in the file that cannot be right, named by key
-
-    Notes
-    -----
-    Source: each built-in ship names its own in ``provenance``.
-
-    Examples
-    --------
-    >>> ship("series60-cb60").hull.length
-    121.92
-    """
-    from quartering.hull.readers import read_ship  # pydantic and yaml are loaded only when a ship is read
-
-    return read_ship(name_or_path)

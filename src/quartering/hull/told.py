@@ -1,4 +1,4 @@
-"""Numbers as people give them in Python: numbers, or text with a unit, in the range of their option or argument."""
+"""Numbers given in Python: floats or text with a unit, checked against the range of their option."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def number(ship: Ship | None, name: str, given: float | str) -> float:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> number(ship("wigley"), "wave_length", "1.2L")
     120.0
     """
@@ -62,7 +62,7 @@ def numbers(ship: Ship | None, name: str, given: ArrayLike) -> NDArray[np.float6
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> numbers(ship("wigley"), "speed", ["10kn", 3.0]).round(3).tolist()
     [5.144, 3.0]
     """

@@ -1,11 +1,11 @@
-"""Is the ship stable without waves: the exponents of its small motions in calm water."""
+"""Calm-water stability: exponents of the linear sway-roll-yaw motions."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
@@ -31,7 +31,7 @@ def state_matrix(c: Coefficients, condition: int = 0) -> Floats:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> state_matrix(coefficients(ship("wigley"), 0.5, 0.0))[1].tolist()
     [0.0, 0.0, 1.0, 0.0]
     """
@@ -66,7 +66,7 @@ def calm_water_exponents(ship: Ship, speed: float) -> NDArray[np.complex128]:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> calm_water_exponents(ship("series60-cb60"), 8.6).shape
     (4,)
     """

@@ -1,4 +1,4 @@
-"""The roll angle that counts as a capsize of a ship, its given coefficients among what decides."""
+"""Capsize limit of a ship, with its given coefficients."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from functools import lru_cache
 import numpy as np
 
 from quartering.conventions import GRAVITY
-from quartering.hull.capsize import CapsizeLimit, first_vanishing, least_limit
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.righting import righting_polynomial, righting_spline, vanishing_angle
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
+from quartering.hull.righting.arm import righting_polynomial, righting_spline, vanishing_angle
+from quartering.hull.righting.limit import CapsizeLimit, first_vanishing, least_limit
 from quartering.hull.ship import Ship
-from quartering.hydro.given import given_names, with_given_alone
+from quartering.hydro.overrides import given_names, with_given_alone
 from quartering.names import RESTORING_NAMES, RESTORING_POWERS
 
 
@@ -35,7 +35,7 @@ def capsize_limit(ship: Ship) -> CapsizeLimit:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> box = ship("box").with_(righting="spline")
     >>> capsize_limit(box).reason, capsize_limit(box.with_(openings="40 deg")).words
     ('vanishing', '40 deg, where unprotected openings go under')

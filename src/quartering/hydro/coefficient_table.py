@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from quartering.hull.section import Floats
-from quartering.hull.spline import OddSpline
+from quartering.hull.lines.section import Floats
+from quartering.hull.righting.spline import OddSpline
 from quartering.hydro.terms import ESTIMATES, Kind, Term
 from quartering.names import CUBIC_NAMES, DRAG_NAME, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES, unit
 

@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
 from quartering.doors import takes
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
+from quartering.hull.righting.spline import OddSpline
 from quartering.hull.ship import Ship
-from quartering.hull.spline import OddSpline
 from quartering.hull.told import numbers
 from quartering.hydro.coefficient_table import Coefficients, in_order, matrix
 from quartering.hydro.contributions import (
@@ -30,10 +30,10 @@ from quartering.hydro.contributions import (
     rigid_body,
     rudder,
 )
-from quartering.hydro.freeroll import free_roll
-from quartering.hydro.given import given_names, with_given, with_given_alone
-from quartering.hydro.measured_ship import measured_parts
-from quartering.hydro.ship_source import source_of
+from quartering.hydro.damping.natural_roll import free_roll
+from quartering.hydro.manoeuvring.measured_ship import measured_parts
+from quartering.hydro.overrides import given_names, with_given, with_given_alone
+from quartering.hydro.source.of_ship import source_of
 from quartering.hydro.terms import Term, added
 from quartering.names import CUBIC_NAMES, DRAG_NAME, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES
 
@@ -80,7 +80,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
     terms without those of the aft end.
     A measured set, with linear "default", takes the place of the regression and of the cross-flow; of its added mass the
     value at omega -> 0 counts, where it was measured, and the change with frequency stays that of the strips; of its
-    roll damping and the ship's added roll damping (at 10 deg) the larger counts, since both describe the same loss.
+    roll damping and the ship's added roll damping (at 10 deg) the larger is used; they describe the same dissipation.
     By a component method ("ikeda", "ikeda-simplified") the added roll damping is that of `added_damping` at each speed, a
     part of K_p and K_p|p|; its lift takes the place of the regression's in K_p.
     Source: [STF70] strips, [Clarke83] lift, [Hoerner65] cross-flow, [H71] equation (2).
@@ -88,7 +88,7 @@ def coefficients(ship: Ship, frequency: ArrayLike, speed: ArrayLike) -> Coeffici
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> c = coefficients(ship("wigley"), [0.4, 0.8], 5.0)
     >>> c.inertia.shape, bool((c.linear[:, 0, 0] < 0).all())
     ((2, 3, 3), True)

@@ -14,21 +14,21 @@ import numpy as np
 
 from quartering.conventions import GRAVITY
 from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
-from quartering.hull.immersed import strips
-from quartering.hull.righting import righting_polynomial, righting_spline
-from quartering.hull.section import Floats
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.section import Floats
+from quartering.hull.righting.arm import righting_polynomial, righting_spline
+from quartering.hull.righting.spline import OddSpline
 from quartering.hull.ship import Ship
-from quartering.hull.spline import OddSpline
-from quartering.hydro.crossflow import cross_flow_cubics, reference_velocity
-from quartering.hydro.damping_method import LINEAR
-from quartering.hydro.freeroll import FreeRoll
-from quartering.hydro.integrals import moment_matrix
-from quartering.hydro.manoeuvring import hull_lift
-from quartering.hydro.measured_ship import MeasuredParts, added_mass_shift
-from quartering.hydro.rudder import rudder_derivatives
-from quartering.hydro.ship_damping import damping_method
-from quartering.hydro.source import Hydrodynamics
-from quartering.hydro.strip import derivatives_from_moments, frequency_floor
+from quartering.hydro.damping.method import LINEAR
+from quartering.hydro.damping.natural_roll import FreeRoll
+from quartering.hydro.damping.of_ship import damping_method
+from quartering.hydro.manoeuvring.crossflow import cross_flow_cubics, reference_velocity
+from quartering.hydro.manoeuvring.lift import hull_lift
+from quartering.hydro.manoeuvring.measured_ship import MeasuredParts, added_mass_shift
+from quartering.hydro.manoeuvring.rudder import rudder_derivatives
+from quartering.hydro.source.record import Hydrodynamics
+from quartering.hydro.strip.integrals import moment_matrix
+from quartering.hydro.strip.lateral import derivatives_from_moments, frequency_floor
 from quartering.hydro.terms import Term, Terms, named
 from quartering.names import CUBIC_NAMES, DRAG_NAME, INERTIA_NAMES, LINEAR_NAMES, RESTORING_NAMES, RUDDER_NAMES
 

@@ -1,4 +1,4 @@
-"""What a source of coefficients gives: values by name, each with its kind, where it comes from, and the papers behind it.
+"""Coefficient terms: values by name, each with kind, source and references.
 
 Sources are added up by name. Each says its own part in words, so that the table's line of a coefficient is the parts' lines
 one after the other; what counts as an estimate follows from the kind, here and nowhere else.
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final, Literal, NamedTuple
 
 import numpy as np
 
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
 
 if TYPE_CHECKING:
     from quartering.hydro.coefficient_table import Entry

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import CUBIC_MONOMIALS
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
 
 
 def transfer_matrix(x: float, z: float) -> Floats:

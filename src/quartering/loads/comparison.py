@@ -74,7 +74,7 @@ def compare_forces(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> found = compare_forces(ship("wigley"), [100.0, 200.0], [30.0, 90.0])
     >>> found.force.dims, float(found.largest_difference.sel(form="stf").max())
     (('form', 'wave_length', 'heading', 'part', 'mode'), 0.0)

@@ -9,12 +9,12 @@ from typing import Final
 import numpy as np
 
 from quartering.conventions import GRAVITY, MODES, RangeWarning
-from quartering.hull.immersed import strips
-from quartering.hull.offsets import Hull
+from quartering.hull.lines.hull import Hull
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.strips import has_transom
 from quartering.hull.own_database import Database
-from quartering.hull.strips import has_transom
-from quartering.hydro.moments import section_table
-from quartering.hydro.source import AtRest, Hydrodynamics, Phasors
+from quartering.hydro.source.record import AtRest, Hydrodynamics, Phasors
+from quartering.hydro.strip.moments import section_table
 from quartering.loads.stations import Stations
 from quartering.loads.strip_forces import wave_force_phasors
 from quartering.loads.waves import Floats

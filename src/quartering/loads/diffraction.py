@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import summing
 from quartering.conventions import GRAVITY, WATER_DENSITY
-from quartering.hydro.table import SectionTable
+from quartering.hydro.strip.table import SectionTable
 from quartering.loads.interpolation import frequency_weights
 from quartering.loads.stations import Stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
@@ -59,8 +59,8 @@ def contour_diffraction(
     --------
     One metre of a half circle in a long beam wave: its displaced mass, as added mass, times the water's acceleration g k.
 
-    >>> from quartering.hull.strips import Strips
-    >>> from quartering.hydro.table import radiation_table
+    >>> from quartering.hull.lines.strips import Strips
+    >>> from quartering.hydro.strip.table import radiation_table
     >>> one, blank = np.ones(1), np.zeros((1, 1))
     >>> circle = Strips(0 * one, one, blank, blank, blank, blank, one, one, one * np.pi / 2)
     >>> table = radiation_table(circle, [0.01], density=1025.0, method="lewis")

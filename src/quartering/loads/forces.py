@@ -63,7 +63,7 @@ def form_words(ship: Ship, form: Form) -> str:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> form_words(ship("box").with_(ends="strips", velocities="absolute"), "stf") == FORMS["stf"]
     True
     """
@@ -86,7 +86,7 @@ def keeps_speed_terms(ship: Ship) -> bool:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> keeps_speed_terms(ship("box")), keeps_speed_terms(ship("box").with_(linear="strip"))
     (False, True)
     """
@@ -116,7 +116,7 @@ def ship_force_phasors(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> ship_force_phasors(ship("box"), [0.1], [0.0], [90.0])[0].shape
     (1, 3)
     """
@@ -143,7 +143,7 @@ def relative_phasors(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> bool(abs(relative_phasors(ship("box"), [0.1], [5.0], [90.0])[0, 0]) > 0)
     True
     """
@@ -192,7 +192,7 @@ def wave_forces(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> forces = wave_forces(ship("box"), Wave(length=200.0, height=2.0), speed=0.0, heading=[0.0, 90.0])
     >>> forces["total"].dims, forces["froude_krylov"].sel(heading=0.0, mode="sway", part="cos").item() == 0.0
     (('heading', 'part', 'mode'), True)

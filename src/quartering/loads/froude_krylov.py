@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from quartering.compiled import inlined, kernel
 from quartering.conventions import GRAVITY, WATER_DENSITY
-from quartering.hull.strips import Strips
+from quartering.hull.lines.strips import Strips
 from quartering.loads.stations import Stations
 from quartering.loads.waves import Floats, Phasors, heading_components
 

@@ -1,4 +1,4 @@
-"""Between the frequencies of a table: four neighbours and their weights, found once for every user of the table."""
+"""Four-point interpolation weights over the frequencies of a table, computed once."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ def ship_water_velocity(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> ship_water_velocity(ship("box"), [0.05], [0.0], [30.0])[0].shape
     (1,)
     """

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY, MODES, InputError
-from quartering.hull.immersed import strips
-from quartering.hydro.moments import section_table
-from quartering.hydro.ship_source import source_of
-from quartering.hydro.source import Hydrodynamics
+from quartering.hull.lines.immersed import strips
+from quartering.hydro.source.of_ship import source_of
+from quartering.hydro.source.record import Hydrodynamics
+from quartering.hydro.strip.moments import section_table
 from quartering.hydro.transfer import transfer_matrix
 from quartering.loads.database_forces import warn_of_forces
 from quartering.loads.froude_krylov import froude_krylov
@@ -72,7 +72,7 @@ def wave_source(ship: Ship, form: Form = "stf", by: str | None = None) -> WaveFo
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> wave_source(ship("box").with_(ends="strips")).words == FORMS["stf"]
     True
     """

@@ -1,4 +1,4 @@
-"""Where the sections of a ship stand seen from its centre of gravity, and how the ship ends aft."""
+"""Station positions relative to the centre of gravity, and the transom."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
-from quartering.hull.strips import has_transom
+from quartering.hull.lines.immersed import strips
+from quartering.hull.lines.strips import has_transom
 from quartering.loads.waves import Floats
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def stations(ship: Ship) -> Stations:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> round(stations(ship("box")).x_aft, 6), stations(ship("box")).transom, stations(ship("wigley")).transom
     (-50.0, True, False)
     """

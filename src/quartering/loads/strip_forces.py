@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
-from quartering.hull.strips import Strips
-from quartering.hydro.table import SectionTable
+from quartering.hull.lines.strips import Strips
+from quartering.hydro.strip.table import SectionTable
 from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.relative_motion import relative_motion_diffraction
@@ -77,9 +77,9 @@ def wave_force_phasors(
 
     Examples
     --------
-    >>> from quartering.hull.immersed import strips
-    >>> from quartering.hull.ship import ship
-    >>> from quartering.hydro.moments import section_table
+    >>> from quartering.hull.lines.immersed import strips
+    >>> from quartering.hull.file.read import ship
+    >>> from quartering.hydro.strip.moments import section_table
     >>> from quartering.loads.stations import stations
     >>> box = ship("box")
     >>> hull, place, table = strips(box.hull), stations(box), section_table(box.hull, 1025.0)

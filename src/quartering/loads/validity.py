@@ -1,4 +1,4 @@
-"""Which speeds and waves leave what the theory or a database describes, and one warning for all of a study."""
+"""Range of validity: speeds and waves outside the theory or a database, one warning for a study."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, RangeWarning
-from quartering.hydro.ship_source import source_of
-from quartering.hydro.table import FREQUENCY_RANGE
+from quartering.hydro.source.of_ship import source_of
+from quartering.hydro.strip.table import FREQUENCY_RANGE
 from quartering.loads.source import wave_source
 from quartering.loads.waves import Floats, encounter_frequency
 
@@ -44,7 +44,7 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> 
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> warn_of_conditions(ship("wigley"), [5.0, 15.0], 100.0)
     """
     length, beam = ship.hull.length, ship.hull.beam
@@ -79,13 +79,9 @@ def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
     -----
     RangeWarning     how many, and what the database holds
 
-    Notes
-    -----
-    Source: none; a check.
-
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> warn_outside_database(ship("wigley"), 0, 10)
     """
     if outside:
@@ -120,13 +116,9 @@ def conditions_held(
     ------
     InputError    what `encounter_frequency` refuses
 
-    Notes
-    -----
-    Source: none; a check.
-
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> conditions_held(ship("box"), np.array([0.1]), np.array([5.0]), np.array([90.0])).tolist()
     [True]
     """

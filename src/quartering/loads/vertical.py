@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from quartering.compiled import kernel
 from quartering.conventions import GRAVITY
-from quartering.hull.immersed import strips
+from quartering.hull.lines.immersed import strips
 from quartering.hull.ship import Ship
-from quartering.hydro.heave import heave_table
+from quartering.hydro.strip.heave import heave_table
 from quartering.loads.interpolation import frequency_weights
 from quartering.loads.stations import stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
@@ -47,7 +47,7 @@ def vertical_forces(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floa
     --------
     A box in a very long wave: its waterplane times the crest, upwards.
 
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> one = [np.array([v]) for v in (1e-5, 0.0, 180.0)]
     >>> round(float(vertical_forces(ship("box"), *one)[0][0, 1].real / (1025.0 * 9.81 * 2000.0)), 3)
     -1.0

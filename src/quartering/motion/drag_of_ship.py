@@ -9,14 +9,14 @@ from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
+from quartering.hull.lines.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.loads.forces import Form
 from quartering.loads.lift import ship_water_velocity
 from quartering.loads.waves import encounter_frequency, folded, heading_components
-from quartering.motion.few_strips import POINTS, gauss_of_stations
-from quartering.motion.water import Strips
+from quartering.motion.equations.few_strips import POINTS, gauss_of_stations
+from quartering.motion.equations.water import Strips
 from quartering.names import DRAG_NAME
 
 Floats = NDArray[np.float64]
@@ -45,7 +45,7 @@ def drag_strips(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> drag_strips(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0])).water.shape
     (1, 20)
     """

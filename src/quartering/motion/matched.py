@@ -17,8 +17,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations import Floats, System
-from quartering.motion.harmonic import harmonic_balance
+from quartering.motion.equations.system import Floats, System
+from quartering.motion.steady.harmonic import harmonic_balance
 
 
 @dataclass(frozen=True, eq=False)

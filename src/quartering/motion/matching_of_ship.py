@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
-from quartering.hydro.crossflow import reference_velocity
+from quartering.hydro.manoeuvring.crossflow import reference_velocity
 from quartering.loads.lift import ship_water_velocity
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.equations import canonical
+from quartering.motion.equations.system import canonical
+from quartering.motion.equations.terms import term_table
 from quartering.motion.matched import Matching
-from quartering.motion.terms import term_table
 from quartering.names import CUBIC_NAMES
 
 Floats = NDArray[np.float64]

@@ -20,10 +20,10 @@ from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.drag_of_ship import at_height, moving_water
-from quartering.motion.equations import Floats, Model, System, canonical
+from quartering.motion.equations.system import Floats, Model, System, canonical
+from quartering.motion.equations.terms import TermTable, term_table
 from quartering.motion.matched import Matching
 from quartering.motion.matching_of_ship import ship_matching
-from quartering.motion.terms import TermTable, term_table
 from quartering.names import LINEAR_NAMES, RUDDER_NAMES
 
 
@@ -83,7 +83,7 @@ def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> nonlinear_terms(coefficients(ship("wigley"), 0.5, 5.0))["K_phi"] < 0
     True
     """
@@ -121,7 +121,7 @@ def excitation(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> excitation(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0]))[0].shape
     (1, 3)
     """
@@ -164,7 +164,7 @@ def ship_system(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> at = ship_system(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0]))
     >>> at.system.count, bool(at.slow[0])
     (1, False)
@@ -217,7 +217,7 @@ def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, 
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> model = equations(ship("series60-cb60"), Wave(length=150.0, height=4.0), speed=7.5, heading=30.0)
     >>> round(model.frequency, 3)
     0.369

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.immersed import strips
+from quartering.hull.lines.immersed import strips
 from quartering.hull.ship import Ship
-from quartering.hydro.heave import heave_table
-from quartering.hydro.sixmode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
-from quartering.hydro.strip import frequency_floor
-from quartering.hydro.surge import spheroid_surge
+from quartering.hydro.strip.heave import heave_table
+from quartering.hydro.strip.lateral import frequency_floor
+from quartering.hydro.strip.six_mode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
+from quartering.hydro.strip.surge import spheroid_surge
 from quartering.loads.interpolation import frequency_weights, interpolated
 from quartering.loads.stations import stations
 from quartering.loads.vertical import vertical_forces
@@ -50,7 +50,7 @@ def vertical_motion(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floa
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> long = vertical_motion(ship("wigley"), np.array([1e-3]), np.zeros(1), np.array([180.0]), 25.0)
     >>> round(float(long[0, 1].real), 2), round(float(long[0, 2].imag / 1e-3), 1)
     (-1.0, 1.0)
@@ -84,7 +84,7 @@ def vertical_system(ship: Ship, omega: Floats, speed: Floats, gyradius_pitch: fl
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> stiffness = vertical_system(ship("box"), np.array([0.5]), np.zeros(1), 25.0)[2]
     >>> round(float(stiffness[1, 1] / (1025 * 9.81)), 6)
     2000.0
@@ -135,7 +135,7 @@ def lateral_motion(ship: Ship, wavenumber: Floats, speed: Floats, heading: Float
     --------
     Roll in a long beam wave is its slope.
 
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> roll = lateral_motion(ship("wigley"), np.array([5e-4]), np.zeros(1), np.array([90.0]))[0, 1]
     >>> round(float(abs(roll) / 5e-4), 1)
     1.0

@@ -1,4 +1,4 @@
-"""What the first computation waits for: kernels that must be compiled, said once, and a second process that compiles some.
+"""Kernel compilation: notice on first use, and a helper process that compiles in parallel.
 
 ``python -m quartering.stability.ahead`` leaves the kernels that a first map meets last in the cache on disk, where the other
 process finds them.
@@ -18,10 +18,11 @@ from types import ModuleType
 import numpy as np
 
 from quartering.loads import diffraction
-from quartering.motion import approach, harmonic
-from quartering.motion.approach import capsizes_before
-from quartering.motion.equations import Model
-from quartering.motion.harmonic import solve_with_care
+from quartering.motion.equations.system import Model
+from quartering.motion.steady import harmonic
+from quartering.motion.steady.harmonic import solve_with_care
+from quartering.motion.transient import approach
+from quartering.motion.transient.approach import capsizes_before
 from quartering.stability import transition, variation
 from quartering.stability.assessment import assess
 from quartering.threads import workers
@@ -41,7 +42,6 @@ def announce_compilation() -> None:
     -----
     A warning of the logger "quartering", which stands on stderr unless logging is set up otherwise.  Worker processes of
     `multiprocessing` keep quiet: there may be many.
-    Source: none needed; the compiler works on one thread, so a second process is what shortens the first wait.
     """
     if parent_process() is not None or compiled():
         return
@@ -60,12 +60,7 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
 
 
 def compiled() -> bool:
-    """Are kernels of every module a map compiles in the cache, and newer than their source?
-
-    Notes
-    -----
-    Source: none; bookkeeping.
-    """
+    """Are kernels of every module a map compiles in the cache, and newer than their source?"""
     return all(_cached(module) for module in _MODULES)
 
 
@@ -86,12 +81,7 @@ def _cached(module: ModuleType) -> bool:
 
 
 def compile_ahead() -> None:
-    """Solve and judge one small case by the kernels for hard conditions, multipliers and indices, and the way to a motion.
-
-    Notes
-    -----
-    Source: none needed; the answer is thrown away.
-    """
+    """Solve and judge one small case by the kernels for hard conditions, multipliers and indices, and the way to a motion."""
     terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_ppp": -0.1, "K_phiphiphi": -0.2, "N_r": -0.6}
     system = Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0.02, 0)).system
     u, _, _ = solve_with_care(system, (1, 3), from_rest=True)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations import Floats, System
-from quartering.motion.steering import RUDDER
+from quartering.motion.equations.steering import RUDDER
+from quartering.motion.equations.system import Floats, System
 from quartering.stability.first_order import Detail, FirstOrder, first_order
 from quartering.stability.floquet import Floquet, fastest_rate, floquet
 from quartering.stability.kind import kinds, linear_exponents
@@ -56,8 +56,8 @@ def assess(
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
-    >>> from quartering.motion.steady import steady_motions
+    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.steady.motion import steady_motions
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> system = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0)).system
     >>> u, orders, *_ = steady_motions(system)

@@ -1,4 +1,4 @@
-"""Which coefficient makes a motion grow: the growth rate split over the named terms."""
+"""Contribution of each coefficient to the growth rate."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from quartering.motion.basis import waves_at
-from quartering.motion.change import variables_along
-from quartering.motion.equations import Model, System
-from quartering.motion.program import PLAIN
-from quartering.motion.steady import Motion
-from quartering.motion.steering import state_matrix
-from quartering.motion.subharmonic import slowed
-from quartering.motion.terms import parse
-from quartering.motion.water import SWAY, YAW
+from quartering.motion.equations.basis import waves_at
+from quartering.motion.equations.program import PLAIN
+from quartering.motion.equations.steering import state_matrix
+from quartering.motion.equations.system import Model, System
+from quartering.motion.equations.terms import parse
+from quartering.motion.equations.water import SWAY, YAW
+from quartering.motion.steady.derivative import variables_along
+from quartering.motion.steady.motion import Motion
+from quartering.motion.steady.subharmonic import slowed
 from quartering.names import RUDDER_NAMES
 
 _ROWS_OF_STATE = (0, 2, 3)
@@ -43,7 +43,7 @@ def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, 
 
     Examples
     --------
-    >>> from quartering.motion.steady import steady_motion
+    >>> from quartering.motion.steady.motion import steady_motion
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
     >>> parts = contributions(model, steady_motion(model), oscillating=True)

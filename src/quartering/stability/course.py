@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations import Floats
-from quartering.motion.steering import HEADING, RUDDER
+from quartering.motion.equations.steering import HEADING, RUDDER
+from quartering.motion.equations.system import Floats
 from quartering.rowwise import contracted
 from quartering.stability.eigenvalues import eigenvalues
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import inner, kernel
-from quartering.motion.equations import Floats
+from quartering.motion.equations.system import Floats
 from quartering.threads import in_threads
 
 _ROUNDING = 2.220446049250313e-16

@@ -11,12 +11,7 @@ ROW = 32
 
 @abreast
 def product(a, b, out):
-    """out = a b.
-
-    Notes
-    -----
-    Source: none needed.
-    """
+    """out = a b."""
     for i in range(4):
         for j in range(4):
             for l in range(ROW):
@@ -30,12 +25,7 @@ def product(a, b, out):
 
 @abreast
 def commutator(a, b, scratch, out):
-    """out = a b - b a.
-
-    Notes
-    -----
-    Source: none needed.
-    """
+    """out = a b - b a."""
     product(a, b, out)
     product(b, a, scratch)
     for i in range(4):

@@ -11,8 +11,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations import Floats, System
-from quartering.motion.steering import HEADING, RUDDER, feedback, state_matrix
+from quartering.motion.equations.steering import HEADING, RUDDER, feedback, state_matrix
+from quartering.motion.equations.system import Floats, System
 from quartering.rowwise import contracted
 from quartering.stability.course import combination_rate, course_matrix, course_rates
 from quartering.stability.eigenvalues import eigenvalues
@@ -181,8 +181,8 @@ def first_order(system: System, phasors: Complex, displacement: Complex, detail:
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
-    >>> from quartering.motion.steady import steady_motion
+    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.steady.motion import steady_motion
     >>> from quartering.stability.variation import variational_harmonics
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
     >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))

@@ -8,9 +8,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.batch import rows
-from quartering.motion.equations import Floats, System
-from quartering.motion.steering import HEADING, RUDDER, holds_heading
+from quartering.motion.equations.batch import rows
+from quartering.motion.equations.steering import HEADING, RUDDER, holds_heading
+from quartering.motion.equations.system import Floats, System
 from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
 from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
@@ -88,7 +88,7 @@ def steps_for(frequency: Floats, span: float, rate: Floats, highest: int, accura
 
 
 def fastest_rate(phasors: Complex, mean_jacobian: Complex) -> Floats:
-    """Bound on how fast disturbances can turn, grow or die at any moment of the cycle.
+    """Upper bound on the eigenvalue modulus of the variational matrix over a cycle.
 
     Parameters
     ----------
@@ -167,8 +167,8 @@ def floquet(
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
-    >>> from quartering.motion.steady import steady_motion
+    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.steady.motion import steady_motion
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
     >>> motion = steady_motion(model)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations import Floats, System
-from quartering.motion.steering import state_matrix
+from quartering.motion.equations.steering import state_matrix
+from quartering.motion.equations.system import Floats, System
 from quartering.stability.variation import variational_harmonics
 
 _CANDIDATES, _SAME = 16, 1e-7
@@ -39,8 +39,8 @@ def hill_exponents(
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
-    >>> from quartering.motion.steady import steady_motion
+    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.steady.motion import steady_motion
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
     >>> motion = steady_motion(model)

@@ -1,4 +1,4 @@
-"""By which mechanism a motion loses stability."""
+"""Kinds of instability, and how a verdict is assigned to one."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations import System
-from quartering.motion.steering import state_matrix
+from quartering.motion.equations.steering import state_matrix
+from quartering.motion.equations.system import System
 from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.floquet import Floquet
 
@@ -80,7 +80,7 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.equations.system import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> linear_exponents(Model(np.eye(3), terms, 0.8, (0, 0, 0), (0, 0, 0)).system)[0].real.round(3).tolist()
     [-0.05, -0.05, -0.5, -1.0]

@@ -1,4 +1,4 @@
-"""State transition matrices of gently modulated equations by Magnus' series: few long steps, each an exact exponential."""
+"""State transition matrices by the Magnus expansion, for weakly modulated equations."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import abreast, kernel
-from quartering.motion.equations import Floats
+from quartering.motion.equations.system import Floats
 from quartering.stability.exponential import ROW, commutator, exponential, product
 from quartering.threads import in_threads
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.hull.autopilot import Autopilot
-from quartering.motion.equations import Floats
-from quartering.motion.steering import state_matrix, steered
+from quartering.motion.equations.steering import state_matrix, steered
+from quartering.motion.equations.system import Floats
 from quartering.stability.course import course_matrix, course_rates
 from quartering.stability.first_order import roll_mode
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.hydro.crossflow import ENERGY_CUBE
-from quartering.motion.change import of_states
-from quartering.motion.equations import Floats, System
+from quartering.hydro.manoeuvring.crossflow import ENERGY_CUBE
+from quartering.motion.equations.program import PLAIN
+from quartering.motion.equations.system import Floats, System
+from quartering.motion.equations.water import SWAY, YAW
 from quartering.motion.matched import energy_velocity
-from quartering.motion.program import PLAIN
-from quartering.motion.water import SWAY, YAW
+from quartering.motion.steady.derivative import of_states
 
 Complex = NDArray[np.complex128]
 
@@ -38,7 +38,7 @@ def roll_cubic(system: System, factors: str) -> Floats:
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.equations.system import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_prr": 0.3, "N_r": -1.0}
     >>> roll_cubic(Model(np.eye(3), terms, 1.0, (0, 0, 0), (0, 0, 0)).system, "prr").tolist()
     [0.3]

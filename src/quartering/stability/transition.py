@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import abreast, kernel
-from quartering.motion.equations import Floats, System
-from quartering.motion.lockstep import states
-from quartering.motion.rates import enter_inputs, fill_lane, note_likeness, room_for, row_of_lanes, slopes
-from quartering.motion.steering import turning
+from quartering.motion.equations.rates import enter_inputs, fill_lane, note_likeness, room_for, row_of_lanes, slopes
+from quartering.motion.equations.steering import turning
+from quartering.motion.equations.system import Floats, System
+from quartering.motion.steady.newton import states
 from quartering.threads import in_threads
 
 ABREAST: Final = 32
@@ -152,8 +152,8 @@ def transition_matrices(
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
-    >>> from quartering.motion.steady import steady_motions
+    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.steady.motion import steady_motions
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
     >>> u, orders, *_ = steady_motions(system)

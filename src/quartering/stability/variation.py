@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import kernel
-from quartering.motion.equations import Floats, System, kernel_arguments
-from quartering.motion.lockstep import at_sample, gather_motions
-from quartering.motion.rates import WIDTH, gather, room_for, row_of_lanes, slopes
-from quartering.motion.steering import turning
+from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_lanes, slopes
+from quartering.motion.equations.steering import turning
+from quartering.motion.equations.system import Floats, System, kernel_arguments
+from quartering.motion.steady.newton import at_sample, gather_motions
 from quartering.threads import in_threads
 
 EVEN_HARMONICS = (0, 2, 4, 6)
@@ -78,8 +78,8 @@ def variational_harmonics(
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
-    >>> from quartering.motion.steady import steady_motions
+    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.steady.motion import steady_motions
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
     >>> u, orders, *_ = steady_motions(system)
@@ -109,7 +109,7 @@ def variation_along(
 
     Examples
     --------
-    >>> from quartering.motion.equations import Model
+    >>> from quartering.motion.equations.system import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
     >>> variation_along(system, np.zeros((1, 3, 2)), (1,))[1][0, 0, 1].tolist()

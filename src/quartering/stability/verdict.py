@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.doors import takes
-from quartering.hull.capsize import CapsizeLimit
-from quartering.motion.equations import Floats, Model
-from quartering.motion.steady import Motion, advice
-from quartering.motion.subharmonic import slowed
+from quartering.hull.righting.limit import CapsizeLimit
+from quartering.motion.equations.system import Floats, Model
+from quartering.motion.steady.motion import Motion, advice
+from quartering.motion.steady.subharmonic import slowed
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.contribution import contributions
 from quartering.stability.first_order import RESONANCES
@@ -106,7 +106,7 @@ def stability(model: Model, motion: Motion) -> Verdict:
 
     Examples
     --------
-    >>> from quartering.motion.steady import steady_motion
+    >>> from quartering.motion.steady.motion import steady_motion
     >>> terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_phiphiphi": -0.25, "K_ppp": -0.08, "N_r": -0.6}
     >>> model = Model(np.eye(3), terms, 0.85, force_cos=(0, 0.05, 0), force_sin=(0, 0.12, 0))
     >>> print(stability(model, steady_motion(model)).sentence)

@@ -1,4 +1,4 @@
-"""What stands beside a stable verdict: capsizing on the way to the motion, and other stable motions in the same wave."""
+"""Checks of a stable verdict: capsize during the approach, and other stable motions in the same wave."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ from typing import Final, Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.approach import capsizes_before
-from quartering.motion.batch import rows
-from quartering.motion.equations import Floats, Model, System
-from quartering.motion.harmonic import orders_for, quick_motions
-from quartering.motion.homotopy import carried, same
-from quartering.motion.search import from_grid
-from quartering.motion.seeds import grid_of_roll
+from quartering.motion.branches.homotopy import carried, same
+from quartering.motion.branches.search import from_grid
+from quartering.motion.branches.seeds import grid_of_roll
+from quartering.motion.equations.batch import rows
+from quartering.motion.equations.system import Floats, Model, System
 from quartering.motion.status import OnTheWay
-from quartering.motion.steady import Motion, roll_peaks, steady_motions
+from quartering.motion.steady.harmonic import orders_for, quick_motions
+from quartering.motion.steady.motion import Motion, roll_peaks, steady_motions
+from quartering.motion.transient.approach import capsizes_before
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.kind import Kind, near_fold
 from quartering.threads import small_matrices
@@ -161,7 +161,7 @@ def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> li
 
     Examples
     --------
-    >>> from quartering.motion.steady import steady_motion
+    >>> from quartering.motion.steady.motion import steady_motion
     >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.00808, "K_phiphiphi": 0.9795}
     >>> model = Model(np.eye(3), terms, 0.83386, (0, 0.00918, 0), (0, 0, 0))
     >>> [round(roll, 2) for roll in other_stable_motions(model, steady_motion(model, 3, start="rest"))]

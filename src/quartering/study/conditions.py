@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import fitted_to, warn_of_polynomial
+from quartering.hull.righting.arm import fitted_to, warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.validity import warn_of_conditions, warn_outside_database
-from quartering.motion.missed import missed_roll
 from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import OnTheWay, Status
-from quartering.motion.steady import roll_peaks, steady_motions
+from quartering.motion.steady.missed import missed_roll
+from quartering.motion.steady.motion import roll_peaks, steady_motions
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
@@ -82,7 +82,7 @@ def evaluate(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> one = np.array([100.0])
     >>> found = evaluate(ship("wigley"), np.array([5.0]), np.array([60.0]), one, np.array([[1.0, 2.0]]))
     >>> found["verdict"].tolist(), found["exponent"].shape
@@ -137,7 +137,7 @@ def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> from quartering.study.grid import grid
     >>> evaluate_block(grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0, gm=[1.0, 1.2]), 0)["roll"].shape
     (2, 2, 1)

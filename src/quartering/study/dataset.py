@@ -15,7 +15,7 @@ from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, SYMBOLS
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.freedamping import damping_words
+from quartering.hydro.decay.free_roll import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.forces import Form, form_words
 from quartering.names import unit
@@ -177,7 +177,7 @@ def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> heading_of(ship("wigley"), form="stf", harmonics=1)["steady_motion"]
     'modified Struble method'
     """

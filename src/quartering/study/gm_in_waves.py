@@ -11,13 +11,21 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, InputError, RangeWarning
 from quartering.doors import takes
-from quartering.hull import righting
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
+from quartering.hull.righting import arm as righting
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition, count, number, numbers
-from quartering.loads.floating import HEAVE, TRIM, Balance, FloatingHull, balanced, floating_hull, floating_tables
-from quartering.loads.pressure import Pressure, Waves, immersion
 from quartering.loads.waves import Wave, heading_components
+from quartering.loads.wetted_hull.floating import (
+    HEAVE,
+    TRIM,
+    Balance,
+    FloatingHull,
+    balanced,
+    floating_hull,
+    floating_tables,
+)
+from quartering.loads.wetted_hull.pressure import Pressure, Waves, immersion
 from quartering.motion.six_modes import vertical_motion
 from quartering.study.dataset import attributes, made_by
 
@@ -95,7 +103,7 @@ def gm_in_waves(
     --------
     Box, wave of its own length, crest amidships: GM + a^2/(4 T).
 
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> ds = gm_in_waves(ship("box"), Wave(length=100.0, height=2.0))
     >>> round(float(ds.gm[0]), 4), ds.sizes["position"]
     (1.05, 10)
@@ -168,7 +176,7 @@ def righting_arm(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> [round(float(gz), 3) for gz in righting_arm(ship("box"), [0, 10])]
     [0.0, 0.192]
     >>> crest = righting_arm(ship("s175"), [10.0], Wave(length=175.0, height=5.0))
@@ -218,7 +226,7 @@ def frozen_waves(floats: FloatingHull, wave: Wave, heading: float, share: Floats
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> waves = frozen_waves(floating_hull(ship("box")), Wave(100.0, 2.0), 180.0, np.array([0.25]))
     >>> round(float(waves.phase[0] / waves.along[0]), 3)    # a head sea runs aft
     -25.0
@@ -317,7 +325,7 @@ def sides_words(ship: Ship) -> str:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> sides_words(ship("s175"))
     'the lines end 11 m over the baseline; straight sides are assumed from there up to the deck at 15.4 m'
     """

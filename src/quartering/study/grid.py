@@ -18,9 +18,9 @@ from quartering.hull.changes import COEFFICIENTS, check_twice
 from quartering.hull.ship import Ship
 from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import Wave
-from quartering.motion.harmonic import checked_harmonics
+from quartering.motion.steady.harmonic import checked_harmonics
 from quartering.options import OPTIONS, Refused, checked
-from quartering.study.case_values import values_of
+from quartering.study.case.values import values_of
 from quartering.study.loadings import CHOICE_AXES, VALUE, base_of, coded, loaded
 from quartering.units import wave_length_of
 
@@ -201,7 +201,7 @@ def grid(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> some = grid(ship("wigley"), 5.0, [30, 60], 100.0, [1.0, 2.0], K_p=[0.5, 1.0])
     >>> some.count, some.shape, len(some.blocks)
     (8, (2, 1, 2, 1, 2), 1)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from quartering.conventions import InputError
 from quartering.hull.changes import changed
 from quartering.hull.ship import Ship
-from quartering.hydro.freeroll import free_roll
-from quartering.hydro.ship_source import source_of
+from quartering.hydro.damping.natural_roll import free_roll
+from quartering.hydro.source.of_ship import source_of
 from quartering.options import OPTIONS, checked, choice_axes, loading_axes
 
 KEEL_AXES = ("bilge_keel_length", "bilge_keel_breadth")
@@ -46,7 +46,7 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> loaded(ship("wigley"), {"gm": 1.5, "K_p": 2.0}).loading.gm
     1.5
     >>> loaded(ship("s175"), {"bilge_keel_length": 44.0, "bilge_keel_breadth": 0.4}).roll_damping_words
@@ -123,7 +123,7 @@ def _keels(ship: Ship, given: Mapping[str, float]) -> tuple[float, float]:
 
 
 def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
-    """The ship a study of some loadings is recorded with: where they replace the way of its roll damping, the new way.
+    """Ship stored in the manifest; its roll-damping method is the one the varied values imply.
 
     Parameters
     ----------
@@ -136,7 +136,7 @@ def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> keels = {"bilge_keel_length": np.full(2, 40.0), "bilge_keel_breadth": np.array([0.0, 0.4])}
     >>> base_of(ship("s175"), keels).roll_damping_words
     'component method of Ikeda on the lines, no bilge keels'
@@ -165,7 +165,7 @@ def own_value(ship: Ship, name: str) -> float:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> own_value(ship("wigley"), "draught"), own_value(ship("wigley"), "K_p")
     (6.25, 1.0)
     """

@@ -1,4 +1,4 @@
-"""Does a grid see the roll resonance, or does it step over a peak narrower than its steps?"""
+"""Resolution check: grid steps against the width of the roll resonance."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def missed_resonance(grid: Grid) -> tuple[str, ...]:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> from quartering.study.grid import grid
     >>> missed_resonance(grid(ship("series60-cb60"), 5.0, [90.0], [60.0, 700.0], 1.0))[0][:42]
     'wave lengths between 60 and 700 m step ove'

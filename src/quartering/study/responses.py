@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import GRAVITY, HEADING_CONVENTION, InputError
 from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.told import number, numbers
 from quartering.loads.forces import form_words
@@ -78,7 +78,7 @@ def responses(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> ds = responses(ship("wigley"), Wave(length=2000.0, height=2.0), heading=[90.0, 180.0])
     >>> ds.heave.round(2).values.tolist()    # the ship follows the surface of a long wave
     [1.0, 1.0]
@@ -123,7 +123,7 @@ def response_grid(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> dict(response_grid(ship("wigley"), [100.0, 200.0], np.zeros(1), np.array([90.0])).pitch.sizes)
     {'wave_length': 2, 'speed': 1, 'heading': 1}
     """

@@ -1,4 +1,4 @@
-"""Equations of one ship in many loadings: the wave forces found once and moved to each centre of gravity."""
+"""Equations of one ship in many loadings: wave forces computed once, transferred to each centre of gravity."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import Form, keeps_speed_terms
 from quartering.loads.validity import conditions_held
 from quartering.loads.waves import encounter_frequency
-from quartering.motion.batch import rows
+from quartering.motion.equations.batch import rows
 from quartering.motion.of_ship import ShipSystem, excitation, ship_system
 
 Floats = NDArray[np.float64]
@@ -46,7 +46,7 @@ def systems(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> two = [ship("wigley"), ship("wigley").with_(gm=2.0)]
     >>> [at.slow.tolist() for at in systems(two, np.array([0.05]), np.array([5.0]), np.array([30.0]))]
     [[False], [False]]
@@ -61,7 +61,7 @@ def systems(
         force, omega, held = known[key]
         if moves:
             force = _moved(force, ship.loading.kg - ship.hull.draught)
-        # What is not held is solved at zero frequency, which any database holds, and has no answer there.
+        # Conditions outside the database are evaluated at zero frequency as a placeholder and flagged OUTSIDE_DATABASE.
         stand_in = (force, np.where(held, omega, 0.0))
         at = ship_system(ship, wavenumber, speed, heading, form, known=stand_in)
         yield at if held.all() else replace(at, encounter_frequency=omega, slow=at.slow & held, outside=~held)
@@ -106,7 +106,7 @@ def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> two = next(systems([ship("wigley")], np.full(2, 0.05), np.array([5.0, 6.0]), np.full(2, 30.0)))
     >>> part_of(two, slice(1, 2)).system.count
     1

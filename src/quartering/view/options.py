@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.options import Option, Refused, checked
-from quartering.study.case_values import MOST_VALUES
+from quartering.study.case.values import MOST_VALUES
 from quartering.units import Kind, Sizes, quantity, split_quantity
 
 __all__ = ["Sizes", "value", "values"]

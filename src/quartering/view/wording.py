@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from quartering.conventions import in_unit, written
-from quartering.hull.righting import fitted_to
+from quartering.hull.righting.arm import fitted_to
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.ends import ENDS_WORDS
-from quartering.hydro.freedamping import damping_words
+from quartering.hydro.decay.free_roll import damping_words
+from quartering.hydro.strip.ends import ENDS_WORDS
 from quartering.hydro.terms import estimates
 from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
@@ -22,9 +22,9 @@ from quartering.motion.status import OnTheWay
 from quartering.names import DRAG_NAME
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
-from quartering.study.extension import edges_of_largest
 from quartering.study.loadings import CHOICE_AXES
-from quartering.study.query import capsizing, other_rolls
+from quartering.study.maps.extension import edges_of_largest
+from quartering.study.maps.query import capsizing, other_rolls
 from quartering.units import quantity
 
 if TYPE_CHECKING:
@@ -202,7 +202,7 @@ def ship_notes(one: Ship) -> str:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> ship_notes(ship("wigley")).startswith("Estimated: velocity derivatives")
     True
     """

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from quartering.conventions import GRAVITY
-from quartering.hull.immersed import strips
-from quartering.hydro.moments import section_table
+from quartering.hull.lines.immersed import strips
+from quartering.hydro.strip.moments import section_table
 from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.forces import keeps_speed_terms, ship_force_phasors
 from quartering.loads.froude_krylov import froude_krylov
@@ -46,7 +46,7 @@ def cell_forces(ship: Ship, cells: Cells, form: Form = "stf") -> Phasors:
     Examples
     --------
     >>> import numpy as np
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> cells = Cells(np.array([0.6, 0.8]), 0.2, np.array([30.0, 90.0, 150.0]), 0.0, 5.0)
     >>> cell_forces(ship("wigley").with_(ends="strips"), cells).shape
     (6, 3)

@@ -15,17 +15,17 @@ from quartering.hull.autopilot import Autopilot
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.crossflow import reference_velocity
+from quartering.hydro.manoeuvring.crossflow import reference_velocity
 from quartering.loads.forces import Form
 from quartering.loads.lift import ship_lift_phasors, ship_water_velocity
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.forces import cell_forces
 from quartering.loads.waves import folded, least_encounter_frequency
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.equations import Model, restoring_table
+from quartering.motion.equations.system import Model, restoring_table
+from quartering.motion.equations.terms import term_table
+from quartering.motion.equations.water import Strips, relative_terms
 from quartering.motion.of_ship import nonlinear_terms
-from quartering.motion.terms import term_table
-from quartering.motion.water import Strips, relative_terms
 from quartering.names import CUBIC_NAMES, DRAG_NAME, RUDDER_NAMES
 from quartering.options import quoted
 
@@ -152,7 +152,7 @@ def free_roll_of(ship: Ship | Model, speed: float) -> tuple[float, float]:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> 0.0 < free_roll_of(ship("wigley"), 5.0)[1] < 0.5
     True
     """
@@ -213,7 +213,7 @@ def equations_of_ship(ship: Ship, cells: Cells, form: Form = "stf") -> SeaEquati
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> from quartering.loads.sea.cells import wave_cells
     >>> from quartering.loads.sea.sea import Sea
     >>> cells = wave_cells([Sea(hs=3, tp=9, heading=60)], 5.0, 0.5, 0.1)

@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import righting_arm
+from quartering.hull.righting.arm import righting_arm
 from quartering.hydro.capsize import capsize_limit
-from quartering.hydro.freedamping import free_damping
+from quartering.hydro.decay.free_roll import free_damping
 from quartering.study.criteria.constants import interpolated, limit
 from quartering.study.criteria.excessive_acceleration import slope_ratio
 from quartering.study.criteria.particulars import Particulars

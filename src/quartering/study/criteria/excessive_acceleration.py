@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.hydro.freedamping import free_damping
+from quartering.hydro.decay.free_roll import free_damping
 from quartering.study.criteria.constants import interpolated, limit
 from quartering.study.criteria.parametric_rolling import standard
 from quartering.study.criteria.particulars import Particulars

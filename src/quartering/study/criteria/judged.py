@@ -44,7 +44,7 @@ def criteria(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> found = criteria(ship("s175"), speed="0.275 Fn")
     >>> found.of("pure_loss", 1).verdict, found.of("dead_ship", 1).reason
     ('not vulnerable', 'needs windage: {area: .., lever: ..}')

@@ -81,7 +81,7 @@ def limiting_kg(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> limits = limiting_kg(ship("wigley"), levels=["pure_loss.level1"])
     >>> found = limits.isel(criterion=0, draught=0)
     >>> 0.9 < float(found.kg_max) / ship("wigley").loading.kg, bool(found.monotone)

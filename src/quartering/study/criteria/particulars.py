@@ -9,9 +9,9 @@ import numpy as np
 
 from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.offsets import at_draught
+from quartering.hull.lines.hull import at_draught
 from quartering.hull.ship import Ship
-from quartering.hydro.freeroll import free_roll
+from quartering.hydro.damping.natural_roll import free_roll
 from quartering.study.criteria.constants import limit
 
 

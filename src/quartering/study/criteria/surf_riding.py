@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.hull.immersed import strips
+from quartering.hull.lines.immersed import strips
 from quartering.hull.propulsion import Propulsion
 from quartering.motion.surf_riding import melnikov_quadratic
 from quartering.study.criteria.constants import limit

@@ -10,8 +10,8 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.hull.ship import Ship
+from quartering.study.maps.sweep import sweep
 from quartering.study.paper.conditions import speed_of, wave_of
-from quartering.study.sweep import sweep
 
 Answer = Literal["holds", "holds in part", "does not hold"]
 HEADINGS: Final = np.arange(5.0, 176.0, 5.0)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.motion.duffing import duffing_amplitudes, duffing_model
-from quartering.motion.equations import Model
-from quartering.motion.harmonic import harmonic_balance
+from quartering.motion.equations.system import Model
 from quartering.motion.of_ship import equations
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion
+from quartering.motion.steady.harmonic import harmonic_balance
+from quartering.motion.steady.motion import steady_motion
+from quartering.motion.transient.simulate import simulate
 from quartering.study.paper.claim import MODERATE, STEEP, Finding, graded
 from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.duffing_formulas import duffing_amplitudes, duffing_model
 from quartering.study.paper.model import paper_ship
 
 _PERIODS = 40

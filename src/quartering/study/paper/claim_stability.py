@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.motion.duffing import duffing_model
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
 from quartering.motion.of_ship import equations
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import Motion, steady_motion
+from quartering.motion.steady.motion import Motion, steady_motion
+from quartering.motion.transient.simulate import simulate
 from quartering.names import CUBIC_NAMES
 from quartering.stability.kind import Kind
 from quartering.stability.verdict import stability
-from quartering.study.coexisting import all_motions
+from quartering.study.branches.coexisting import all_motions
+from quartering.study.effects.sensitivity import sensitivity
+from quartering.study.maps.sweep import sweep
 from quartering.study.paper.claim import (
     HEADINGS,
     MODERATE,
@@ -23,10 +24,9 @@ from quartering.study.paper.claim import (
     over_headings,
 )
 from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.duffing_formulas import duffing_model
 from quartering.study.paper.mechanism import onset, roll_alone
 from quartering.study.paper.model import modified_model, paper_ship, table_ratios
-from quartering.study.sensitivity import sensitivity
-from quartering.study.sweep import sweep
 
 FED = -60.0
 """Factor on K_prr that makes yaw feed roll: an invented value, for a motion that is surely unstable."""

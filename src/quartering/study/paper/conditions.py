@@ -47,13 +47,9 @@ def speed_of(ship: Ship, froude: float = FROUDE) -> float:
     -------
     float    [m/s]
 
-    Notes
-    -----
-    Source: definition of the Froude number on the length between perpendiculars.
-
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> round(speed_of(ship("series60-cb60")), 3)
     8.646
     """
@@ -79,7 +75,7 @@ def wave_of(ship: Ship, ratio: float, steepness: float = STEEPNESS) -> Wave:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> wave_of(ship("wigley"), 1.5, 1 / 30).height
     5.0
     """

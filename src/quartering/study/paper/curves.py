@@ -13,9 +13,9 @@ from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
 from quartering.study.loadings import LOADING_AXES
+from quartering.study.maps.polar import polar
+from quartering.study.maps.sweep import sweep
 from quartering.study.paper.conditions import FINE_HEADINGS, FROUDE, HEADINGS, RATIOS, speed_of, wave_of
-from quartering.study.polar import polar
-from quartering.study.sweep import sweep
 
 
 def response_curves(
@@ -40,7 +40,7 @@ def response_curves(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> response_curves(ship("wigley"), [1.0], [30.0, 60.0])["roll"].dims
     ('heading', 'wave_length')
     """
@@ -108,7 +108,7 @@ def loading_curves(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> loading_curves(ship("wigley"), "gm", [1.0, 1.4], [30.0, 60.0])["k2"].dims
     ('loading', 'heading')
     """
@@ -147,7 +147,7 @@ def coefficient_curves(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> found = coefficient_curves(ship("wigley"), ["K_p"], [-50.0, 0.0], Wave(100.0, 1.0), 5.0, 60.0)
     >>> bool(found["k2"][0, 0] > found["k2"][0, 1])    # less roll damping: K2 nearer to instability
     True

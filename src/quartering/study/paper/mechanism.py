@@ -12,19 +12,19 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning
-from quartering.hull.righting import fitted_to
+from quartering.hull.righting.arm import fitted_to
 from quartering.hull.ship import Ship
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.waves import Wave
-from quartering.motion.equations import canonical
+from quartering.motion.equations.system import canonical
+from quartering.motion.equations.terms import term_table
 from quartering.motion.of_ship import ShipSystem, nonlinear_terms, ship_system
-from quartering.motion.terms import term_table
 from quartering.names import term
 from quartering.stability.kind import Kind
 from quartering.study.conditions import judged
+from quartering.study.effects.vary import ACCURACY, refined_flips
 from quartering.study.grid import Grid, axis, grid
-from quartering.study.sweep import evaluated
-from quartering.study.vary import ACCURACY, refined_flips
+from quartering.study.maps.sweep import evaluated
 
 Floats = NDArray[np.float64]
 FED_BY_SWAY_AND_YAW: Final = ("K_prr", "K_pvv", "K_vrr", "K_vpp", "K_vvv", "K_rpp", "K_rvv", "K_vpr", "K_rrr", "K_ppp")
@@ -56,7 +56,7 @@ def roll_alone(ship: Ship, wave: Wave, speed: float, heading: ArrayLike, *, harm
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> roll_alone(ship("wigley"), Wave(100.0, 1.0), 5.0, [60.0, 90.0])["verdict"].values.tolist()
     [0, 0]
     """

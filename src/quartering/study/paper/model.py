@@ -7,7 +7,8 @@ from types import MappingProxyType
 from typing import Final
 
 from quartering.conventions import InputError
-from quartering.hull.ship import Ship, ship
+from quartering.hull.file.read import ship
+from quartering.hull.ship import Ship
 
 TABLE_I: Final = MappingProxyType(
     {

@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.motion.equations import Floats, Model
+from quartering.motion.equations.system import Floats, Model
 from quartering.motion.of_ship import equations
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import Motion, steady_motion
+from quartering.motion.steady.motion import Motion, steady_motion
+from quartering.motion.transient.simulate import simulate
 from quartering.stability.variation import variational_harmonics
 
 SETTLING_PERIODS = 60
@@ -44,7 +44,7 @@ def integration_check(ship: Ship, wave: Wave, speed: float, headings: ArrayLike)
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> roll = integration_check(ship("wigley"), Wave(100.0, 1.0), 5.0, [60.0])["roll_peak"]
     >>> bool(np.allclose(roll.sel(solution="struble"), roll.sel(solution="integration"), rtol=0.01))
     True

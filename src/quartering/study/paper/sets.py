@@ -13,8 +13,8 @@ from quartering.hull.ship import Ship
 from quartering.loads.comparison import compare_forces
 from quartering.loads.waves import Wave
 from quartering.motion.of_ship import equations
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion
+from quartering.motion.steady.motion import steady_motion
+from quartering.motion.transient.simulate import simulate
 from quartering.stability.verdict import Verdict, stability
 from quartering.study.paper.conditions import (
     HEADINGS,

@@ -14,7 +14,7 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import form_words
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
 
 if TYPE_CHECKING:
     from quartering.study.seas.response import Answer, SeaStatus

@@ -12,8 +12,8 @@ from quartering.conventions import InputError
 from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.waves import STEEPEST, Wave
-from quartering.motion.ensemble import basin
 from quartering.motion.of_ship import equations
+from quartering.motion.transient.basin import basin
 from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.view.commands.conditions import condition, sizes

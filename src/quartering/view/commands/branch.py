@@ -14,7 +14,7 @@ from quartering.loads.waves import STEEPEST, Wave
 from quartering.options import OPTIONS, Option
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
-from quartering.study.branch import branch
+from quartering.study.branches.branch import branch
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import LOADING_AXES
 from quartering.view.commands.conditions import condition, sizes

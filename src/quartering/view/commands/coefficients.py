@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.freedamping import damping_words
+from quartering.hydro.decay.free_roll import damping_words
 from quartering.hydro.terms import estimates
 from quartering.loads.validity import warn_of_conditions
 from quartering.view.commands.conditions import sizes, typed_ship, typed_value

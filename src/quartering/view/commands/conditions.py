@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 from quartering.conventions import InputError
 from quartering.hull.changes import changed
-from quartering.hull.ship import Ship, ship
+from quartering.hull.file.read import ship
+from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
 from quartering.options import OPTIONS, Refused
 from quartering.units import Sizes

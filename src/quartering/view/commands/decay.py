@@ -8,13 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from quartering.conventions import InputError
-from quartering.hull.changed_file import changed_text, rounded
-from quartering.hull.ship import Ship, ship
-from quartering.hydro.decayfit import Estimate
-from quartering.hydro.decayrecord import AngleUnit, DecayRecord, read_decay
-from quartering.hydro.freedamping import QUADRATIC, damping_words
-from quartering.hydro.ship_source import source_of
-from quartering.hydro.shipdecay import Part, RollDecay, roll_decay
+from quartering.hull.file.changed import changed_text, rounded
+from quartering.hull.file.read import ship
+from quartering.hull.ship import Ship
+from quartering.hydro.decay.fit import Estimate
+from quartering.hydro.decay.free_roll import QUADRATIC, damping_words
+from quartering.hydro.decay.of_ship import Part, RollDecay, roll_decay
+from quartering.hydro.decay.record import AngleUnit, DecayRecord, read_decay
+from quartering.hydro.source.of_ship import source_of
 from quartering.units import quantity
 from quartering.view.commands.conditions import typed_value
 from quartering.view.output import PICTURES, claim, write

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from quartering.conventions import InputError
-from quartering.motion.duffing import FORMULAS
 from quartering.stability.ahead import announce_compilation
-from quartering.study.duffing import duffing_curves, duffing_table
+from quartering.study.paper.duffing import duffing_curves, duffing_table
+from quartering.study.paper.duffing_formulas import FORMULAS
 from quartering.units import quantity
 from quartering.view.options import Sizes, values
 from quartering.view.output import PICTURES, claim, write

@@ -84,7 +84,7 @@ def _chosen(forms: Sequence[str], one: Ship) -> list[str]:
 
 def _panels(one: Ship, lengths: Sequence[float]) -> xr.Dataset:
     """Forces by panels, wave by wave."""
-    from quartering.hydro.bem import bem_forces
+    from quartering.hydro.source.capytaine_run import bem_forces
 
     parts: list[xr.Dataset] = []
     with bar("wave lengths by panels", len(lengths)) as report:

@@ -10,13 +10,13 @@ import xarray as xr
 from rich.table import Table
 
 from quartering.conventions import SYMBOLS, InputError, in_unit, written
-from quartering.hull.bulb import bulb
 from quartering.hull.hydrostatics import Hydrostatics, hydrostatics
-from quartering.hull.righting import RightingFit, righting_arm, righting_polynomial
+from quartering.hull.lines.bulb import bulb
+from quartering.hull.righting.arm import RightingFit, righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.capsize import capsize_limit
-from quartering.hydro.freedamping import FreeDamping, free_damping, total_words
+from quartering.hydro.decay.free_roll import FreeDamping, free_damping, total_words
 from quartering.loads.waves import Wave
 from quartering.options import OPTIONS, parts
 from quartering.study.gm_in_waves import gm_in_waves

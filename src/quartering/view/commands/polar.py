@@ -17,13 +17,13 @@ from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.motion.status import Status
-from quartering.motion.steady import capsize_advice
+from quartering.motion.steady.motion import capsize_advice
 from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
-from quartering.study.extension import edges_of_largest
-from quartering.study.polar import polar
-from quartering.study.query import capsizing, coexisting, needing_more, other_rolls
+from quartering.study.maps.extension import edges_of_largest
+from quartering.study.maps.polar import polar
+from quartering.study.maps.query import capsizing, coexisting, needing_more, other_rolls
 from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values
 from quartering.view.output import claim, stem, write

@@ -10,7 +10,7 @@ import xarray as xr
 
 from quartering.conventions import InputError, headed, written
 from quartering.study.loadings import CHOICE_AXES, coded
-from quartering.study.query import (
+from quartering.study.maps.query import (
     OF_CONDITIONS,
     OTHER,
     Measure,
@@ -22,8 +22,8 @@ from quartering.study.query import (
     worst_by,
     write_csv,
 )
-from quartering.study.result import open_result
-from quartering.study.zarr_store import write_zarr
+from quartering.study.maps.result import open_result
+from quartering.study.maps.zarr_store import write_zarr
 from quartering.view.output import PICTURES, claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
 from quartering.view.wording import (

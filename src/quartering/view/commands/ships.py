@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import InputError, RangeWarning
+from quartering.hull.file.new import write_ship
+from quartering.hull.file.new_from_offsets import write_offsets_ship
+from quartering.hull.file.read import available_ships
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.readers import available_ships
-from quartering.hull.righting import righting_arm, righting_polynomial
-from quartering.hull.starting_file import write_ship
-from quartering.hull.starting_offsets import write_offsets_ship
+from quartering.hull.righting.arm import righting_arm, righting_polynomial
 from quartering.view.output import claim, write
 from quartering.view.terminal import next_steps, show, show_json, table
 

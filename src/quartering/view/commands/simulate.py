@@ -7,10 +7,10 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from quartering.hull.righting import warn_of_polynomial
+from quartering.hull.righting.arm import warn_of_polynomial
 from quartering.motion.of_ship import equations
-from quartering.motion.simulate import simulate
-from quartering.motion.steady import steady_motion, within_limit
+from quartering.motion.steady.motion import steady_motion, within_limit
+from quartering.motion.transient.simulate import simulate
 from quartering.stability.ahead import announce_compilation
 from quartering.view.commands.conditions import condition, sizes
 from quartering.view.options import value

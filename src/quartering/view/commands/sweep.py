@@ -11,16 +11,16 @@ from pathlib import Path
 import typer
 
 from quartering.conventions import InputError
-from quartering.hull.ship import ship
+from quartering.hull.file.read import ship
 from quartering.stability.ahead import announce_compilation
-from quartering.study.case import case_grid
-from quartering.study.estimate import check_size, estimate
-from quartering.study.executor import check_cluster
+from quartering.study.case.new import starting_case
+from quartering.study.case.read import case_grid
+from quartering.study.effects.uncertainty import uncertain
 from quartering.study.grid import Grid
-from quartering.study.progress import failures, progress_line, summary
-from quartering.study.starting_case import starting_case
-from quartering.study.sweep import fill, sized
-from quartering.study.uncertainty import uncertain
+from quartering.study.maps.estimate import check_size, estimate
+from quartering.study.maps.executor import check_cluster
+from quartering.study.maps.progress import failures, progress_line, summary
+from quartering.study.maps.sweep import fill, sized
 from quartering.view.interrupts import stop_if_asked
 from quartering.view.output import claim, folder_named, write
 from quartering.view.progress import bar

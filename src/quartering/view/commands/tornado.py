@@ -15,7 +15,7 @@ from quartering.loads.forces import Form
 from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
-from quartering.study.tornado import MEASURES, tornado
+from quartering.study.effects.tornado import MEASURES, tornado
 from quartering.units import quantity
 from quartering.view.commands.conditions import condition
 from quartering.view.commands.vary import condition_option_words, is_range, option, store

@@ -17,9 +17,9 @@ from quartering.loads.waves import Wave
 from quartering.options import OPTIONS
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.kind import Kind
+from quartering.study.effects.vary import varied, vary
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import KEEL_AXES, loaded
-from quartering.study.vary import varied, vary
 from quartering.view.commands.conditions import sizes, typed_ship
 from quartering.view.options import value, values
 from quartering.view.output import PICTURES, claim, write

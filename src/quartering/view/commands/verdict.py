@@ -10,7 +10,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from rich.table import Table
 
-from quartering.hull.righting import warn_of_polynomial
+from quartering.hull.righting.arm import warn_of_polynomial
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficient_table import Entry
@@ -18,13 +18,13 @@ from quartering.hydro.coefficients import coefficients
 from quartering.hydro.terms import estimates
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
-from quartering.motion.equations import Model
+from quartering.motion.equations.system import Model
 from quartering.motion.of_ship import equations
-from quartering.motion.steady import Motion, advice, steady_motion, within_limit
+from quartering.motion.steady.motion import Motion, advice, steady_motion, within_limit
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.verdict import Verdict, stability
 from quartering.study.beside import Way, capsizes_on_the_way, other_stable_motions
-from quartering.study.cure import Cure, seek
+from quartering.study.effects.cure import Cure, seek
 from quartering.view.commands.conditions import condition
 from quartering.view.ship_options import option_words
 from quartering.view.terminal import next_steps, show, show_json, table

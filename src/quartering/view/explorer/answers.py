@@ -14,12 +14,12 @@ from quartering.conventions import InputError, RangeWarning
 from quartering.hull.ship import Ship
 from quartering.hull.told import number
 from quartering.loads.waves import STEEPEST, Wave
-from quartering.motion.simulate import simulate
-from quartering.study.branch import branch
-from quartering.study.cure import Cure
+from quartering.motion.transient.simulate import simulate
+from quartering.study.branches.branch import branch
+from quartering.study.effects.cure import Cure
+from quartering.study.effects.sensitivity import sensitivity
 from quartering.study.loadings import loaded
-from quartering.study.polar import polar
-from quartering.study.sensitivity import sensitivity
+from quartering.study.maps.polar import polar
 from quartering.units import quantity
 from quartering.view.commands.verdict import Examined, examine, seek_help
 from quartering.view.explorer.fleet import Known

@@ -16,15 +16,15 @@ from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException as StarletteError
 
 from quartering.conventions import InputError
-from quartering.hull.refusals import allowed, own_words
+from quartering.hull.file.refusals import allowed, own_words
 from quartering.hull.told import condition, number, numbers
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.status import OnTheWay, Status
 from quartering.options import unknown
 from quartering.stability.kind import Kind
-from quartering.study.cure import Cure
-from quartering.study.extension import carried_on, edges_of_largest
-from quartering.study.polar import polar
+from quartering.study.effects.cure import Cure
+from quartering.study.maps.extension import carried_on, edges_of_largest
+from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
 from quartering.view.commands.verdict import Examined, examine, facts
 from quartering.view.explorer.answers import joined, noting, sought

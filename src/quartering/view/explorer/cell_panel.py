@@ -13,7 +13,7 @@ from nicegui import ui
 from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.calm_water import calm_water_exponents
-from quartering.motion.steady import advice
+from quartering.motion.steady.motion import advice
 from quartering.stability.verdict import Verdict
 from quartering.view.commands.verdict import Examined, estimated
 from quartering.view.explorer import charts

@@ -10,9 +10,9 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import SYMBOLS, written
-from quartering.hull.contour import along, contour_curve
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.righting import righting_arm, righting_polynomial
+from quartering.hull.lines.contour import along, contour_curve
+from quartering.hull.righting.arm import righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.stability.kind import Kind
 from quartering.stability.verdict import Verdict

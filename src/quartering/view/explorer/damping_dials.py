@@ -8,8 +8,8 @@ from typing import Any
 from nicegui import ui
 
 from quartering.hull.ship import Ship
-from quartering.hydro.damping_method import AMPLITUDE
-from quartering.hydro.ship_damping import equivalent_fraction
+from quartering.hydro.damping.method import AMPLITUDE
+from quartering.hydro.damping.of_ship import equivalent_fraction
 from quartering.options import OPTIONS
 from quartering.study.loadings import KEEL_AXES, own_value
 from quartering.view.explorer.answers import Scene

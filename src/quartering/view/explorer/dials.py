@@ -51,7 +51,7 @@ def scales_of(one: Option, of: Ship) -> list[Scale]:
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> from quartering.options import OPTIONS
     >>> [(one.unit, one.low, one.high) for one in scales_of(OPTIONS["gyradius_roll"], ship("box"))]
     [('m', 5.0, 10.0), ('B', 0.25, 0.5)]
@@ -101,7 +101,7 @@ class Dial:
             self._slider.props(f'id=slider-{key} aria-label="{key.replace("_", " ")}" dense')
 
     def show(self, value: float, scales: Sequence[Scale], at: int | None = None) -> None:
-        """Show a value [SI] on one of some scales; nobody is told."""
+        """Show a value [SI] on one of some scales, without triggering callbacks."""
         self._scales, self._value = scales, value
         self._at = min(self._at if at is None else at, len(scales) - 1)
         scale = scales[self._at]

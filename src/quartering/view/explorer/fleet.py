@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from quartering.conventions import InputError
-from quartering.hull.readers import available_ships
-from quartering.hull.ship import Ship, ship
+from quartering.hull.file.read import available_ships, ship
+from quartering.hull.ship import Ship
 
 MOST_UPLOADS = 64
 """Uploaded hulls kept; the one unused for longest goes first."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import math
 
-from quartering.hull.righting import fitted_to
+from quartering.hull.righting.arm import fitted_to
 from quartering.stability.kind import Kind
 from quartering.view.commands.verdict import Examined
 

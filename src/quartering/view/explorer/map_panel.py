@@ -11,10 +11,10 @@ from nicegui import ui
 from nicegui.element import Element
 from nicegui.events import GenericEventArguments
 
-from quartering.hull.righting import fitted_to
+from quartering.hull.righting.arm import fitted_to
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.stability.kind import Kind
-from quartering.study.query import capsizing, other_rolls
+from quartering.study.maps.query import capsizing, other_rolls
 from quartering.view.explorer.answers import HEADINGS, RATIOS, Scene
 from quartering.view.plots import style
 
@@ -82,7 +82,7 @@ class MapPanel:
         self._map.props["chosen"] = [of.heading, of.wave.length / self._length]
 
     def lines(self, of: Scene, roll_frequency: float) -> None:
-        """Draw where the ship meets the waves at its roll frequency, at twice that, and not at all."""
+        """Draw lines where the encounter frequency equals n2, 2 n2 and zero."""
         found = resonances(of.ship.hull.length, of.speed, roll_frequency)
         self._map.props["lines"] = [{"points": found[name], "dash": dash} for name, dash in _DASHES if found[name]]
         self._fitted = fitted_to(of.ship)

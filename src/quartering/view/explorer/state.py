@@ -18,7 +18,7 @@ from pydantic import (
 )
 
 from quartering.conventions import InputError
-from quartering.hull.refusals import allowed, own_words
+from quartering.hull.file.refusals import allowed, own_words
 from quartering.options import OPTIONS, checked, line_of, ship_options
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes

@@ -1,4 +1,4 @@
-"""Computations take turns: one at a time, on all cores, every client in its turn."""
+"""Job queue: one computation at a time on all cores, clients in turn."""
 
 from __future__ import annotations
 
@@ -75,5 +75,5 @@ class Turns:
         self._next()
 
     def close(self) -> None:
-        """Let go of the thread; what waits is dropped."""
+        """Release the worker thread; pending jobs are cancelled."""
         self._thread.shutdown(wait=False, cancel_futures=True)

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from quartering.conventions import InputError
-from quartering.hull.from_file import read_lines
-from quartering.hull.readers import read_ship
-from quartering.hull.section_files import Lines
+from quartering.hull.file.read import ship
+from quartering.hull.formats.offset_tables import Lines
+from quartering.hull.formats.read import read_lines
 from quartering.view.explorer.fleet import Known
 
 LARGEST = 8_000_000
@@ -79,7 +79,7 @@ def hull_of_upload(name: str, data: bytes, sizes: Sizes = Sizes()) -> Known:  # 
         try:
             text = _ship_file(called, read_lines(path, None, sizes.draught), sizes)
             (Path(folder) / _SHIP_FILE).write_text(text, encoding="utf-8")
-            made = read_ship(Path(folder) / _SHIP_FILE)
+            made = ship(Path(folder) / _SHIP_FILE)
         except InputError as error:
             raise InputError(_without(folder, str(error))) from None
         except (ArithmeticError, LookupError, ValueError, MemoryError) as error:

@@ -27,7 +27,7 @@ def basin_picture(
 
     Parameters
     ----------
-    ds : Dataset              of `quartering.motion.ensemble.basin`
+    ds : Dataset              of `quartering.motion.transient.basin.basin`
     curve : (heights, integrity)    [m], share of the calm-water basin
     height : float            of the basin drawn [m]
     limit : str               roll that counts as capsize, in words

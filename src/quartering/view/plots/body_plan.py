@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 
-from quartering.hull.contour import along, contour_curve
 from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.lines.contour import along, contour_curve
 from quartering.hull.ship import Ship
 from quartering.view.plots import style
 

@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from quartering.hydro.freedamping import QUADRATIC
-from quartering.hydro.shipdecay import RollDecay, swings
+from quartering.hydro.decay.free_roll import QUADRATIC
+from quartering.hydro.decay.of_ship import RollDecay, swings
 from quartering.view.plots import style
 
 

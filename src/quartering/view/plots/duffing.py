@@ -8,8 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from quartering.motion.duffing import duffing_amplitudes
-from quartering.study.duffing import nearest_root
+from quartering.study.paper.duffing import nearest_root
+from quartering.study.paper.duffing_formulas import duffing_amplitudes
 from quartering.view.plots import style
 from quartering.view.wording import duffing_words
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from matplotlib.figure import Figure
 
-from quartering.hull.righting import RightingFit
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
+from quartering.hull.righting.arm import RightingFit
 from quartering.hull.ship import Ship
 from quartering.view.plots import style
 from quartering.view.plots.body_plan import draw_body_plan

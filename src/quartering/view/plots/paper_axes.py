@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc
 
-from quartering.hull.immersed import strips
+from quartering.hull.lines.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.loads.waves import heading_components
 from quartering.view.plots import style

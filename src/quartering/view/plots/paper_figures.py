@@ -9,10 +9,11 @@ from typing import Final, NamedTuple
 import xarray as xr
 from matplotlib.figure import Figure
 
-from quartering.hull.ship import Ship, ship
+from quartering.hull.file.read import ship
+from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.study.duffing import duffing_curves
 from quartering.study.paper.conditions import FROUDE, INSTABILITY_HEADING, MARINER_FROUDE, speed_of
+from quartering.study.paper.duffing import duffing_curves
 from quartering.study.paper.model import FEEDING
 from quartering.study.paper.sets import (
     CB60,

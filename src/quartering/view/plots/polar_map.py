@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from quartering.loads.waves import Wave, encounter_frequency
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
-from quartering.study.query import capsizing, coexisting, other_rolls
+from quartering.study.maps.query import capsizing, coexisting, other_rolls
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 
@@ -171,7 +171,7 @@ def _outlines(fine: Floats, r: Floats, cells: NDArray[np.bool_], slices: int) ->
 
 
 def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None:
-    """Lines where the ship meets the waves at its roll frequency, at twice that, and not at all."""
+    """Lines where the encounter frequency equals n2, 2 n2 and zero."""
     n2, speed = float(ds.attrs["natural_roll_frequency"]), float(ds["speed"])
     theta, lengths = np.linspace(theta[0], theta[-1], 181), np.linspace(r[0] or r[1] / 10, r[-1], 120)
     sigma = np.array([Wave(one * float(ds.attrs["ship_length"]), 0.0).frequency for one in lengths])

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 from matplotlib.axes import Axes
 
-from quartering.hull.righting import RightingFit
-from quartering.hull.section import Floats
+from quartering.hull.lines.section import Floats
+from quartering.hull.righting.arm import RightingFit
 from quartering.view.plots import style
 
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from quartering.study.tornado import MEASURES
+from quartering.study.effects.tornado import MEASURES
 from quartering.view.plots import style
 from quartering.view.wording import MOST_ROWS, flip_words, row_words
 

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from quartering.conventions import SYMBOLS
 from quartering.stability.kind import Kind
-from quartering.study.vary import varied
+from quartering.study.effects.vary import varied
 from quartering.view.plots import style
 from quartering.view.wording import condition_words, notes
 

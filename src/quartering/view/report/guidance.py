@@ -9,11 +9,11 @@ import xarray as xr
 from markupsafe import Markup
 
 from quartering.conventions import InputError
-from quartering.hull.capsize import least_limit
+from quartering.hull.righting.limit import least_limit
 from quartering.hydro.capsize import vanishing_of_equations
 from quartering.motion.status import Status
 from quartering.stability.kind import Kind
-from quartering.study.query import capsizing, other_rolls, sea_of
+from quartering.study.maps.query import capsizing, other_rolls, sea_of
 from quartering.view.plots.guidance import Diagram, guidance_picture
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source

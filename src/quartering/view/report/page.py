@@ -13,10 +13,10 @@ import numpy as np
 from jinja2 import DictLoader, Environment, StrictUndefined
 
 from quartering.conventions import InputError
-from quartering.hull.righting import fitted_to
+from quartering.hull.righting.arm import fitted_to
 from quartering.hydro.capsize import capsize_limit
 from quartering.motion.status import Status
-from quartering.motion.steady import capsize_advice
+from quartering.motion.steady.motion import capsize_advice
 from quartering.references import cite
 from quartering.stability.kind import Kind
 from quartering.view.report.conditions import judged, sensitivities, worst_conditions

@@ -13,9 +13,9 @@ from markupsafe import Markup, escape
 from matplotlib.figure import Figure
 
 from quartering.conventions import RangeWarning
-from quartering.hull.righting import righting_arm, righting_polynomial
+from quartering.hull.righting.arm import righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
-from quartering.study.query import sea_of
+from quartering.study.maps.query import sea_of
 from quartering.view.commands.result import map_of
 from quartering.view.plots import style
 from quartering.view.plots.hull import hull_picture

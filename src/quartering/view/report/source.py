@@ -13,16 +13,16 @@ from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.digest import fingerprint
+from quartering.hull.file.read import available_ships, ship
 from quartering.hull.option_types import Velocities
-from quartering.hull.readers import available_ships
-from quartering.hull.ship import Ship, ship
+from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
 from quartering.study.loadings import base_of
-from quartering.study.polar import polar
-from quartering.study.store import read_store
-from quartering.study.sweep import sweep
+from quartering.study.maps.polar import polar
+from quartering.study.maps.store import read_store
+from quartering.study.maps.sweep import sweep
 from quartering.units import quantity
 from quartering.view.commands.result import opened
 from quartering.view.progress import bar

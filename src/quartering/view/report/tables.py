@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from quartering.hull.hydrostatics import hydrostatics
-from quartering.hull.righting import righting_polynomial, vanishing_angle
+from quartering.hull.righting.arm import righting_polynomial, vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.coefficients import coefficients

@@ -1,0 +1,1 @@
+"""Ship files: YAML with units, read, checked, begun, changed."""

@@ -1,0 +1,1 @@
+"""Lines in files of other programs: offset tables, PDSTRIP, GDF, STL."""

@@ -1,0 +1,163 @@
+"""Section outline as an interpolated curve through offset points, keel to deck."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from quartering.hull.lines.section import Floats
+
+Outline = Literal["smooth", "straight"]
+"""How contour points are joined: by a monotone cubic, or by straight lines."""
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """Monotone cubic curve (y, height) over chord length, through the points of one contour.
+
+    Parameters
+    ----------
+    chord : (n,) float       chord length at the points, from the keel [m]; a repeated value is a knuckle
+    point : (n, 2) float     half breadth and height above the baseline [m]
+    slope : (n, 2) float     derivative of the points by chord length [1]
+    """
+
+    chord: Floats
+    point: Floats
+    slope: Floats
+
+
+def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Curve:
+    """Lay a curve through contour points; a point given twice keeps its corner.
+
+    Parameters
+    ----------
+    y, height : (n,) float    half breadths and heights above the baseline, keel to deck [m]
+    outline : str             "smooth" (monotone cubic) or "straight" (every point a corner)
+
+    Returns
+    -------
+    Curve    piecewise cubic, no overshoot between points, continuous tangent except at knuckles
+
+    Notes
+    -----
+    Monotone cubic interpolation of both coordinates over chord length.  Source: [Fritsch84].
+    Valid: heights that do not descend; straight runs (flat bottom, vertical side) stay straight.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> box = contour_curve(np.array([0.0, 5.0, 5.0]), np.array([0.0, 0.0, 4.0]))
+    >>> y, height, *_ = along(box, np.array([2.5, 7.0]))
+    >>> y[1], height[0]
+    (np.float64(5.0), np.float64(0.0))
+    """
+    point = np.stack([y, height], axis=1)
+    if outline == "straight":
+        point = np.repeat(point, 2, axis=0)[1:-1]
+    chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(point, axis=0).T))])
+    return Curve(chord, point, _slopes(chord, point))
+
+
+def _slopes(s: Floats, point: Floats) -> Floats:
+    """Slopes of the monotone cubics through ``point`` (n, 2) over ``s`` (n,), one from knuckle to knuckle.
+
+    Within a run, the mean of the neighbouring secants a, b over intervals h, k that keeps the cubic monotone,
+    3 (h + k)/((2k + h)/a + (2h + k)/b), or 0 where they differ in sign; at its ends the three-point formula, limited; a
+    run of two points is straight. Source: [Fritsch84].
+    """
+    h = np.diff(s)[:, None]
+    run = h[:, 0] > 0.0  # an interval of no length is a knuckle
+    slope = np.zeros_like(point)
+    if not run.any():
+        return slope
+    with np.errstate(divide="ignore", invalid="ignore"):
+        secant = np.diff(point, axis=0) / h
+    # the interval before point i is i - 1, the one after it is i
+    before, after = np.append(False, run), np.append(run, False)
+    inner = np.flatnonzero(before & after)
+    left, right = secant[inner - 1], secant[inner]
+    w1, w2 = 2 * h[inner] + h[inner - 1], h[inner] + 2 * h[inner - 1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope[inner] = np.where(left * right > 0, (w1 + w2) / (w1 / left + w2 / right), 0.0)
+    for ends, step in ((np.flatnonzero(after & ~before), 1), (np.flatnonzero(before & ~after), -1)):
+        near = ends - (step < 0)  # the interval at the end, and the next one if it is of the same run
+        following = np.clip(near + step, 0, run.size - 1)
+        alone = ~run[following] | (following == near)
+        slope[ends[alone]] = secant[near[alone]]
+        near, following, ends = near[~alone], following[~alone], ends[~alone]
+        slope[ends] = _end_slope(h[near], h[following], secant[near], secant[following])
+    return slope
+
+
+def _end_slope(h0: Floats, h1: Floats, secant0: Floats, secant1: Floats) -> Floats:
+    """Three-point end slope that keeps the sign of the end secant and at most three times its size."""
+    slope = ((2 * h0 + h1) * secant0 - h0 * secant1) / (h0 + h1)
+    slope = np.where(slope * secant0 <= 0, 0.0, slope)
+    turned = (secant0 * secant1 < 0) & (np.abs(slope) > 3 * np.abs(secant0))
+    return np.where(turned, 3 * secant0, slope)
+
+
+def along(curve: Curve, s: Floats, side: Literal["left", "right"] = "right") -> tuple[Floats, Floats, Floats, Floats]:
+    """Points and tangents of a contour at chord lengths.
+
+    Parameters
+    ----------
+    curve : Curve       the contour
+    s : (n,) float      chord lengths from the keel [m]
+    side : str          at a knuckle, the tangent above it ("right") or below it ("left")
+
+    Returns
+    -------
+    y, height, dy, dheight : (n,) float    coordinates [m] and their derivatives by chord length [1]
+
+    Notes
+    -----
+    Cubic Hermite form.  Source: [Fritsch84].
+    """
+    i = np.clip(np.searchsorted(curve.chord, s, side=side) - 1, 0, len(curve.chord) - 2)
+    while (flat := curve.chord[i + 1] <= curve.chord[i]).any():  # land on the interval before a knuckle
+        i = np.where(flat, i - 1, i)
+    h = (curve.chord[i + 1] - curve.chord[i])[:, None]
+    t = (s - curve.chord[i])[:, None] / h
+    p0, p1, m0, m1 = curve.point[i], curve.point[i + 1], curve.slope[i] * h, curve.slope[i + 1] * h
+    c2, c3 = 3 * (p1 - p0) - 2 * m0 - m1, 2 * (p0 - p1) + m0 + m1
+    value = p0 + t * (m0 + t * (c2 + t * c3))
+    tangent = (m0 + t * (2 * c2 + 3 * t * c3)) / h
+    return value[:, 0], value[:, 1], tangent[:, 0], tangent[:, 1]
+
+
+def chord_at_height(curve: Curve, height: float) -> float:
+    """Chord length at which a contour first reaches a height (its whole length when it stays below).
+
+    Parameters
+    ----------
+    curve : Curve      the contour
+    height : float     above the baseline [m]
+
+    Returns
+    -------
+    float    chord length from the keel [m]
+
+    Notes
+    -----
+    Root of the cubic of the crossed interval, by bisection.  Source: [Fritsch84] (the height never descends).
+    """
+    heights = curve.point[:, 1]
+    above = np.flatnonzero(heights >= height)
+    if above.size == 0 or above[0] == 0:
+        return float(curve.chord[-1] if above.size == 0 else 0.0)
+    last = int(above[0])
+    if heights[last] == height:
+        return float(curve.chord[last])
+    start, end = float(curve.chord[last - 1]), float(curve.chord[last])
+    h0, h1 = float(heights[last - 1]), float(heights[last])
+    m0, m1 = (float(slope) * (end - start) for slope in curve.slope[last - 1 : last + 1, 1])
+    c2, c3 = 3 * (h1 - h0) - 2 * m0 - m1, 2 * (h0 - h1) + m0 + m1
+    low, high = 0.0, 1.0
+    for _ in range(53):
+        t = 0.5 * (low + high)
+        low, high = (low, t) if h0 + t * (m0 + t * (c2 + t * c3)) >= height else (t, high)
+    return start + high * (end - start)

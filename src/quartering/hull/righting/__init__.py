@@ -1,0 +1,1 @@
+"""Righting arm: heeled sections, GZ, its spline or polynomial, the capsize limit."""

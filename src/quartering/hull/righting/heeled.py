@@ -1,0 +1,165 @@
+"""Heeled sections cut by the waterline that keeps the volume: cross curves of stability."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from quartering.hull.lines.contour import along
+from quartering.hull.lines.hull import Hull
+from quartering.hull.lines.immersed import immersed_curve
+from quartering.hull.lines.section import Floats
+
+PIECES = 96
+"""Straight pieces, at least, that half a section is drawn with."""
+
+_ITERATIONS = 60
+
+
+class _Cut(NamedTuple):
+    """Immersed part of polygons: area, first moment of the transverse coordinate, width at the waterline."""
+
+    area: Floats
+    moment: Floats
+    width: Floats
+
+
+@lru_cache(maxsize=128)
+def cross_curve(hull: Hull, phi: tuple[float, ...]) -> tuple[Floats, Floats]:
+    """Lever KN of buoyancy about the keel, and freeboard of the lowest deck edge, at heel angles.
+
+    Parameters
+    ----------
+    hull : Hull
+    phi : tuple of float    heel angles, positive starboard side down [rad]
+
+    Returns
+    -------
+    kn : (n,) float           [m]; the righting arm is KN - KG sin(phi)
+    freeboard : (n,) float    height of the lowest deck edge over the water [m]; negative when it is under
+
+    Notes
+    -----
+    Sections are polygons, both sides, closed at the deck; at every angle the waterline is moved until the volume is that
+    of the upright hull (Newton within a bracket), without trim.  Source: [Lewis88] ch. 2.
+
+    Examples
+    --------
+    >>> from quartering.hull.lines.hull import box_hull
+    >>> kn, freeboard = cross_curve(box_hull(100.0, 20.0, 5.0, 10.0), (0.0, 0.1))
+    >>> round(float(kn[1]) / 0.1, 2), round(float(freeboard[0]), 6)
+    (9.18, 5.0)
+    """
+    y, height = polygons(hull)
+    upright = float(hull.weight @ _cut(y, hull.draught - height).area)
+    cosine, sine = np.cos(phi)[:, None, None], np.sin(phi)[:, None, None]
+    across, up = y * cosine + height * sine, height * cosine - y * sine  # axes level with the water
+    level = _levels(hull, across, up, upright)
+    moment = _cut(across, level[:, None, None] - up).moment
+    top = y.shape[1] // 2
+    edge = up[:, :, top - 1 : top + 1].min(axis=(1, 2))
+    return moment @ hull.weight / upright, edge - level
+
+
+def _levels(hull: Hull, across: Floats, up: Floats, volume: float) -> Floats:
+    """Height of the waterline at each angle that holds the volume."""
+    low, high = up.min(axis=(1, 2)), up.max(axis=(1, 2))
+    level = np.clip(hull.draught * np.ones(len(up)), low, high)
+    for _ in range(_ITERATIONS):
+        cut = _cut(across, level[:, None, None] - up)
+        excess, slope = cut.area @ hull.weight - volume, cut.width @ hull.weight
+        if (np.abs(excess) <= 1e-12 * volume).all():
+            break
+        low, high = np.where(excess < 0, level, low), np.where(excess > 0, level, high)
+        newton = level - excess / np.where(slope > 0, slope, np.inf)
+        level = np.where((newton > low) & (newton < high), newton, np.where(excess == 0, level, 0.5 * (low + high)))
+    return level
+
+
+@lru_cache(maxsize=64)
+def polygons(hull: Hull, pieces: int = PIECES) -> tuple[Floats, Floats]:
+    """Sections as polygons with both sides, closed at the deck.
+
+    Parameters
+    ----------
+    hull : Hull
+    pieces : int    straight pieces of half a section, at least
+
+    Returns
+    -------
+    y, height : (s, n) float    keel, up the starboard side, across the deck, down the port side; the last point of a side is
+                                repeated where a section has fewer [m]
+
+    Examples
+    --------
+    >>> from quartering.hull.lines.hull import box_hull
+    >>> y, height = polygons(box_hull(100.0, 20.0, 5.0, 10.0))
+    >>> float(y.min()), float(height.max())
+    (-10.0, 10.0)
+    """
+    halves = []
+    for i in range(len(hull.x)):
+        curve, _ = immersed_curve(hull, i)
+        ends = np.unique(curve.chord)
+        each = max(1, -(-pieces // (len(ends) - 1)))
+        fraction = np.arange(each) / each
+        s = np.append((ends[:-1, None] + np.diff(ends)[:, None] * fraction).ravel(), ends[-1])
+        halves.append(np.stack(along(curve, s)[:2]))
+    longest = max(half.shape[1] for half in halves)
+    y, height = np.stack([np.pad(half, ((0, 0), (0, longest - half.shape[1])), mode="edge") for half in halves], axis=1)
+    return np.concatenate([y, -y[:, ::-1]], axis=1), np.concatenate([height, height[:, ::-1]], axis=1)
+
+
+def _cut(across: Floats, depth: Floats) -> _Cut:
+    """Part of counter-clockwise polygons (..., points) where depth > 0, by integrals along their edges.
+
+    area = -closed integral of a dq, moment = -(1/2) closed integral of a^2 dq with q the depth: the cut itself, on q = 0,
+    adds nothing.
+    """
+    a0, a1, q0, q1 = across[..., :-1], across[..., 1:], depth[..., :-1], depth[..., 1:]
+    leaves, enters = (q0 > 0) & (q1 <= 0), (q0 <= 0) & (q1 > 0)
+    crossing = leaves | enters
+    t = np.where(crossing, q0, 0.0) / np.where(crossing, q0 - q1, 1.0)
+    at = a0 + t * (a1 - a0)
+    start, end = np.where(enters, at, a0), np.where(leaves, at, a1)
+    dq = np.maximum(q1, 0.0) - np.maximum(q0, 0.0)
+    return _Cut(
+        area=-0.5 * ((start + end) * dq).sum(axis=-1),
+        moment=-((start * start + start * end + end * end) * dq).sum(axis=-1) / 6.0,
+        width=np.where(leaves, at, 0.0).sum(axis=-1) - np.where(enters, at, 0.0).sum(axis=-1),
+    )
+
+
+def deck_angle(hull: Hull) -> float:
+    """Heel at which the first deck edge (top of a contour) goes under, at constant displacement.
+
+    Parameters
+    ----------
+    hull : Hull
+
+    Returns
+    -------
+    float    [deg], to the nearest 0.1; inf when no edge goes under below 80 deg
+
+    Notes
+    -----
+    Source: geometry, with the waterlines of ``righting_arm``.
+
+    Examples
+    --------
+    >>> from quartering.hull.lines.hull import box_hull
+    >>> round(deck_angle(box_hull(100.0, 20.0, 5.0, 10.0)), 1)
+    26.6
+    """
+    angles = np.linspace(0.0, 80.0, 17)
+    for _ in range(2):
+        freeboard = cross_curve(hull, tuple(np.radians(angles).tolist()))[1]
+        if not (freeboard < 0).any():
+            return float("inf")
+        if freeboard[0] < 0:
+            return 0.0
+        at = max(1, int(np.argmax(freeboard < 0)))
+        angles = np.linspace(angles[at - 1], angles[at], 11)
+    return float(np.interp(0.0, -freeboard[at - 1 : at + 1], [angles[0], angles[-1]]))

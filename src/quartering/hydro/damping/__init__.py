@@ -1,0 +1,1 @@
+"""Added roll damping: one file a method, and the forms it is written in."""

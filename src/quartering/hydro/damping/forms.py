@@ -1,0 +1,202 @@
+"""Roll damping written as linear, linear + quadratic or linear + cubic, and how one form is made from another.
+
+A harmonic roll rate of amplitude p_a loses the same energy over a cycle to ``B2 |p| p``, to the linear
+``(8/(3 pi)) B2 p_a p`` and to the cubic ``(32/(9 pi)) (B2/p_a) p^3``. Only at p_a: elsewhere the three differ.
+Least squares on [0, p_a] replaces ``|p| p`` by ``(5/16) p_a p + (35/48) p^3/p_a`` instead.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.conventions import InputError
+from quartering.hull.lines.section import Floats
+
+LINEAR_OF_QUADRATIC: Final = 8 / (3 * np.pi)
+"""Equal dissipation: |p| p of amplitude p_a loses as much as this times p_a p."""
+
+LINEAR_OF_CUBIC: Final = 3 / 4
+"""Equal dissipation: p^3 of amplitude p_a loses as much as this times p_a^2 p."""
+
+CUBIC_OF_QUADRATIC: Final = 32 / (9 * np.pi)
+"""Equal dissipation: |p| p of amplitude p_a loses as much as this times p^3/p_a."""
+
+LEAST_SQUARES: Final = (5 / 16, 35 / 48)
+"""|p| p on [0, p_a] by least squares: the first times p_a p plus the second times p^3/p_a."""
+
+
+class DampingForm(NamedTuple):
+    """Linear damping and one nonlinear term, fitted over a range of amplitudes.
+
+    Parameters
+    ----------
+    linear : float       B1, of p [N m s]
+    nonlinear : float    B2, of |p| p [N m s2], or B3, of p^3 [N m s3]
+    power : int          of the nonlinear term: 2 or 3
+    misfit : float       root mean square of the fit's error over the mean damping of the range [1]
+    """
+
+    linear: float
+    nonlinear: float
+    power: int
+    misfit: float
+
+    def equivalent(self, rate: ArrayLike) -> Floats:
+        """Linear damping of equal dissipation at a roll rate amplitude.
+
+        Parameters
+        ----------
+        rate : (...) float    p_a = omega phi_a [rad/s]
+
+        Returns
+        -------
+        (...) float    [N m s]
+
+        Notes
+        -----
+        B1 + (8/(3 pi)) B2 p_a or B1 + (3/4) B3 p_a^2.  Source: [Himeno81] ch. 2.
+
+        Examples
+        --------
+        >>> round(float(DampingForm(1.0, 3 * np.pi, 2, 0.0).equivalent(0.5)), 12)
+        5.0
+        """
+        p = np.asarray(rate, dtype=float)
+        factor = LINEAR_OF_QUADRATIC * p if self.power == 2 else LINEAR_OF_CUBIC * p**2
+        return np.asarray(self.linear + self.nonlinear * factor)
+
+
+def quadratic_to_linear(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Floats:
+    """Linear damping that dissipates as much as quadratic damping at one amplitude.
+
+    Parameters
+    ----------
+    quadratic : (...) float         B2, of |p| p [N m s2, or per inertia]
+    amplitude_rate : (...) float    p_a = omega phi_a > 0 [rad/s]
+
+    Returns
+    -------
+    (...) float    (8/(3 pi)) B2 p_a [N m s, or per inertia]
+
+    Raises
+    ------
+    InputError    an amplitude that is not positive
+
+    Notes
+    -----
+    Source: [Himeno81] ch. 2, equal dissipation.  Valid: at that amplitude, harmonic roll.
+
+    Examples
+    --------
+    >>> round(float(quadratic_to_linear(3 * np.pi, 2.0)), 12)
+    16.0
+    """
+    return LINEAR_OF_QUADRATIC * np.asarray(quadratic, dtype=float) * _positive(amplitude_rate)
+
+
+def quadratic_to_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Floats:
+    """Cubic damping that dissipates as much as quadratic damping at one amplitude.
+
+    Parameters
+    ----------
+    quadratic : (...) float         B2, of |p| p [N m s2, or per inertia]
+    amplitude_rate : (...) float    p_a = omega phi_a > 0 [rad/s]
+
+    Returns
+    -------
+    (...) float    (32/(9 pi)) B2/p_a, of p^3 [N m s3, or per inertia]
+
+    Raises
+    ------
+    InputError    an amplitude that is not positive
+
+    Notes
+    -----
+    The linear damping is left alone. Below p_a the cubic dissipates less than |p| p, above it more.
+    Source: [Himeno81] ch. 2, equal dissipation.  Valid: at that amplitude, harmonic roll.
+
+    Examples
+    --------
+    >>> round(float(quadratic_to_cubic(9 * np.pi, 2.0)), 12)
+    16.0
+    """
+    return CUBIC_OF_QUADRATIC * np.asarray(quadratic, dtype=float) / _positive(amplitude_rate)
+
+
+def quadratic_to_linear_and_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> tuple[Floats, Floats]:
+    """Linear and cubic damping nearest to quadratic damping for every rate up to an amplitude.
+
+    Parameters
+    ----------
+    quadratic : (...) float         B2, of |p| p [N m s2, or per inertia]
+    amplitude_rate : (...) float    p_a, the largest roll rate, > 0 [rad/s]
+
+    Returns
+    -------
+    linear, cubic : (...) float     (5/16) B2 p_a [N m s] and (35/48) B2/p_a [N m s3], or per inertia
+
+    Raises
+    ------
+    InputError    an amplitude that is not positive
+
+    Notes
+    -----
+    Least squares of |p| p by p and p^3 on [0, p_a], all rates weighted alike: the moment is nearest, the dissipation at
+    p_a is 1.2 % above that of |p| p.  Source: [Himeno81] ch. 2 for the forms; the two constants in closed form.
+
+    Examples
+    --------
+    >>> quadratic_to_linear_and_cubic(48.0, 2.0)
+    (np.float64(30.0), np.float64(17.5))
+    """
+    b2, p = np.asarray(quadratic, dtype=float), _positive(amplitude_rate)
+    return LEAST_SQUARES[0] * b2 * p, LEAST_SQUARES[1] * b2 / p
+
+
+def fitted_form(rate: ArrayLike, equivalent: ArrayLike, power: int) -> DampingForm:
+    """Linear + quadratic or linear + cubic damping from equivalent linear damping at several amplitudes.
+
+    Parameters
+    ----------
+    rate : (n,) float          amplitudes of the roll rate, n >= 2 [rad/s]
+    equivalent : (n,) float    equivalent linear damping at each [N m s]
+    power : int                2 or 3
+
+    Returns
+    -------
+    DampingForm
+
+    Raises
+    ------
+    InputError    fewer than two amplitudes, unequal lengths, another power
+
+    Notes
+    -----
+    Least squares over the amplitudes given, all weighted alike.  Source: [Himeno81] ch. 2.
+
+    Examples
+    --------
+    >>> form = fitted_form([0.1, 0.2, 0.3], [1.0 + 0.75 * 8.0 * p**2 for p in (0.1, 0.2, 0.3)], 3)
+    >>> round(form.linear, 9), round(form.nonlinear, 9)
+    (1.0, 8.0)
+    """
+    p, b = _positive(rate), np.asarray(equivalent, dtype=float)
+    if power not in (2, 3):
+        raise InputError(f"power {power} of the damping is unknown; allowed are 2 (quadratic) and 3 (cubic)")
+    if p.ndim != 1 or p.shape != b.shape or p.size < 2:
+        raise InputError("a damping form needs the equivalent damping at two amplitudes or more, as many of each")
+    basis = LINEAR_OF_QUADRATIC * p if power == 2 else LINEAR_OF_CUBIC * p**2
+    matrix = np.stack([np.ones_like(p), basis], axis=1)
+    (linear, nonlinear), *_ = np.linalg.lstsq(matrix, b, rcond=None)
+    misfit = np.sqrt(np.mean((matrix @ (linear, nonlinear) - b) ** 2)) / max(abs(float(np.mean(b))), 1e-300)
+    return DampingForm(float(linear), float(nonlinear), power, float(misfit))
+
+
+def _positive(amplitude_rate: ArrayLike) -> Floats:
+    p = np.asarray(amplitude_rate, dtype=float)
+    if not (np.isfinite(p).all() and (p > 0).all()):
+        raise InputError(f"amplitude of the roll rate {p} rad/s must be a number above 0: frequency times angle")
+    return p

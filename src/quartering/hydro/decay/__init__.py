@@ -1,0 +1,1 @@
+"""Free decay records: read, analysed, and made the added roll damping of a ship."""

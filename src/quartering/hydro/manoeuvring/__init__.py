@@ -1,0 +1,1 @@
+"""Forces of steady motion: lift, cross-flow drag, rudder, measured derivatives."""

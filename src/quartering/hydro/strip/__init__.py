@@ -1,0 +1,1 @@
+"""Strip theory: section coefficients over the length, three-dimensional end corrections, six modes."""

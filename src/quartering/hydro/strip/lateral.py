@@ -1,0 +1,158 @@
+"""Strip theory: from section added mass and damping to the derivatives of the whole ship, in body axes.
+
+A section moves with ``V2 = v + x r`` and ``V4 = p`` and feels ``f_i = -(i w - U d/dx)[c_i2 (v + x r) + c_i4 p]`` with
+``c = a + b/(i w)``. Integrated over the length (aft end x_A), with the moments ``S_k = int x^k c dx``, this is
+
+    damping-type derivatives = -( M[b] + U (J[a] + M[a at x_A]) )
+    inertia-type derivatives = -( M[a] - U/w^2 (J[b] + M[b at x_A]) )
+
+    M[c] = [[S0_22, S0_24, S1_22], [S0_24, S0_44, S1_24], [S1_22, S1_24, S2_22]],   J[c] = yaw row (S0_22, S0_24, S1_22)
+
+At one section M[c at x_A] is M with ``S_k = x_A^k c(x_A)``. All coefficients are stored as the triple [22, 24, 44].
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from quartering.conventions import GRAVITY, InputError
+from quartering.hull.lines.section import Floats
+from quartering.hydro.strip.integrals import moment_matrix, section_moments
+
+FREQUENCY_FLOOR = 0.15
+"""Below FREQUENCY_FLOOR sqrt(g/B) the U/w^2 terms stop growing: w is held there in their denominator."""
+
+
+def _speed_terms(moments: Floats, aft: Floats | None) -> Floats:
+    """Factor of U: the yaw row J[c], and the terms of the aft end when it carries area."""
+    terms = np.zeros_like(moments)
+    terms[..., 2, :] = moment_matrix(moments)[..., 0, :]
+    return terms if aft is None else terms + moment_matrix(aft)
+
+
+def derivatives_from_moments(
+    a: Floats,
+    b: Floats,
+    speed: ArrayLike,
+    frequency: ArrayLike,
+    *,
+    aft: tuple[Floats, Floats] | None = None,
+    floor: float = 0.0,
+) -> tuple[Floats, Floats]:
+    """Damping- and inertia-type derivatives from the integrated section coefficients.
+
+    Parameters
+    ----------
+    a, b : (..., 3, 3) float    moments of added mass and damping about the point wanted, at each condition
+    speed : (...) float         U [m/s]
+    frequency : (...) float     encounter frequency omega, >= 0 [rad/s]
+    aft : two (..., 3, 3)       x_A^k a(x_A) and x_A^k b(x_A) of a transom; None leaves those terms out
+    floor : float               the U/omega^2 terms use max(omega, floor); infinity leaves them out [rad/s]
+
+    Returns
+    -------
+    damping : (..., 3, 3) float    Y_v, Y_p, Y_r; K_v, ..; N_v, .., without any rigid-body term
+    inertia : (..., 3, 3) float    Y_vdot, Y_pdot, ..
+
+    Notes
+    -----
+    At omega = 0 without a floor the U/omega^2 terms are zero, because b goes to zero faster than omega^2.
+    Source: [STF70] lateral coefficients, rewritten for body axes (v already contains -U psi).  Valid: slender ships.
+
+    Examples
+    --------
+    >>> a = section_moments([0.0], [1.0], [[2.0, 0.0, 1.0]])
+    >>> damping, inertia = derivatives_from_moments(a, 0 * a, 3.0, 1.0)
+    >>> float(damping[2, 0]), float(inertia[0, 0])
+    (-6.0, -2.0)
+    """
+    u = np.asarray(speed, dtype=float)[..., None, None]
+    w = np.maximum(np.asarray(frequency, dtype=float), floor)[..., None, None]
+    per_square = np.where(w > 0, 1 / np.where(w > 0, w, 1.0) ** 2, 0.0)
+    aft_a, aft_b = (None, None) if aft is None else aft
+    damping = -(moment_matrix(b) + u * _speed_terms(a, aft_a))
+    inertia = -(moment_matrix(a) - u * per_square * _speed_terms(b, aft_b))
+    return damping, inertia
+
+
+def strip_derivatives(
+    x: ArrayLike,
+    weight: ArrayLike,
+    a: ArrayLike,
+    b: ArrayLike,
+    speed: ArrayLike,
+    frequency: ArrayLike,
+    aft: tuple[float, ArrayLike, ArrayLike] | None = None,
+    *,
+    floor: float = 0.0,
+) -> tuple[Floats, Floats]:
+    """Velocity and acceleration derivatives of the whole ship from its sections.
+
+    Parameters
+    ----------
+    x : (s,) float              section positions from the reference point, + forward [m]
+    weight : (s,) float         quadrature weights along the ship [m]
+    a, b : (..., s, 3) float    section added mass and damping [22, 24, 44] about the reference point, per metre, SI
+    speed : (...) float         U [m/s]
+    frequency : (...) float     encounter frequency omega, >= 0 [rad/s]
+    aft : (x_A, a, b)           position and (..., 3) coefficients of a transom; None leaves its terms out
+    floor : float               the U/omega^2 terms use max(omega, floor); infinity leaves them out [rad/s]
+
+    Returns
+    -------
+    damping : (..., 3, 3) float    [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], no rigid-body term
+    inertia : (..., 3, 3) float    [[Y_vdot, Y_pdot, Y_rdot], ..]
+
+    Raises
+    ------
+    InputError    a negative or not finite frequency
+
+    Notes
+    -----
+    Source: [STF70] lateral coefficients with transom terms, rewritten for body axes.  Valid: slender ships.
+
+    Examples
+    --------
+    >>> damping, inertia = strip_derivatives([0.0], [10.0], [[2.0, 0.0, 1.0]], [[0.5, 0.0, 0.1]], 3.0, 1.0)
+    >>> damping[:, 0].tolist(), inertia[:, 0].tolist()
+    ([-5.0, -0.0, -60.0], [-20.0, -0.0, 15.0])
+    """
+    w = np.asarray(frequency, dtype=float)
+    if not (np.isfinite(w).all() and (w >= 0).all()):
+        raise InputError(
+            f"frequency {w!r} must be finite and >= 0 rad/s; fold a negative encounter frequency to |omega|"
+        )
+    ends = None
+    if aft is not None:
+        ends = (section_moments([aft[0]], [1.0], _one(aft[1])), section_moments([aft[0]], [1.0], _one(aft[2])))
+    moments = section_moments(x, weight, a), section_moments(x, weight, b)
+    return derivatives_from_moments(*moments, speed, w, aft=ends, floor=floor)
+
+
+def _one(coefficients: ArrayLike) -> Floats:
+    """The (..., 3) coefficients of one section as (..., 1, 3)."""
+    return np.asarray(coefficients, dtype=float)[..., None, :]
+
+
+def frequency_floor(beam: float) -> float:
+    """Frequency at which the U/omega^2 terms of strip theory stop growing.
+
+    Parameters
+    ----------
+    beam : float    B [m]
+
+    Returns
+    -------
+    float    0.15 sqrt(g/B) [rad/s]
+
+    Notes
+    -----
+    Source: [STF70] for the terms; the floor is assumed, low enough to leave wave-frequency motion alone.
+
+    Examples
+    --------
+    >>> round(frequency_floor(16.256), 4)
+    0.1165
+    """
+    return float(FREQUENCY_FLOOR * np.sqrt(GRAVITY / beam))

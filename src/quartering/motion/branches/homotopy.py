@@ -1,0 +1,142 @@
+"""Carry a motion of few harmonics to many: Newton's method, perturbed starts, homotopy by arclength."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from quartering.motion.branches.arclength import Equations, corrected, follow
+from quartering.motion.equations.batch import copies
+from quartering.motion.equations.system import Floats, System
+from quartering.motion.status import Status
+from quartering.motion.steady.balance import balance_of
+from quartering.motion.steady.harmonic import harmonic_balance
+from quartering.motion.steady.subharmonic import columns, rearranged
+
+_BESIDE = (1.0, 1.01, 0.99, 1.03, 0.97)
+_NEAR, _SAME = 0.15, 1e-6
+_POINTS, _BACK = 200, -0.05
+
+# The arc. Let a be the coefficients of the few harmonics and b those of the others, R the residual of the balance equations,
+# split alike, and L the derivative of R_b by b without any motion. Then
+#
+#     R_a(a, b) = 0,    (1 - s) L b + s R_b(a, b) = 0
+#
+# has at s = 0 the motion of few harmonics (b = 0), and at s = 1 the motion of many. Followed by arclength the arc passes its
+# turns, where Newton's method between the two ends has nothing to hold on to. An arc that comes back to s = 0 ends at another
+# motion of few harmonics: then no motion of many belongs to either, the two merge before the further harmonics are all there.
+
+
+def carried(system: System, seeds: list[Floats], few: tuple[int, ...], many: tuple[int, ...]) -> list[Floats | None]:
+    """Motions of many harmonics that belong to motions of few.
+
+    Parameters
+    ----------
+    system : System                   one condition
+    seeds : list of (3, b) float      motions of the harmonics `few`
+    few, many : tuple of int          harmonics, `few` among `many`
+
+    Returns
+    -------
+    list of (3, c) float or None      one for each seed; None where its arc does not reach all harmonics
+
+    Notes
+    -----
+    Newton's method from the seed, taken where it stays within 15 % of the seed and does not lead there from another; else from
+    the seed times 1.01, 0.99, 1.03 and 0.97; else along the arc of the comment above.  Source: [Krack19].
+
+    Examples
+    --------
+    A softening oscillator whose upper motion Newton's method loses on the way from one harmonic to three:
+
+    >>> from quartering.motion.equations.system import Model
+    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.00808, "K_phiphiphi": 0.9795}
+    >>> system = Model(np.eye(3), terms, 0.83386, (0, 0.00918, 0), (0, 0, 0)).system
+    >>> start = np.array([[[0, 0], [-0.5, 0.42], [0, 0]]])
+    >>> seed, _, _ = harmonic_balance(system, (1,), start)
+    >>> (found,) = carried(system, [seed[0]], (1,), (1, 3, 5))
+    >>> round(float(np.hypot(*found[1, :2])), 4)
+    0.6625
+    """
+    if not seeds or few == many:
+        return list(seeds)
+    wide = rearranged(np.array(seeds), few, many)
+    starts = np.concatenate([factor * wide for factor in _BESIDE])
+    u, status, _ = harmonic_balance(copies(system, len(starts)), many, start=starts)
+    reached: list[Floats | None] = []
+    for i, seed in enumerate(wide):
+        near = [u[j] for j in range(i, len(u), len(wide)) if Status(status[j]).ok and _near(u[j], seed)]
+        reached.append(near[0] if near else None)
+    return [
+        along_arc(system, seed, few, many) if one is None or _shared(one, reached) else one
+        for seed, one in zip(wide, reached, strict=True)
+    ]
+
+
+def same(a: Floats, b: Floats) -> bool:
+    """Are two motions one, to what Newton's method leaves?"""
+    size = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1)) + 1e-12
+    return bool((np.abs(a - b).max(axis=1) < _SAME * size + 1e-12).all())
+
+
+def _shared(one: Floats, reached: list[Floats | None]) -> bool:
+    """Did Newton's method lead from two seeds to the same motion? Then it says of neither where it belongs."""
+    return sum(same(one, other) for other in reached if other is not None) > 1
+
+
+def _near(u: Floats, seed: Floats) -> bool:
+    """Is a motion within 15 % of the largest coefficient of roll?"""
+    return bool(np.abs(u[1] - seed[1]).max() <= _NEAR * np.abs(seed[1]).max())
+
+
+def along_arc(system: System, seed: Floats, few: tuple[int, ...], many: tuple[int, ...]) -> Floats | None:
+    """The motion of many harmonics at the end of the arc from one of few, or None where the arc does not get there.
+
+    Parameters
+    ----------
+    system : System          one condition
+    seed : (3, c) float      coefficients of the harmonics `many`, zero but for `few`
+    few, many : tuple of int
+
+    Returns
+    -------
+    (3, c) float or None
+
+    Notes
+    -----
+    Source: [Krack19] (homotopy, arclength continuation).
+    """
+    size = np.abs(seed).max(axis=1)
+    scale = np.repeat(np.maximum(size, 1e-3 * size.max() + 1e-12), seed.shape[1])
+    equations = _arc(system, seed.shape, scale, few, many)
+    begin, along = np.append(seed.ravel() / scale, 0.0), np.zeros(seed.size + 1)
+    along[-1] = 1.0
+    path = follow(equations, begin, along, lambda p: _BACK < p[-1] < 1.0, points=_POINTS, may_close=False).points
+    if len(path) < 2 or path[-1, -1] < 1.0:
+        return None
+    share = (1.0 - path[-2, -1]) / (path[-1, -1] - path[-2, -1])
+    end = corrected(equations, path[-2] + share * (path[-1] - path[-2]), along)
+    return None if end is None else (end[:-1] * scale).reshape(seed.shape)
+
+
+def _arc(
+    system: System, shape: tuple[int, ...], scale: Floats, few: tuple[int, ...], many: tuple[int, ...]
+) -> Equations:
+    """The equations of the arc, the derivative by s in the last column."""
+    further = np.array([
+        k * shape[1] + c for k in range(3) for h, where in columns(many).items() if h not in few
+        for c in range(where.start, where.stop)
+    ])  # fmt: skip
+    _, at_rest = balance_of(system, many, np.zeros(shape))
+    plain = np.zeros_like(at_rest)
+    plain[np.ix_(further, further)] = at_rest[np.ix_(further, further)]
+
+    def equations(point: Floats) -> tuple[Floats, Floats]:
+        x, s = point[:-1] * scale, point[-1]
+        value, matrix = balance_of(system, many, x.reshape(shape))
+        by_share = np.zeros(value.size)
+        by_share[further] = value[further] - (plain @ x)[further]
+        value[further] -= (1.0 - s) * by_share[further]
+        matrix[further] = s * matrix[further] + (1.0 - s) * plain[further]
+        return value, np.column_stack([matrix * scale, by_share])
+
+    return equations

@@ -1,0 +1,511 @@
+"""The equations of motion: from named terms to accelerations, the acceleration coupling removed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from quartering.conventions import InputError
+from quartering.hull.autopilot import Autopilot
+from quartering.hull.righting.limit import CapsizeLimit, first_vanishing, least_limit
+from quartering.hull.righting.spline import OddSpline, odd_spline
+from quartering.motion.equations.basis import Basis, basis
+from quartering.motion.equations.layout import LAGGING, SHIP, STEERED, Layout
+from quartering.motion.equations.program import PLAIN, Program, program
+from quartering.motion.equations.rates import Parts
+from quartering.motion.equations.steering import steered
+from quartering.motion.equations.terms import TermTable, checked_number, parse, term_table
+from quartering.motion.equations.water import Strips, relative_inputs, relative_terms
+from quartering.names import RUDDER_NAMES, term
+from quartering.rowwise import contracted
+
+Floats = NDArray[np.float64]
+
+
+PER_CONDITION: Final = Parts._fields
+"""What of a `System` has a row a condition; the products are alike in all."""
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """The canonical equations of n conditions: accelerations as explicit functions of the state and the time.
+
+    ``d/dt (v, p, r) = linear (v, phi, p, r) + coefficients products + push strips + arm moment(phi) + mean + cos cos(w t)
+    + sin sin(w t)``, d phi/dt = p. With an autopilot the heading psi (d psi/dt = r), and with a lag the rudder angle delta,
+    stand among the linear columns. The products are of the state and of variables that known inputs in time enter: a state with
+    an input added, as the velocity through the water v - w0, or an input alone, as a stiffness that changes with the wave.
+
+    Parameters
+    ----------
+    linear : (n, 3, 4) float          rows sway, roll, yaw; columns v, phi, p, r, and as `steered` adds them psi, delta
+    coefficients : (n, 3, t) float    of the nonlinear products
+    powers : (t, 4 + e) int           of (v, phi, p, r) and of the e variables that known inputs enter, in each product
+    modulus : (t,) int                variable (from 1) between modulus bars, 0 for none
+    mean, cos, sin : (n, 3) float     excitation accelerations
+    frequency : (n,) float            w > 0 [rad/s]
+    inputs : (n, e, 1 + 2 h) float    Fourier series of the known inputs: mean, cos and sin of each harmonic of the wave
+    extra : (e,) int                  state that each is added to; -1 for an input alone
+    strips : (n, z, 5) float          cross-flow drag, as `Strips.array`
+    push : (n, 3, 3) float            accelerations per unit of |q| q of the strips
+    knots, cubics : (n, b), (n, b, 4) table of the restoring moment beyond its slope at 0, odd in phi: on from each knot
+    arm : (n, 3) float                accelerations per unit of that moment
+    layout : Layout                   of the state
+    periods : int                     of the wave in one of ``frequency``
+    """
+
+    linear: Floats
+    coefficients: Floats
+    powers: NDArray[np.int64]
+    modulus: NDArray[np.int64]
+    mean: Floats
+    cos: Floats
+    sin: Floats
+    frequency: Floats
+    inputs: Floats = field(default_factory=lambda: np.zeros((1, 0, 3)))
+    extra: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, dtype=np.int64))
+    strips: Floats = field(default_factory=lambda: np.zeros((1, 0, 5)))
+    push: Floats = field(default_factory=lambda: np.zeros((1, 3, 3)))
+    knots: Floats = field(default_factory=lambda: np.zeros((1, 0)))
+    cubics: Floats = field(default_factory=lambda: np.zeros((1, 0, 4)))
+    arm: Floats = field(default_factory=lambda: np.zeros((1, 3)))
+    layout: Layout = SHIP
+    periods: int = 1
+
+    def __post_init__(self) -> None:
+        for name in PER_CONDITION:  # what was left out is alike in all conditions
+            array = getattr(self, name)
+            if len(array) != self.count and len(array) == 1:
+                object.__setattr__(self, name, np.repeat(array, self.count, axis=0))
+
+    @property
+    def count(self) -> int:
+        """Number of conditions."""
+        return int(self.frequency.size)
+
+    @property
+    def states(self) -> int:
+        """Number of state variables: 4, with an autopilot 5, with a rudder that lags 6."""
+        return int(self.linear.shape[2])
+
+    @property
+    def plain(self) -> bool:
+        """Is there nothing but (v, phi, p, r)? Then many conditions are solved abreast."""
+        return self.states == 4
+
+    @property
+    def degree(self) -> int:
+        """Highest degree of the polynomial products (1 when the system is linear), known inputs alone not counted."""
+        return int(self.powers[:, self._of_state].sum(axis=1).max(initial=1))
+
+    @property
+    def _of_state(self) -> NDArray[np.bool_]:
+        return np.concatenate([np.ones(PLAIN, dtype=bool), self.extra >= 0])
+
+    @property
+    def has_kinked_slopes(self) -> bool:
+        """Has the derivative of some term a jump, that of a product with a modulus?"""
+        return bool(self.modulus.any())
+
+    @property
+    def has_table(self) -> bool:
+        """Is there a table of the restoring moment, whose derivative is smooth but for jumps of its curvature?"""
+        return self.knots.shape[1] > 0
+
+    @property
+    def has_drag(self) -> bool:
+        """Is there cross-flow drag by strips, whose second derivative jumps?"""
+        return self.strips.shape[1] > 0
+
+    @property
+    def smooth(self) -> bool:
+        """Have the equations all derivatives?"""
+        return not (self.has_kinked_slopes or self.has_table or self.has_drag)
+
+    @property
+    def symmetric(self) -> bool:
+        """Does reversing the state and shifting by half a period leave the equations as they are?"""
+        if self.mean.any():
+            return False
+        harmonics = np.repeat(np.arange(1 + self.inputs.shape[2] // 2), 2)[1:]
+        odd, even = (self.inputs[:, :, harmonics % 2 == parity].any(axis=(0, 2)) for parity in (1, 0))
+        used = self.powers[:, PLAIN:].any(axis=0)
+        if (used & even & (odd | (self.extra >= 0))).any():
+            return False
+        changes_sign = np.concatenate([np.ones(PLAIN, dtype=bool), odd | (self.extra >= 0)])
+        return bool((self.powers[:, changes_sign].sum(axis=1) % 2 == 1).all())
+
+    @property
+    def finite(self) -> NDArray[np.bool_]:
+        """Conditions (n,) of which every number is finite and the frequency positive."""
+        ok = np.isfinite(self.frequency) & (self.frequency > 0)
+        for name in PER_CONDITION:
+            ok &= np.isfinite(getattr(self, name)).reshape(self.count, -1).all(axis=1)
+        return ok
+
+    def each(self, change: Callable[[Floats], Floats]) -> System:
+        """The same products, with a function applied to every array that has the conditions in front."""
+        arrays: dict[str, Any] = {name: change(getattr(self, name)) for name in PER_CONDITION}
+        return replace(self, **arrays)
+
+    def raised(self, factor: Floats) -> System:
+        """The excitation and all known inputs times a factor (n,) or (1,): the wave at another height."""
+        by = np.asarray(factor, dtype=float).reshape(-1, 1)
+        strips = np.concatenate([self.strips[:, :, :3], by[:, :, None] * self.strips[:, :, 3:]], axis=2)
+        inputs = by[:, :, None] * self.inputs
+        return replace(self, mean=by * self.mean, cos=by * self.cos, sin=by * self.sin, inputs=inputs, strips=strips)
+
+    def begun_at(self, phase: Floats) -> System:
+        """The equations with the time counted from phases (n,) of a cycle [rad]."""
+        turn = self.periods * np.asarray(phase, dtype=float)[:, None]
+
+        def turned(cos: Floats, sin: Floats, h: int = 1) -> tuple[Floats, Floats]:
+            c, s = np.cos(h * turn), np.sin(h * turn)
+            return cos * c + sin * s, sin * c - cos * s
+
+        cos, sin = turned(self.cos, self.sin)
+        strips, inputs = self.strips.copy(), self.inputs.copy()
+        strips[:, :, 3], strips[:, :, 4] = turned(self.strips[:, :, 3], self.strips[:, :, 4])
+        for h in range(1, inputs.shape[2] // 2 + 1):
+            own = turned(self.inputs[:, :, 2 * h - 1], self.inputs[:, :, 2 * h], h)
+            inputs[:, :, 2 * h - 1], inputs[:, :, 2 * h] = own
+        return replace(self, cos=cos, sin=sin, strips=strips, inputs=inputs)
+
+    def basis(self, orders: tuple[int, ...], *, lower: int = 0, extra: int = 0, fewest: int = 0) -> Basis:
+        """Sampled harmonics with enough phases for these equations, `lower` in degree.
+
+        With drag by strips at least `fewest` a cycle, which a table of the restoring moment beside it is content with; a table
+        alone is sampled as finely as kinks are, so that nothing but its own series is left out.
+        """
+        alone = int(self.powers[:, ~self._of_state].sum(axis=1).max(initial=0))
+        extra += self.periods * alone * (self.inputs.shape[2] // 2)
+        fine = self.has_kinked_slopes or (self.has_table and not self.has_drag)
+        return basis(orders, self.degree - lower, fine, extra, fewest=fewest if self.has_drag else 0)
+
+    @property
+    def program(self) -> Program:
+        """How the kernels make the products."""
+        return program(self.powers, self.modulus, self.extra, self.layout)
+
+    @property
+    def parts(self) -> Parts:
+        """Arrays in the order every compiled kernel takes them.
+
+        All are writeable and contiguous: a kernel is compiled again for arrays that are not.
+        """
+        own = (getattr(self, name) for name in PER_CONDITION)
+        return Parts(*(a if a.flags.carray else np.require(a, requirements=("C", "W")) for a in own))
+
+
+FEWEST: Final = 48
+"""Samples of a cycle with drag |q| q: 48 misjudge its fundamental by 6/48^3, 5e-5. A table of the restoring moment beside it,
+of which no derivative below the third jumps, is content with them: its harmonics fall with the fourth power of their order."""
+
+
+def kernel_arguments(system: System, table: Basis) -> tuple[Any, ...]:
+    """Program, parts, and the tables of a basis with the wave's harmonics, as every kernel takes them."""
+    return system.program, system.parts, (*table.arrays, table.waves(system.periods, system.inputs.shape[2]))
+
+
+def canonical(
+    inertia: ArrayLike,
+    table: TermTable,
+    frequency: ArrayLike,
+    force_cos: ArrayLike,
+    force_sin: ArrayLike,
+    force_mean: ArrayLike = 0.0,
+    linear: ArrayLike | None = None,
+    rudder: ArrayLike = 0.0,
+    autopilot: Autopilot | None = None,
+    restoring: OddSpline | None = None,
+    water: tuple[ArrayLike, ArrayLike] | None = None,
+    strips: Strips | None = None,
+) -> System:
+    """Remove the acceleration coupling: multiply every row by the inverse inertia.
+
+    Parameters
+    ----------
+    inertia : (n, 3, 3) or (3, 3) float    rigid body plus added mass [kg, kg m, kg m2]
+    table : TermTable                      the terms on the right
+    frequency : (n,) float                 w > 0 [rad/s]
+    force_cos, force_sin, force_mean : (n, 3) or (3,) float    excitation [N, N m, N m]
+    linear : (n, 3, 4) float, optional     linear terms of each condition in place of the table's
+    rudder : (n, 3) or (3,) float          Y_delta, K_delta, N_delta [N, N m, N m]
+    autopilot : Autopilot, optional        that moves it; without one it stays amidships
+    restoring : OddSpline, optional        a moment K over phi beside the terms [N m]
+    water : (w0, w1), optional             (n,) complex each: the velocity products of the table are then on the velocity
+                                           through the water, see `relative_terms` [m/s, 1/s]
+    strips : Strips, optional              cross-flow drag on the velocity through the water; of one or of n conditions
+
+    Returns
+    -------
+    System
+
+    Raises
+    ------
+    InputError    every inertia matrix is singular; where only some of many are, their conditions come back as NaN
+
+    Notes
+    -----
+    Source: [H71] eq. (3); the restoring moment then stands in all three rows.
+
+    Examples
+    --------
+    >>> system = canonical(2 * np.eye(3), term_table({"K_phi": -3.0}), [0.5], np.zeros(3), np.ones(3))
+    >>> float(system.linear[0, 1, 1]), float(system.sin[0, 0])
+    (-1.5, 0.5)
+    """
+    w = np.atleast_1d(np.asarray(frequency, dtype=float))
+    inverse = _inverse(np.asarray(inertia, dtype=float))
+
+    def row(force: ArrayLike) -> Floats:
+        forces = np.broadcast_to(np.asarray(force, dtype=float), (w.size, 3))
+        return np.ascontiguousarray(contracted(inverse, forces[..., None, :]))
+
+    def rows(matrix: Floats) -> Floats:
+        product = inverse @ matrix
+        return np.ascontiguousarray(np.broadcast_to(product, (w.size, *product.shape[-2:])))
+
+    extra, known = np.empty(0, dtype=np.int64), dict[str, Any]()
+    if water is not None:
+        table, extra = relative_terms(table)
+        known = {"inputs": np.array(np.broadcast_to(relative_inputs(*water), (w.size, 2, 3)))}
+    if strips is not None:
+        known |= {"strips": strips.array, "push": rows(-np.eye(3))}
+    raw_linear = table.linear if linear is None else np.array(linear, dtype=float)
+    if restoring is not None:
+        raw_linear = raw_linear.copy()
+        raw_linear[..., 1, 1] += restoring.slope
+        knots, cubics = restoring_table(restoring)
+        known |= {"knots": knots[None], "cubics": cubics[None], "arm": row((0.0, 1.0, 0.0))}
+    accelerations = rows(raw_linear)
+    layout = SHIP if autopilot is None else STEERED if autopilot.lag == 0.0 else LAGGING
+    return System(
+        linear=accelerations if autopilot is None else steered(accelerations, row(rudder), autopilot),
+        coefficients=rows(table.coefficients),
+        powers=table.powers,
+        modulus=table.modulus,
+        mean=row(force_mean),
+        cos=row(force_cos),
+        sin=row(force_sin),
+        frequency=w,
+        extra=extra,
+        layout=layout,
+        **known,
+    )
+
+
+def _inverse(masses: Floats) -> Floats:
+    """Inverse inertia; NaN for one condition of many whose matrix has none, which gets a status of its own."""
+    scale = np.sqrt(np.abs(np.diagonal(masses, axis1=-2, axis2=-1)))
+    whole = np.where((scale > 0).all(axis=-1, keepdims=True), scale, np.inf)
+    balanced = np.abs(np.linalg.det(masses / (whole[..., :, None] * whole[..., None, :])))
+    singular = np.asarray(~(balanced > 1e-12))
+    if singular.all():
+        raise InputError(
+            "the inertia matrix (rigid body plus added mass) is singular or has a zero on its diagonal;"
+            " give mass, roll and yaw inertia greater than zero"
+        )
+    inverse = np.linalg.inv(np.where(singular[..., None, None], np.eye(3), masses))
+    return np.asarray(np.where(singular[..., None, None], np.nan, inverse))
+
+
+def restoring_table(spline: OddSpline) -> tuple[Floats, Floats]:
+    """Cubics of a righting spline between its knots, without its slope at 0.
+
+    Parameters
+    ----------
+    spline : OddSpline
+
+    Returns
+    -------
+    knots : (b,) float       where each begins, the first 0 [rad]
+    cubics : (b, 4) float    a, b, c, d of a + b x + c x^2 + d x^3, x beyond the knot
+
+    Examples
+    --------
+    >>> spline = odd_spline([10, 20, 30, 40], [-1.0, -1.8, -2.0, -1.5])
+    >>> knots, cubics = restoring_table(spline)
+    >>> x = np.radians(18.0) - knots[1]
+    >>> bool(np.isclose(cubics[1] @ x ** np.arange(4) + spline.slope * np.radians(18.0), spline.value(np.radians(18.0))))
+    True
+    """
+    knots = np.append(0.0, spline.knots)
+    cubics = [np.array([0.0, 0.0, 0.0, spline.cubic])]
+    for x, jump in zip(np.diff(knots), spline.jumps, strict=True):
+        a, b, c, d = cubics[-1]
+        at_knot = [a + x * (b + x * (c + x * d)), b + x * (2 * c + 3 * x * d), c + 3 * x * d, d + jump]
+        cubics.append(np.array(at_knot))
+    return knots, np.array(cubics)
+
+
+def _triple(values: ArrayLike, name: str) -> Floats:
+    array = np.array(values, dtype=float)
+    if array.shape != (3,) or not np.isfinite(array).all():
+        raise InputError(f"{name} needs three finite numbers (sway N, roll N m, yaw N m); given {values!r}")
+    array.flags.writeable = False
+    return array
+
+
+@dataclass(frozen=True, eq=False, init=False)
+class Model:
+    """Equations of sway, roll and yaw of one ship in one regular wave, every number taken literally.
+
+    ``inertia d/dt (v, p, r) = sum of terms + force_mean + force_cos cos(w t) + force_sin sin(w t)``.
+
+    Parameters
+    ----------
+    inertia : (3, 3) float         rigid body plus added mass [kg, kg m, kg m2]
+    terms : mapping                name -> coefficient [SI]; ``Y_r`` already contains ``-m U``
+    frequency : float              encounter frequency w > 0 [rad/s]
+    force_cos, force_sin : (3,)    wave excitation [N, N m, N m]
+    force_mean : (3,)              steady excitation [N, N m, N m]
+    source : mapping               where the model comes from (ship, wave, speed, heading), for the record
+    autopilot : Autopilot          that moves the rudder, whose terms are "Y_delta", "K_delta", "N_delta" [N, N m]; without
+                                   one the rudder stays amidships and those terms do nothing
+    restoring : (angles, moments)  righting moment [N m], positive where it rights the ship, at heel angles [deg]: a spline, to
+                                   which "K_phi", .. of the terms add; or the spline of the moment K itself
+    water : (w0, w1) complex       phasors of e^{i w t}: velocity of the water across the ship at G [m/s] and its slope along it
+                                   [1/s]; velocity products are then on v - w0, p, r - w1. Without them on v, p, r: the paper's
+                                   equations
+    strips : Strips                cross-flow drag of the velocity through the water, strip by strip, beside the terms
+    told_vanishing : float         angle of vanishing stability [deg], where it is known otherwise than from the terms and the
+                                   restoring moment of the model
+    openings : float               heel at which unprotected openings go under [deg]
+
+    Raises
+    ------
+    InputError    a frequency that is not positive, an unknown term, a singular inertia, a NaN
+
+    Notes
+    -----
+    Source: [H71] eqs. (1)-(3).  Valid: constant speed, small yaw from the mean course, deep water.
+
+    Examples
+    --------
+    >>> model = Model(inertia=np.eye(3), terms={"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "N_r": -0.6}, frequency=0.8,
+    ...               force_cos=(0, 0.1, 0), force_sin=(0, 0, 0))
+    >>> model.system.count, model.vanishing_angle
+    (1, inf)
+    """
+
+    inertia: Floats
+    terms: Mapping[str, float]
+    frequency: float
+    force_cos: Floats
+    force_sin: Floats
+    force_mean: Floats
+    source: Mapping[str, object]
+    references: tuple[str, ...]
+    autopilot: Autopilot | None
+    restoring: OddSpline | None
+    water: tuple[complex, complex] | None
+    strips: Strips | None
+    told_vanishing: float | None
+    openings: float | None
+    system: System = field(init=False, repr=False)
+
+    def __init__(
+        self,
+        inertia: ArrayLike,
+        terms: Mapping[str, float],
+        frequency: float,
+        force_cos: ArrayLike,
+        force_sin: ArrayLike,
+        force_mean: ArrayLike = (0.0, 0.0, 0.0),
+        source: Mapping[str, object] = MappingProxyType({}),
+        references: tuple[str, ...] = ("H71",),
+        autopilot: Autopilot | None = None,
+        restoring: tuple[ArrayLike, ArrayLike] | OddSpline | None = None,
+        water: tuple[complex, complex] | None = None,
+        strips: Strips | None = None,
+        told_vanishing: float | None = None,
+        openings: float | None = None,
+    ) -> None:
+        masses = np.array(inertia, dtype=float)
+        if masses.shape != (3, 3) or not np.isfinite(masses).all():
+            raise InputError(f"inertia needs a 3 x 3 array of finite numbers (sway, roll, yaw); given {inertia!r}")
+        if not (np.isfinite(frequency) and frequency > 0):
+            raise InputError(
+                f"encounter frequency {frequency} rad/s must be greater than zero: a wave that keeps pace with the"
+                " ship has no periodic motion; change speed or heading (for a negative one, give its modulus and the"
+                " conjugate force: reverse the sign of force_sin)"
+            )
+        masses.flags.writeable = False
+        values: dict[str, object] = {
+            "inertia": masses,
+            "terms": MappingProxyType({name: float(value) for name, value in terms.items()}),
+            "frequency": float(frequency),
+            "force_cos": _triple(force_cos, "force_cos"),
+            "force_sin": _triple(force_sin, "force_sin"),
+            "force_mean": _triple(force_mean, "force_mean"),
+            "source": MappingProxyType(dict(source)),
+            "references": references,
+            "autopilot": autopilot,
+            "restoring": odd_spline(*restoring).times(-1.0) if isinstance(restoring, tuple) else restoring,
+            "water": None if water is None else (complex(water[0]), complex(water[1])),
+            "strips": strips,
+            "told_vanishing": _told_angle(told_vanishing, "told_vanishing"),
+            "openings": _told_angle(openings, "openings"),
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        rudder = [checked_number(name, self.terms.get(name, 0.0)) for name in RUDDER_NAMES]
+        table = term_table({name: value for name, value in self.terms.items() if name not in RUDDER_NAMES})
+        forces = (self.force_cos, self.force_sin, self.force_mean)
+        known: dict[str, Any] = {"restoring": self.restoring, "water": self.water, "strips": strips}
+        if strips is not None and len(strips.water) != 1:
+            raise InputError(f"strips of {len(strips.water)} conditions; a model is one: give water one number a strip")
+        system = canonical(masses, table, frequency, *forces, rudder=rudder, autopilot=autopilot, **known)
+        object.__setattr__(self, "system", system)
+
+    @cached_property
+    def vanishing_angle(self) -> float:
+        """Angle of vanishing stability [deg]: as told, or where K over phi vanishes on either side; else infinite."""
+        if self.told_vanishing is not None:
+            return self.told_vanishing
+        return min(first_vanishing(lambda phi: -self._moment(phi)), first_vanishing(lambda phi: self._moment(-phi)))
+
+    @cached_property
+    def capsize_limit(self) -> CapsizeLimit:
+        """Roll angle that counts as a capsize: the least of the vanishing angle, the openings and 90 deg."""
+        return least_limit(self.vanishing_angle, self.openings)
+
+    @property
+    def righting(self) -> str:
+        """The restoring moment in words: its terms, a spline, or both."""
+        names = [name for name in self.terms if name.startswith("K_phi") and set(term(name).factors) == {"phi"}]
+        parts = [", ".join(names)] if names else []
+        if self.restoring is not None:
+            parts.append(f"spline to {np.degrees(self.restoring.end):.3g} deg")
+        return " + ".join(parts) or "none"
+
+    def _moment(self, phi: Floats) -> Floats:
+        """Moment K of roll angles (n,) alone [N m]."""
+        moment = np.zeros(phi.shape) if self.restoring is None else self.restoring.value(phi)
+        for name, value in self.terms.items():
+            if name.startswith("K_") and set(term(name).factors) == {"phi"}:
+                powers = parse(name)[1]
+                moment = moment + value * phi ** powers.powers[1] * (np.abs(phi) if powers.modulus else 1.0)
+        return moment
+
+    def __repr__(self) -> str:
+        """What it holds, in a line."""
+        of = f"{self.source['ship']}: " if "ship" in self.source else ""
+        velocities = "absolute" if self.water is None and self.strips is None else "relative"
+        drag = f", drag by {self.strips.x.size} strips" if self.strips is not None else ""
+        return (
+            f"<Model {of}w {self.frequency:.4g} rad/s, {len(self.terms)} terms on {velocities} velocities{drag}, righting"
+            f" {self.righting}, capsize at {self.capsize_limit.words}>"
+        )
+
+
+def _told_angle(angle: float | None, name: str) -> float | None:
+    if angle is None or angle > 0:
+        return None if angle is None else float(angle)
+    raise InputError(f"{name} = {angle} deg: give a heel above 0, infinite for none, or leave it out; try 60")

@@ -1,0 +1,1 @@
+"""Motion in time: histories, irregular waves, basins, the approach to a steady motion."""

@@ -1,0 +1,161 @@
+"""Batched fixed-step Runge-Kutta integration of one ship, many histories.
+
+The coefficients are alike in all histories, so they stand as numbers beside whole rows of products.
+"""
+
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.compiled import abreast
+from quartering.motion.equations.program import Program
+from quartering.motion.equations.rates import (
+    WIDTH,
+    Parts,
+    add_strips_and_table,
+    enter_inputs,
+    fill,
+    multiply,
+    room_for,
+    row_of_lanes,
+)
+from quartering.motion.equations.system import Floats, System
+
+_GROUP = 4
+
+
+class Alike(NamedTuple):
+    """The equations of one ship for a row of histories: ``rates = matrix columns``, of the state and its products.
+
+    Parameters
+    ----------
+    matrix : (3 or 4, c) float    rows sway, roll, yaw, and the rudder's where it lags; c a multiple of 4
+    columns : (c,) int            where the program has them
+    program, parts                of the `System`
+    """
+
+    matrix: Floats
+    columns: NDArray[np.int64]
+    program: Program
+    parts: Parts
+
+
+def alike(system: System) -> Alike:
+    """The equations of a system's first condition.
+
+    Parameters
+    ----------
+    system : System
+
+    Returns
+    -------
+    Alike
+
+    Notes
+    -----
+    Source: [H71] eq. (3); no approximation, only the order of multiplications.
+
+    Examples
+    --------
+    >>> from quartering.motion.equations.system import Model
+    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_ppp": -0.2, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
+    >>> alike(model.system).columns.tolist()  # the state, p^3 in column 5, and three to fill up
+    [0, 1, 2, 3, 5, 0, 0, 0]
+    """
+    program = system.program
+    rows, states = system.linear.shape[1:]
+    used = states + program.products.size
+    matrix = np.zeros((rows, -(-used // _GROUP) * _GROUP))
+    matrix[:, :states] = system.linear[0]
+    matrix[:3, states:used] = system.coefficients[0]
+    columns = np.zeros(matrix.shape[1], dtype=np.int64)
+    columns[:states], columns[states:used] = np.arange(states), program.products
+    return Alike(matrix, columns, program, Parts(*(array[:1] for array in system.parts)))
+
+
+@abreast
+def room_to_march(equations):
+    """What `step_sum` works in: lanes, columns and rates, and the sum of four rates."""
+    lanes = row_of_lanes(equations.parts, WIDTH)
+    fill(0, 1.0, equations.parts, lanes)
+    columns, rate, _, sums = room_for(equations.program, lanes)
+    return lanes, columns, rate, sums, np.zeros((equations.program.states, WIDTH))
+
+
+@abreast
+def _rates(equations, lanes, c, s, columns, sums, rate):
+    """Add to ``rate`` (3 or 4, W) what the state and the known inputs in ``columns`` do; the products are made here."""
+    matrix, at, program = equations.matrix, equations.columns, equations.program
+    multiply(program.links, 0, program.values, columns)
+    for k in range(matrix.shape[0]):
+        for g in range(0, matrix.shape[1], _GROUP):
+            m0, m1, m2, m3 = matrix[k, g], matrix[k, g + 1], matrix[k, g + 2], matrix[k, g + 3]
+            c0, c1, c2, c3 = at[g], at[g + 1], at[g + 2], at[g + 3]
+            for l in range(WIDTH):
+                first = m0 * columns[c0, l] + m1 * columns[c1, l]
+                rate[k, l] += first + (m2 * columns[c2, l] + m3 * columns[c3, l])
+    add_strips_and_table(program, lanes, c, s, columns, sums, rate)
+
+
+@abreast
+def _hold(series, lanes):
+    """Known inputs and the water at the strips as they are at one time (e + z, W), in place of a wave's."""
+    inputs = lanes.inputs.shape[0]
+    for e in range(inputs):
+        for l in range(WIDTH):
+            lanes.inputs[e, 0, l] = series[e, l]
+        for i in range(1, lanes.inputs.shape[1]):
+            for l in range(WIDTH):
+                lanes.inputs[e, i, l] = 0.0
+    for z in range(lanes.strips.shape[0]):
+        for l in range(WIDTH):
+            lanes.strips[z, 3, l] = series[inputs + z, l]
+
+
+@abreast
+def step_sum(equations, h, excitation, series, waves, y, room):
+    """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last of ``room``.
+
+    Parameters
+    ----------
+    excitation : (3, 3, W)    accelerations at the beginning, the middle and the end of the step
+    series : (3, e + z, W)    known inputs and water at the strips at these times; (3, 0, W) where they follow the wave
+    waves : (3, h)            1 and the wave's cosines and sines at these times; 1, 1, 0 with a series
+
+    Notes
+    -----
+    The state after the step is ``y + h/6`` times the sum.  Source: [H71] eq. (3), the classical fourth-order method.
+    """
+    lanes, columns, rate, sums, total = room
+    program = equations.program
+    states = program.states
+    for s in range(states):
+        for l in range(WIDTH):
+            columns[s, l], total[s, l] = y[s, l], 0.0
+    for j in range(4):
+        at = (j + 1) // 2
+        for k in range(rate.shape[0]):
+            for l in range(WIDTH):
+                rate[k, l] = excitation[at, k, l] if k < 3 else 0.0
+        if series.shape[1] > 0:
+            _hold(series[at], lanes)
+        enter_inputs(program, lanes, waves[at], columns)
+        _rates(equations, lanes, waves[at, 1], waves[at, 2], columns, sums, rate)
+        weight, ahead = (1.0 if j == 0 or j == 3 else 2.0), (0.5 * h if j < 2 else h)
+        # a state that follows another first, while that one is still the stage's
+        for s in range(states):
+            follows = program.follows[s]
+            if follows >= 0:
+                for l in range(WIDTH):
+                    total[s, l] += weight * columns[follows, l]
+                    columns[s, l] = y[s, l] + ahead * columns[follows, l]
+        for s in range(states):
+            row = program.rows[s]
+            if row >= 0:
+                for l in range(WIDTH):
+                    total[s, l] += weight * rate[row, l]
+                    columns[s, l] = y[s, l] + ahead * rate[row, l]

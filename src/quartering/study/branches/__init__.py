@@ -1,0 +1,1 @@
+"""Response curves, stability boundaries and coexisting motions, judged."""

@@ -1,0 +1,1 @@
+"""Case files: keys, values, reading, a file to begin from."""

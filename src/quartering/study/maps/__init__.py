@@ -1,0 +1,1 @@
+"""Sweeps and polar maps: executed, stored, resumed, queried."""

@@ -1,0 +1,124 @@
+"""Progress of a run: rate, time left, findings, conditions without an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from quartering.motion.status import OnTheWay, Status
+from quartering.stability.kind import Kind
+from quartering.study.maps.estimate import duration
+
+
+class Failures(NamedTuple):
+    """Conditions without an answer for one reason."""
+
+    status: Status
+    conditions: int
+    advice: str
+
+
+def outcome(counts: Mapping[str, int]) -> tuple[int, int, int]:
+    """Numbers of stable, unstable and failed conditions.
+
+    Parameters
+    ----------
+    counts : mapping of str to int    as from `fill`
+
+    Returns
+    -------
+    stable, unstable, failed : int
+
+    Examples
+    --------
+    >>> outcome({"verdict 0": 5, "verdict 1": 2, "verdict 4": 1, "verdict -1": 3, "status 0": 8, "status 2": 3})
+    (5, 3, 3)
+    """
+    verdicts = {int(key[8:]): n for key, n in counts.items() if key.startswith("verdict ")}
+    stable, failed = verdicts.get(Kind.STABLE, 0), verdicts.get(Kind.NO_ANSWER, 0)
+    return stable, sum(verdicts.values()) - stable - failed, failed
+
+
+def failures(counts: Mapping[str, int]) -> tuple[Failures, ...]:
+    """Conditions without an answer by reason, the most frequent first, each with what to try.
+
+    Parameters
+    ----------
+    counts : mapping of str to int    as from `fill`
+
+    Returns
+    -------
+    tuple of Failures
+
+    Examples
+    --------
+    >>> failures({"status 0": 5, "status 2": 1, "status 5": 3})[0].status.name
+    'ENCOUNTER_FREQUENCY_NEAR_ZERO'
+    """
+    found = [(Status(int(key[7:])), n) for key, n in counts.items() if key.startswith("status ")]
+    failed = sorted(((status, n) for status, n in found if not status.ok), key=lambda pair: -pair[1])
+    return tuple(Failures(status, n, status.advice) for status, n in failed)
+
+
+def progress_line(done: int, total: int, begun: int, seconds: float, counts: Mapping[str, int]) -> str:
+    """One line that says how far a run has come.
+
+    Parameters
+    ----------
+    done, total : int     conditions
+    begun : int           conditions that were there when the run began
+    seconds : float       since then
+    counts : mapping      as from `fill`
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> progress_line(500, 1000, 100, 4.0, {"verdict 0": 450, "verdict 1": 50})
+    '500 of 1,000 (50 %), 100 a second, 5 s left: 450 stable, 50 unstable, 0 failed'
+    """
+    rate = (done - begun) / seconds if seconds > 0 else 0.0
+    left = f", {duration((total - done) / rate)} left" if rate > 0 and done < total else ""
+    stable, unstable, failed = outcome(counts)
+    return (
+        f"{done:,} of {total:,} ({100 * done / max(total, 1):.0f} %), {rate:,.0f} a second{left}:"
+        f" {stable:,} stable, {unstable:,} unstable, {failed:,} failed"
+    )
+
+
+def summary(counts: Mapping[str, int], seconds: float) -> dict[str, Any]:
+    """What a run found, in types JSON knows.
+
+    Parameters
+    ----------
+    counts : mapping of str to int    as from `fill`
+    seconds : float                   it took
+
+    Returns
+    -------
+    dict    conditions, stable, unstable, failed, by_verdict, failures (status, count, advice), capsize_on_the_way,
+            more_harmonics, seconds
+
+    Examples
+    --------
+    >>> summary({"verdict 0": 3, "verdict 1": 1, "status 0": 4}, 0.5)["by_verdict"]
+    {'stable': 3, 'roll': 1}
+    """
+    stable, unstable, failed = outcome(counts)
+    kinds = sorted((int(key[8:]), n) for key, n in counts.items() if key.startswith("verdict "))
+    return {
+        "conditions": stable + unstable + failed,
+        "stable": stable,
+        "unstable": unstable,
+        "failed": failed,
+        "by_verdict": {Kind(kind).label: n for kind, n in kinds},
+        "failures": [
+            {"status": f.status.name.lower(), "count": f.conditions, "advice": f.advice} for f in failures(counts)
+        ],
+        "capsize_on_the_way": sum(counts.get(f"capsizes_on_the_way {int(way)}", 0) for way in OnTheWay if way.capsizes),
+        "more_harmonics": counts.get("more harmonics", 0),
+        "beyond_fitted_righting_arm": counts.get("beyond", 0),
+        "seconds": seconds,
+    }
