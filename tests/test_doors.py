@@ -50,6 +50,12 @@ CALLS = {
     "section_coefficients": lambda one: qt.section_coefficients(one, [0.5]),
     "wave_forces": lambda one: qt.wave_forces(SHIP, one),
     "ship": lambda one: qt.ship(one),
+    "basin": lambda one: qt.basin(one, [10.0], [0.0]),
+    "hill_exponents": lambda one: qt.hill_exponents(MODEL, one),
+    "kramers_kronig": lambda one: qt.kramers_kronig(one),
+    "retardation": lambda one: qt.retardation([0.5, 1.0], one, [1.0]),
+    "read_capytaine": lambda one: qt.read_capytaine("no.nc", one),
+    "write_wamit": lambda one: qt.write_wamit(one, "x", SHIP),
 }
 
 

@@ -29,10 +29,12 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Loading, Ship
     from quartering.hydro.added_mass import hydrodynamics, hydrodynamics6
     from quartering.hydro.coefficients import coefficients
+    from quartering.hydro.database.dataset import read_capytaine, read_wamit, write_capytaine, write_wamit
     from quartering.hydro.decay.of_ship import roll_decay
     from quartering.hydro.decay.record import decay_record, read_decay
     from quartering.hydro.section.dataset import section_coefficients
     from quartering.hydro.source.capytaine_run import bem_forces, bem_hydrodynamics
+    from quartering.hydro.strip.kramers_kronig import kramers_kronig, retardation
     from quartering.loads.comparison import compare_forces
     from quartering.loads.forces import wave_forces
     from quartering.loads.sea.sea import Sea
@@ -41,9 +43,11 @@ if TYPE_CHECKING:
     from quartering.motion.of_ship import equations
     from quartering.motion.steady.motion import Motion, steady_motion
     from quartering.motion.surf_riding import surf_riding_thresholds
+    from quartering.motion.transient.basin import basin
     from quartering.motion.transient.irregular import irregular
     from quartering.motion.transient.simulate import simulate
     from quartering.references import cite
+    from quartering.stability.hill import hill_exponents
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branches.branch import branch
     from quartering.study.branches.coexisting import all_motions
@@ -63,16 +67,23 @@ if TYPE_CHECKING:
     from quartering.study.seas.response import sea_response
 
 _HOMES = {
-    "Autopilot": "hull.autopilot",
     "InputError": "conventions",
     "DamageWarning": "conventions",
     "RangeWarning": "conventions",
+    "cite": "references",
+    "Autopilot": "hull.autopilot",
     "hydrostatics": "hull.hydrostatics",
     "Propulsion": "hull.propulsion",
     "Section": "hull.lines.section",
     "Loading": "hull.ship",
     "Ship": "hull.ship",
     "ship": "hull.file.read",
+    "write_wamit": "hydro.database.dataset",
+    "read_wamit": "hydro.database.dataset",
+    "write_capytaine": "hydro.database.dataset",
+    "read_capytaine": "hydro.database.dataset",
+    "retardation": "hydro.strip.kramers_kronig",
+    "kramers_kronig": "hydro.strip.kramers_kronig",
     "coefficients": "hydro.coefficients",
     "decay_record": "hydro.decay.record",
     "read_decay": "hydro.decay.record",
@@ -80,13 +91,23 @@ _HOMES = {
     "section_coefficients": "hydro.section.dataset",
     "hydrodynamics": "hydro.added_mass",
     "hydrodynamics6": "hydro.added_mass",
-    "wave_forces": "loads.forces",
     "bem_forces": "hydro.source.capytaine_run",
     "bem_hydrodynamics": "hydro.source.capytaine_run",
+    "wave_forces": "loads.forces",
     "compare_forces": "loads.comparison",
     "Sea": "loads.sea.sea",
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
+    "basin": "motion.transient.basin",
+    "Model": "motion.equations.system",
+    "equations": "motion.of_ship",
+    "irregular": "motion.transient.irregular",
+    "simulate": "motion.transient.simulate",
+    "Motion": "motion.steady.motion",
+    "steady_motion": "motion.steady.motion",
+    "surf_riding_thresholds": "motion.surf_riding",
+    "hill_exponents": "stability.hill",
+    "Verdict": "stability.verdict",
     "all_motions": "study.branches.coexisting",
     "branch": "study.branches.branch",
     "criteria": "study.criteria.judged",
@@ -96,15 +117,6 @@ _HOMES = {
     "edges_of_largest": "study.maps.extension",
     "gm_in_waves": "study.gm_in_waves",
     "righting_arm": "study.gm_in_waves",
-    "Model": "motion.equations.system",
-    "equations": "motion.of_ship",
-    "irregular": "motion.transient.irregular",
-    "simulate": "motion.transient.simulate",
-    "Motion": "motion.steady.motion",
-    "steady_motion": "motion.steady.motion",
-    "surf_riding_thresholds": "motion.surf_riding",
-    "cite": "references",
-    "Verdict": "stability.verdict",
     "paper_ship": "study.paper.model",
     "polar": "study.maps.polar",
     "responses": "study.responses",
@@ -129,6 +141,7 @@ __all__ = [
     "Verdict",
     "Wave",
     "all_motions",
+    "basin",
     "bem_forces",
     "bem_hydrodynamics",
     "branch",
@@ -143,15 +156,20 @@ __all__ = [
     "encounter_frequency",
     "equations",
     "gm_in_waves",
+    "hill_exponents",
     "hydrodynamics",
     "hydrodynamics6",
     "hydrostatics",
     "irregular",
+    "kramers_kronig",
     "limiting_kg",
     "paper_ship",
     "polar",
+    "read_capytaine",
     "read_decay",
+    "read_wamit",
     "responses",
+    "retardation",
     "righting_arm",
     "roll_decay",
     "sea_response",
@@ -166,6 +184,8 @@ __all__ = [
     "tornado",
     "vary",
     "wave_forces",
+    "write_capytaine",
+    "write_wamit",
 ]
 
 

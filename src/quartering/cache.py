@@ -9,7 +9,6 @@ from __future__ import annotations
 import hashlib
 import io
 import os
-import sys
 import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
@@ -18,6 +17,7 @@ from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
+from platformdirs import user_cache_path
 
 from quartering.publish import publish
 
@@ -36,8 +36,8 @@ def cache_folder() -> Path | None:
 
     Returns
     -------
-    Path or None    $QUARTERING_CACHE; else `quartering` in the user's cache folder ($XDG_CACHE_HOME or ~/.cache,
-                    ~/Library/Caches, %LOCALAPPDATA%); None when it is "off" or the user has no home
+    Path or None    $QUARTERING_CACHE; else `quartering` in the user's cache folder, where the system keeps it; None when it
+                    is "off" or the user has no home
 
     Examples
     --------
@@ -48,12 +48,8 @@ def cache_folder() -> Path | None:
     named = os.environ.get(PLACE, "")
     if named:
         return None if named.lower() == "off" else Path(named).expanduser().absolute()
-    usual = {"win32": "~/AppData/Local", "darwin": "~/Library/Caches"}.get(sys.platform, "~/.cache")
-    own = os.environ.get("LOCALAPPDATA" if sys.platform == "win32" else "XDG_CACHE_HOME", "")
-    try:
-        return Path(own if os.path.isabs(own) else usual).expanduser() / "quartering"
-    except RuntimeError:  # no home
-        return None
+    usual = user_cache_path("quartering", appauthor=False)
+    return usual if usual.is_absolute() else None  # no home
 
 
 def remembered(name: str, make: Callable[[], Arrays]) -> Arrays:

@@ -56,10 +56,6 @@ REFERENCES: Final[dict[str, str]] = {
     "ship. Naval Architecture and Ocean Engineering 20.",
     "Blanke93": "Blanke, M., Christensen, A. (1993). Rudder-roll damping autopilot robustness to sway-yaw-roll "
     "couplings. 10th Ship Control Systems Symposium, Ottawa.",
-    "Inoue81": "Inoue, S., Hirano, M., Kijima, K. (1981). Hydrodynamic derivatives on ship manoeuvring. International "
-    "Shipbuilding Progress 28.",
-    "Kijima90": "Kijima, K., Katsuno, T., Nakiri, Y., Furukawa, Y. (1990). On the manoeuvring performance of a ship with "
-    "the parameter of loading condition. Journal of the Society of Naval Architects of Japan 168.",
     "Ancellin19": "Ancellin, M., Dias, F. (2019). Capytaine: a Python-based linear potential flow solver. Journal of Open "
     "Source Software 4.",
     "WAMIT": "WAMIT, Inc. WAMIT user manual, version 7: definition of quantities, output files, geometric data file.",

@@ -11,7 +11,6 @@ from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
-from quartering.hydro.manoeuvring.inoue import inoue_derivatives
 from quartering.hydro.manoeuvring.lift import clarke_derivatives, to_prime, to_si
 from quartering.hydro.manoeuvring.measured import (
     LIBRARY,
@@ -374,24 +373,7 @@ def test_a_measured_file_that_changes_is_noticed_and_read_again_with_its_ship(tm
     assert again.printed["Y_v"] == measured_set(str(file)).printed["Y_v"] == -0.0232
 
 
-# Regressions beside the measured sets
-
-
-def test_inoue_and_kijima_on_a_hull_worked_by_hand():
-    # [Inoue81], [Kijima90] evaluated by hand for L 100, B 20, T 5, C_B 0.8: k = 0.1, C_B B/L = 0.16, (1 - C_B) T/B = 0.05,
-    # C_B T/B = 0.2; over L T, then times T/L = 0.05
-    wanted = {
-        "Y_v": -(0.157079632679 + 0.224), "Y_r": 0.08, "N_v": -0.1, "N_r": -0.044,
-        "Y_v|v|": -0.625, "Y_r|r|": -0.0014, "Y_rvv": -0.35, "Y_vrr": -0.2975,
-        "N_v|v|": -0.018, "N_r|r|": -0.01, "N_rvv": -0.128, "N_vrr": 0.05,
-    }  # fmt: skip
-    got = inoue_derivatives(100.0, 20.0, 5.0, 0.8)
-    assert got.keys() == wanted.keys()
-    for name, value in wanted.items():
-        assert got[name] == pytest.approx(0.05 * value, rel=1e-9), name
-    trimmed = inoue_derivatives(100.0, 20.0, 5.0, 0.8, trim=1.0)  # tau = 0.2
-    assert trimmed["Y_v"] == pytest.approx(got["Y_v"] * (1 + 0.4 / 3))
-    assert trimmed["N_v"] == pytest.approx(0.05 * -0.1 * (1 - 0.27 * 0.2 * 3.81079632679))
+# Clarke's regression beside the measured sets
 
 
 # Linear prime values as measured: the S-175 (Son and Nomoto), the Mariner (Chislett and Stroem-Tejsen), KVLCC2 (Yasukawa
@@ -406,8 +388,7 @@ COMPARISON = [
 
 
 @pytest.mark.parametrize(("name", "size", "measured"), COMPARISON, ids=[row[0] for row in COMPARISON])
-@pytest.mark.parametrize("regression", [clarke_derivatives, inoue_derivatives])
-def test_both_regressions_lie_where_their_valid_line_says_beside_measured_sets(name, size, measured, regression):
+def test_the_regression_lies_where_its_valid_line_says_beside_measured_sets(name, size, measured):
     # "single ships lie tens of per cent off": right sign and within two thirds of the measured value
-    off = {key: abs(regression(*size)[key] / value - 1) for key, value in measured.items()}
+    off = {key: abs(clarke_derivatives(*size)[key] / value - 1) for key, value in measured.items()}
     assert max(off.values()) < 2 / 3, (name, off)

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from quartering.motion.steady.harmonic import harmonic_balance
-from quartering.stability.hill import hill_exponents
+from quartering.stability.hill import exponents_of_batch
 from tests.reference import CASES, COUPLED, DYNAMICS, complexes, coupled_model, model_of
 
 
 @pytest.mark.parametrize(("name", "branch"), CASES)
-def test_hill_exponents_give_the_reference_multipliers_to_1e_9(name, branch):
+def test_exponents_of_batch_give_the_reference_multipliers_to_1e_9(name, branch):
     """Authority: multipliers in 40-digit arithmetic (tests/reference/dynamics.json)."""
     solution = DYNAMICS["cases"][name]["solutions"][branch]
     model = model_of(DYNAMICS["cases"][name])
@@ -17,7 +17,7 @@ def test_hill_exponents_give_the_reference_multipliers_to_1e_9(name, branch):
     start = np.zeros((1, 3, 2 * len(orders)))
     start[:, :, :10] = np.array(solution["harmonics_9"]).reshape(1, 3, 10)
     u, _, _ = harmonic_balance(model.system, orders, start=start)
-    exponents, defect = hill_exponents(model.system, u, orders, reach=12)
+    exponents, defect = exponents_of_batch(model.system, u, orders, reach=12)
     assert defect[0] < 1e-9
     multipliers = np.exp(exponents[0] * 2 * np.pi / model.frequency)
     exact = complexes(solution["orbit"]["multipliers"])
@@ -29,7 +29,7 @@ def test_hill_agrees_with_shooting_on_the_coupled_system(solution):
     model = coupled_model(solution["omega"])
     orders = tuple(range(1, 14, 2))
     u, _, _ = harmonic_balance(model.system, orders)
-    exponents, _ = hill_exponents(model.system, u, orders)
+    exponents, _ = exponents_of_batch(model.system, u, orders)
     found = np.exp(exponents[0] * 2 * np.pi / model.frequency)
     for printed in (complex(z.replace("i", "j")) for z in solution["mu_re_im"].split()):
         assert np.abs(found - printed).min() < 1e-8
@@ -65,7 +65,7 @@ def test_mathieu_characteristic_values(q, a, trace):
     phi = transition_matrices(model.system, u, (1,), 0.5, np.array([4000]))[0]
     roll = phi[1:3, 1:3]
     assert np.trace(roll) == pytest.approx(trace, abs=2e-7)
-    exponents, _ = hill_exponents(model.system, u, (1,), reach=14)
+    exponents, _ = exponents_of_batch(model.system, u, (1,), reach=14)
     # On a characteristic curve the two exponents of roll coincide (their real part is zero up to the root of rounding).
     slow = np.sort(np.abs(exponents[0].real))
     assert slow[1] < 1e-4

@@ -8,7 +8,7 @@ import pytest
 from quartering.motion.equations.system import Model
 from quartering.motion.status import Status
 from quartering.motion.steady.motion import Motion
-from quartering.stability.hill import hill_exponents
+from quartering.stability.hill import exponents_of_batch
 from quartering.stability.transition import transition_matrices
 from tests.reference import table
 
@@ -53,7 +53,7 @@ def test_a_stiffness_that_changes_with_the_wave_is_mathieus_equation():
     by_input = transition_matrices(system, np.zeros((1, 3, 2)), (1,), 0.5, np.array([2000]))[0]
     by_motion = transition_matrices(mathieu(a, q), UNIT.coefficients[None], (1,), 0.5, np.array([2000]))[0]
     np.testing.assert_allclose(by_input, by_motion, atol=1e-10)
-    exponents, _ = hill_exponents(system, np.zeros((1, 3, 2)), (1,), reach=14)
+    exponents, _ = exponents_of_batch(system, np.zeros((1, 3, 2)), (1,), reach=14)
     exact = np.sort(np.abs(np.linalg.eigvals(by_input)))
     np.testing.assert_allclose(np.sort(np.abs(np.exp(exponents[0] * np.pi))), exact, atol=1e-8)
 
@@ -66,7 +66,7 @@ def test_hill_gives_the_same_multipliers_as_the_monodromy_matrix_to_1e_8(row, sh
     """Between the curves: exp(lambda T/2) of Hill's determinant against eigenvalues of the integrated matrix."""
     q, a = float(row["q"]), float(row["a"]) + shift
     phi = transition_matrices(mathieu(a, q), UNIT.coefficients[None], (1,), 0.5, np.array([6000]))[0]
-    exponents, _ = hill_exponents(mathieu(a, q), UNIT.coefficients[None], (1,), reach=14)
+    exponents, _ = exponents_of_batch(mathieu(a, q), UNIT.coefficients[None], (1,), reach=14)
     by_hill = np.sort(np.abs(np.exp(exponents[0] * np.pi)))
     exact = np.sort(np.abs(np.linalg.eigvals(phi)))
     np.testing.assert_allclose(by_hill, exact, rtol=0, atol=1e-8 * max(1.0, exact[-1]))

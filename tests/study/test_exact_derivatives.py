@@ -15,7 +15,7 @@ from quartering.motion.equations.terms import parse
 from quartering.motion.steady.derivative import OFFSETS, difference, products, states_along
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for
 from quartering.stability.assessment import assess
-from quartering.stability.hill import hill_exponents
+from quartering.stability.hill import exponents_of_batch
 from quartering.study.effects.sensitivity import coefficient_rows, derivatives
 
 SHIP = qt.paper_ship("series60-cb60")  # every term has a name and all derivatives
@@ -72,7 +72,7 @@ def test_every_coefficient_of_a_model_agrees_with_motions_solved_again(name):
     here, slopes, why = derivatives(one.system, [row.change for row in rows], u, orders)
     assert why == ""
     assert len(rows) == len(one.terms)
-    assert here[5] == pytest.approx(hill_exponents(one.system, u[None], orders, reach=8)[0][0, 0].real, rel=1e-8)
+    assert here[5] == pytest.approx(exponents_of_batch(one.system, u[None], orders, reach=8)[0][0, 0].real, rel=1e-8)
     around = [
         [replace(one, terms=dict(one.terms) | {row.name: row.value * (1 + step * o)}).system for o in OFFSETS]
         for row in rows

@@ -5,14 +5,59 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.motion.equations.steering import state_matrix
-from quartering.motion.equations.system import Floats, System
+from quartering.motion.equations.system import Floats, Model, System
+from quartering.motion.steady.motion import Motion
+from quartering.motion.steady.subharmonic import slowed
 from quartering.stability.variation import variational_harmonics
 
-_CANDIDATES, _SAME = 16, 1e-7
+_CANDIDATES, _SAME, _FARTHEST = 16, 1e-7, 200
 
 
-def hill_exponents(
+@takes(model="Model", motion="Motion")
+def hill_exponents(model: Model, motion: Motion, reach: int = 10) -> tuple[NDArray[np.complex128], float]:
+    """Floquet exponents of a periodic motion by Hill's determinant: a check that integrates nothing in time.
+
+    Parameters
+    ----------
+    model : Model
+    motion : Motion
+    reach : int        harmonics of the disturbance kept on each side, 1 to 200; of a symmetric motion even ones alone
+
+    Returns
+    -------
+    exponents : (s,) complex    [1/s], the largest real part first; imaginary parts modulo the frequency
+    defect : float              |sum of the exponents - mean trace| over the largest exponent: beside 1e-6 a wrong eigenvalue
+                                was taken; then raise `reach`, or trust the verdict's multipliers
+
+    Raises
+    ------
+    InputError    a motion without an answer, or `reach` out of its range
+
+    Notes
+    -----
+    Source: Hill (1886), as in [Krack19].  Valid: smooth terms; with |p| p or strip-wise drag the harmonics fall off slowly.
+
+    Examples
+    --------
+    >>> from quartering.motion.steady.motion import steady_motion
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
+    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
+    >>> hill_exponents(model, steady_motion(model))[0].real.round(9).tolist()
+    [-0.05, -0.05, -0.5, -1.0]
+    """
+    if not motion.status.ok:
+        raise InputError(f"hill_exponents: this motion is no answer ({motion.status.advice}); give one that is")
+    if not (isinstance(reach, int) and 1 <= reach <= _FARTHEST):
+        raise InputError(f"reach = {reach!r}; it is a whole number of harmonics from 1 to {_FARTHEST}, such as 10")
+    system = slowed(model.system, motion.periods)  # of a subharmonic motion, at the frequency of its own period
+    exponents, defect = exponents_of_batch(system, motion.coefficients[None], motion.orders_with_mean, reach)
+    return exponents[0], float(defect[0])
+
+
+def exponents_of_batch(
     system: System, u: Floats, orders: tuple[int, ...], reach: int = 10
 ) -> tuple[NDArray[np.complex128], Floats]:
     """Floquet exponents of periodic motions from the harmonics of their variational matrix.
@@ -36,16 +81,6 @@ def hill_exponents(
     block matrix J_{m-n} - i m w. Each true exponent appears many times, shifted by multiples of i w; the s whose
     eigenvectors are centred on m = 0 are the converged ones.  Source: Hill (1886), as in [Krack19].
     Valid: smooth products; with a modulus the harmonics fall off slowly.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> from quartering.motion.steady.motion import steady_motion
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
-    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
-    >>> motion = steady_motion(model)
-    >>> hill_exponents(model.system, motion.coefficients[None], motion.orders)[0][0].real.round(9).tolist()
-    [-0.05, -0.05, -0.5, -1.0]
     """
     stride = 2 if all(h % 2 == 1 for h in orders) else 1
     wanted = tuple(range(0, 2 * reach * stride + 1, stride))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from quartering.hull.lines.section import Floats
 
@@ -62,42 +63,15 @@ def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Cur
 
 
 def _slopes(s: Floats, point: Floats) -> Floats:
-    """Slopes of the monotone cubics through ``point`` (n, 2) over ``s`` (n,), one from knuckle to knuckle.
-
-    Within a run, the mean of the neighbouring secants a, b over intervals h, k that keeps the cubic monotone,
-    3 (h + k)/((2k + h)/a + (2h + k)/b), or 0 where they differ in sign; at its ends the three-point formula, limited; a
-    run of two points is straight. Source: [Fritsch84].
-    """
-    h = np.diff(s)[:, None]
-    run = h[:, 0] > 0.0  # an interval of no length is a knuckle
+    """Slopes at ``point`` (n, 2) over ``s`` (n,) of the monotone cubics that run from knuckle to knuckle."""
     slope = np.zeros_like(point)
-    if not run.any():
-        return slope
-    with np.errstate(divide="ignore", invalid="ignore"):
-        secant = np.diff(point, axis=0) / h
-    # the interval before point i is i - 1, the one after it is i
-    before, after = np.append(False, run), np.append(run, False)
-    inner = np.flatnonzero(before & after)
-    left, right = secant[inner - 1], secant[inner]
-    w1, w2 = 2 * h[inner] + h[inner - 1], h[inner] + 2 * h[inner - 1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slope[inner] = np.where(left * right > 0, (w1 + w2) / (w1 / left + w2 / right), 0.0)
-    for ends, step in ((np.flatnonzero(after & ~before), 1), (np.flatnonzero(before & ~after), -1)):
-        near = ends - (step < 0)  # the interval at the end, and the next one if it is of the same run
-        following = np.clip(near + step, 0, run.size - 1)
-        alone = ~run[following] | (following == near)
-        slope[ends[alone]] = secant[near[alone]]
-        near, following, ends = near[~alone], following[~alone], ends[~alone]
-        slope[ends] = _end_slope(h[near], h[following], secant[near], secant[following])
+    knuckles = np.flatnonzero(np.diff(s) <= 0.0) + 1  # an interval of no length
+    for run in np.split(np.arange(s.size), knuckles):
+        if run.size == 2:
+            slope[run] = (point[run[1]] - point[run[0]]) / (s[run[1]] - s[run[0]])
+        elif run.size > 2:
+            slope[run] = PchipInterpolator(s[run], point[run]).derivative()(s[run])
     return slope
-
-
-def _end_slope(h0: Floats, h1: Floats, secant0: Floats, secant1: Floats) -> Floats:
-    """Three-point end slope that keeps the sign of the end secant and at most three times its size."""
-    slope = ((2 * h0 + h1) * secant0 - h0 * secant1) / (h0 + h1)
-    slope = np.where(slope * secant0 <= 0, 0.0, slope)
-    turned = (secant0 * secant1 < 0) & (np.abs(slope) > 3 * np.abs(secant0))
-    return np.where(turned, 3 * secant0, slope)
 
 
 def along(curve: Curve, s: Floats, side: Literal["left", "right"] = "right") -> tuple[Floats, Floats, Floats, Floats]:

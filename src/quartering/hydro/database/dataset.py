@@ -6,6 +6,8 @@ y; Capytaine's phasors belong to e^{-i omega t}, WAMIT's to e^{+i omega t}. Ours
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,7 @@ import numpy as np
 import xarray as xr
 
 from quartering.conventions import GRAVITY, HEADING_CONVENTION, MODES, REFERENCE_POINT, InputError
+from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
@@ -23,6 +26,7 @@ from quartering.hydro.database.wamit import read_wamit_files, write_wamit_files
 from quartering.hydro.transfer import transfer, transfer_matrix
 
 
+@takes(ship="Ship")
 def read_capytaine(
     path: str | Path, ship: Ship, *, midship: float = 0.0, moments_about: tuple[float, float] | None = None
 ) -> xr.Dataset:
@@ -66,6 +70,7 @@ def read_capytaine(
     )
 
 
+@takes(dataset="Dataset", ship="Ship")
 def write_capytaine(dataset: xr.Dataset, path: str | Path, ship: Ship, *, midship: float = 0.0) -> None:
     """Write coefficients and forces about G as a Capytaine netCDF, moments about midship at the calm plane.
 
@@ -88,9 +93,11 @@ def write_capytaine(dataset: xr.Dataset, path: str | Path, ship: Ship, *, midshi
     --------
     See `read_capytaine`.
     """
-    write_capytaine_file(path, _raw(dataset, ship, midship))
+    with _writing(path):
+        write_capytaine_file(path, _raw(dataset, ship, midship))
 
 
+@takes(ship="Ship")
 def read_wamit(
     stem: str | Path,
     ship: Ship,
@@ -141,6 +148,7 @@ def read_wamit(
     return _dataset(raw, ship, midship, moments_about, f"WAMIT: {Path(stem).name}", "WAMIT")
 
 
+@takes(dataset="Dataset", ship="Ship")
 def write_wamit(
     dataset: xr.Dataset, stem: str | Path, ship: Ship, *, length: float = 1.0, midship: float = 0.0
 ) -> None:
@@ -166,7 +174,19 @@ def write_wamit(
     --------
     See `read_wamit`.
     """
-    write_wamit_files(stem, _raw(dataset, ship, midship), length=length)
+    with _writing(stem):
+        write_wamit_files(stem, _raw(dataset, ship, midship), length=length)
+
+
+@contextmanager
+def _writing(path: str | Path) -> Iterator[None]:
+    """Refusals of the system to write become one message."""
+    try:
+        yield
+    except OSError as error:
+        raise InputError(
+            f'output "{path}" cannot be written ({error.strerror}); give a file in a folder you may write to'
+        ) from None
 
 
 def _gravity_centre(ship: Ship, midship: float) -> tuple[float, float]:

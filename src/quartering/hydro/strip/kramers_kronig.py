@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from scipy.interpolate import CubicSpline
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.lines.quadrature import gauss
 from quartering.hull.lines.section import Floats
 from quartering.hydro.strip.table import SectionTable
@@ -65,6 +66,7 @@ class KramersKronig:
         )
 
 
+@takes(data="Dataset, SectionTable")
 def kramers_kronig(data: xr.Dataset | SectionTable, *, added_mass_infinite: ArrayLike | None = None) -> KramersKronig:
     """Compare given added mass with the one that follows from the damping.
 
@@ -152,7 +154,10 @@ def retardation(frequency: ArrayLike, damping: ArrayLike, time: ArrayLike) -> Fl
     >>> np.round(K * np.pi / 4, 3).tolist()
     [1.0, -0.25]
     """
-    omega, b, t = (np.asarray(v, dtype=float) for v in (frequency, damping, time))
+    try:
+        omega, b, t = (np.asarray(v, dtype=float) for v in (frequency, damping, time))
+    except (TypeError, ValueError):
+        raise InputError("frequency, damping and time are lists of numbers; one of them is not") from None
     _check(omega, b, b)
     nodes, values, _ = _completed(omega, b.reshape(omega.size, -1))
     moments = np.atleast_1d(np.abs(t))

@@ -10,10 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import kernel
 from quartering.conventions import InputError
+from quartering.doors import takes
+from quartering.hull.told import count, number
 from quartering.motion.equations.basis import waves_at
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
+from quartering.options import quoted
 from quartering.threads import in_threads
 
 if TYPE_CHECKING:
@@ -22,6 +25,7 @@ if TYPE_CHECKING:
 MOST_PERIODS: Final = 10_000
 """Longest march taken [wave periods]: most ships that capsize do so within tens."""
 
+_LARGEST_START: Final = 360.0  # of a roll angle [deg] and of a roll rate [deg/s]
 _AT_ONCE = 64
 """Periods between which an interrupt is heard."""
 
@@ -98,12 +102,10 @@ def capsize_times(
     states = np.array(starts, dtype=float)
     if states.ndim != 2 or states.shape[1] != 4 or not np.isfinite(states).all():
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
-    if not 1 <= periods <= MOST_PERIODS or steps < 4:
-        raise InputError(
-            f"periods = {periods} and steps = {steps}: give 1 to {MOST_PERIODS:,} periods and at least 4 steps each; most"
-            " capsizes come within 16 periods"
-        )
-    angle = model.capsize_limit.radians if limit is None else float(limit)
+    periods, steps = count("periods", periods, 1, 32), count("steps", steps, 4, 80)
+    if periods > MOST_PERIODS:
+        raise InputError(f"periods = {periods}; give 1 to {MOST_PERIODS:,}: most capsizes come within 16 periods")
+    angle = model.capsize_limit.radians if limit is None else number(None, "limit", limit)
     rows = -(-len(states) // WIDTH)
     # the last row is filled up with its last start, and all stand abreast: (rows, states, W)
     filled = np.pad(states, ((0, rows * WIDTH - len(states)), (0, 0)), mode="edge")
@@ -120,6 +122,7 @@ def capsize_times(
     return times.ravel()[: len(states)], ends[: len(states), :4]
 
 
+@takes(model="Model")
 def basin(
     model: Model, roll: ArrayLike, roll_rate: ArrayLike, *, periods: int = 32, limit: float | None = None
 ) -> xr.Dataset:
@@ -155,7 +158,7 @@ def basin(
     """
     import xarray as xr
 
-    angles, rates = (np.atleast_1d(np.asarray(axis, dtype=float)) for axis in (roll, roll_rate))
+    angles, rates = _axis("roll", roll, "deg"), _axis("roll_rate", roll_rate, "deg/s")
     phi, p = np.meshgrid(np.radians(angles), np.radians(rates))
     starts = np.zeros((phi.size, 4))
     starts[:, 1], starts[:, 2] = phi.ravel(), p.ravel()
@@ -172,6 +175,20 @@ def basin(
         "references": ", ".join((*model.references, "Thompson89")),
     }
     return xr.Dataset(data, coordinates, attributes)
+
+
+def _axis(name: str, given: ArrayLike, unit: str) -> Floats:
+    """Values of one axis of the starts."""
+    try:
+        values = np.atleast_1d(np.asarray(given, dtype=float))
+    except (TypeError, ValueError):
+        values = np.empty(0)
+    if values.ndim != 1 or not values.size or not (np.abs(values) <= _LARGEST_START).all():
+        raise InputError(
+            f"{name} = {quoted(given)}; it is one list of numbers [{unit}] from -{_LARGEST_START:g} to {_LARGEST_START:g}, "
+            "such as numpy.linspace(-40, 40, 41)"
+        )
+    return values
 
 
 _TIME = {"units": "s", "long_name": "time of the capsize, NaN where there is none", "symbol": "t"}
