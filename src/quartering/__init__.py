@@ -14,6 +14,7 @@ Examples
 
 from __future__ import annotations
 
+import sys
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -204,6 +205,8 @@ def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'quartering' has no attribute {name!r}")
     value = getattr(import_module(f"quartering.{_HOMES[name]}"), name)
+    if "xarray" in sys.modules:  # datasets may come of it, and show themselves
+        import_module("quartering.accessor")
     globals()[name] = value
     return value
 

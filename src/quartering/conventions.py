@@ -107,9 +107,12 @@ SYMBOLS: Final[dict[str, Symbol]] = {
     "heel": Symbol("phi", "deg", "angle of heel, + starboard side down"),
     "heave": Symbol("zeta", "m", "heave of G, + down"),
     "trim": Symbol("theta", "deg", "trim, + bow up"),
-    "sway": Symbol("P1", "m", "amplitude of the integrated sway velocity, fundamental"),
-    "roll": Symbol("P2", "deg", "amplitude of roll, fundamental"),
-    "yaw": Symbol("P3", "deg", "amplitude of yaw, fundamental"),
+    "sway_amplitude": Symbol("P1", "m", "amplitude of the integrated sway velocity, fundamental"),
+    "roll_amplitude": Symbol("P2", "deg", "amplitude of roll, fundamental"),
+    "yaw_amplitude": Symbol("P3", "deg", "amplitude of yaw, fundamental"),
+    "sway": Symbol("P1", "m", "sway_amplitude under its name until version 0.2"),
+    "roll": Symbol("P2", "deg", "roll_amplitude under its name until version 0.2"),
+    "yaw": Symbol("P3", "deg", "yaw_amplitude under its name until version 0.2"),
     "roll_peak": Symbol("max|phi|", "deg", "largest roll angle over a cycle"),
     "missed": Symbol(
         "", "1", "change of roll by the next harmonics, estimated, as a share of its amplitude; above 0.01 take more"

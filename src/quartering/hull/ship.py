@@ -15,6 +15,7 @@ from quartering.hull.option_types import Drag, Hydrodynamics, Linear, Righting, 
 from quartering.hull.own_database import Database
 from quartering.hull.own_measured import MeasuredFile
 from quartering.hull.roll_method import BilgeKeels, RollMethod, roll_damping_note
+from quartering.notebook import ShownInNotebooks
 from quartering.options import OPTIONS, checked, described, option, signature
 from quartering.units import Sizes
 
@@ -29,7 +30,7 @@ DRAG_COEFFICIENT = 0.8
 
 
 @dataclass(frozen=True, eq=False)
-class Ship:
+class Ship(ShownInNotebooks):
     """A ship ready for computation; nothing in it changes, ``with_`` returns another one.
 
     Parameters

@@ -13,6 +13,7 @@ from quartering.hull.righting.limit import CapsizeLimit
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.steady.motion import Motion, advice
 from quartering.motion.steady.subharmonic import slowed
+from quartering.notebook import ShownInNotebooks
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.contribution import contributions
 from quartering.stability.first_order import RESONANCES
@@ -23,7 +24,7 @@ _NEUTRAL = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class Verdict:
+class Verdict(ShownInNotebooks):
     """Is a motion stable, and if not why.
 
     Parameters

@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, SYMBOLS
+from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, SYMBOLS
 from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.coefficients import coefficients
@@ -95,7 +95,13 @@ def described(
     )
     coords = {name: (where, values, attributes(name)) for name, (where, values) in coordinates.items()}
     coords["resonance"] = (("resonance",), np.array(RESONANCES), {"long_name": "m in n2 = m omega/2", "units": "1"})
-    return xr.Dataset(variables, coords, dict(heading))
+    return amplitudes_named(xr.Dataset(variables, coords, dict(heading)))
+
+
+def amplitudes_named(ds: xr.Dataset) -> xr.Dataset:
+    """A dataset with the amplitudes of sway, roll and yaw under names that no method of xarray has, ``roll_amplitude``."""
+    named = {f"{mode}_amplitude": ds[mode].variable for mode in MODES}
+    return ds.assign({name: (v.dims, v._data, attributes(name)) for name, v in named.items()})
 
 
 def attributes(name: str) -> dict[str, object]:

@@ -23,6 +23,7 @@ from quartering.motion.equations.steering import steered
 from quartering.motion.equations.terms import TermTable, checked_number, parse, term_table
 from quartering.motion.equations.water import Strips, relative_inputs, relative_terms
 from quartering.names import RUDDER_NAMES, term
+from quartering.notebook import ShownInNotebooks
 from quartering.rowwise import contracted
 
 Floats = NDArray[np.float64]
@@ -353,7 +354,7 @@ def _triple(values: ArrayLike, name: str) -> Floats:
 
 
 @dataclass(frozen=True, eq=False, init=False)
-class Model:
+class Model(ShownInNotebooks):
     """Equations of sway, roll and yaw of one ship in one regular wave, every number taken literally.
 
     ``inertia d/dt (v, p, r) = sum of terms + force_mean + force_cos cos(w t) + force_sin sin(w t)``.

@@ -19,6 +19,7 @@ from quartering.motion.status import Status
 from quartering.motion.steady.harmonic import checked_harmonics, harmonic_balance, orders_for
 from quartering.motion.steady.struble import modified_struble
 from quartering.motion.steady.truncation import followed_up
+from quartering.notebook import ShownInNotebooks
 from quartering.rowwise import rowwise
 
 _PEAK_SAMPLES = 256
@@ -26,7 +27,7 @@ Start = Literal["linear", "rest"]
 
 
 @dataclass(frozen=True, eq=False)
-class Motion:
+class Motion(ShownInNotebooks):
     """A periodic motion: harmonics of sway [m], roll [rad] and yaw [rad].
 
     Sway and yaw are the integrals of sway velocity and yaw rate, the paper's x1 and x3.

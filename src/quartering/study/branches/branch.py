@@ -23,6 +23,7 @@ from quartering.motion.steady.subharmonic import columns
 from quartering.stability.ahead import announce_compilation
 from quartering.study.branches.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.branches.family import Limits, family, parameter_attributes
+from quartering.study.dataset import amplitudes_named
 from quartering.threads import small_matrices
 
 _MOST_BRANCHES = 12
@@ -66,14 +67,15 @@ def branch(
 
     Returns
     -------
-    xarray.Dataset    along ``point``: the parameter, sway [m], roll, yaw (of the wave's frequency), roll_peak [deg], exponent
-                      [1/s], verdict; ``multiplier_real`` and ``multiplier_imag`` over one period of the motion;
-                      ``event`` is "fold", "symmetry-breaking", "neimark-sacker" or "period-doubling" where stability
-                      changes or the curve turns back, and "" elsewhere; ``fold`` is True at the folds.  The curves
-                      stand one after the other: ``curve`` is 0 on the one from the start and counts up, ``origin`` says
-                      where a curve began ("start", "symmetry-breaking", "period-doubling", "search"), ``periods`` is 2 where a
-                      motion repeats after two wave periods, ``closed`` is True on a curve that returns to its beginning;
-                      the attribute ``harmonics`` is the highest taken
+    xarray.Dataset    along ``point``: the parameter, sway_amplitude [m], roll_amplitude, yaw_amplitude (of the wave's
+                      frequency), roll_peak [deg], exponent [1/s], verdict; ``multiplier_real`` and ``multiplier_imag`` over
+                      one period of the motion; ``event`` is "fold", "symmetry-breaking", "neimark-sacker" or
+                      "period-doubling" where stability changes or the curve turns back, and "" elsewhere; ``fold`` is True
+                      at the folds.  The curves stand one after the other: ``curve`` is 0 on the one from the start and
+                      counts up, ``origin`` says where a curve began ("start", "symmetry-breaking", "period-doubling",
+                      "search"), ``periods`` is 2 where a motion repeats after two wave periods, ``closed`` is True on a
+                      curve that returns to its beginning; the attributes say the parameter, ``over``, and the highest of
+                      the ``harmonics`` taken
 
     Raises
     ------
@@ -106,7 +108,8 @@ def branch(
             _columns(line, i, over, low, high)
             for i, line in enumerate(lines_of(at, harmonics, points, steepest_of(ship_or_model)))
         ]
-    return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model), harmonics=harmonics)
+    whole = amplitudes_named(xr.concat(parts, "point"))
+    return whole.assign_attrs(over=over, references=references_of(ship_or_model), harmonics=harmonics)
 
 
 def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = np.inf) -> list[Line]:

@@ -75,7 +75,7 @@ def vary(
     --------
     >>> from quartering.hull.file.read import ship
     >>> ds = vary(ship("wigley"), Wave(100.0, 2.0), 5.0, 60.0, {"gm": [1.0, 1.5, 2.0]})
-    >>> ds["roll"].dims, ds["flip"].size
+    >>> ds["roll_amplitude"].dims, ds["flip"].size
     (('gm',), 0)
     """
     speed, heading = condition(ship, speed, heading)

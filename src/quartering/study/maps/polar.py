@@ -68,7 +68,7 @@ def polar(
     --------
     >>> from quartering.hull.file.read import ship
     >>> ds = polar(ship("wigley"), Wave(length=100.0, height=1.5), speeds=[5.0], headings=[0, 60, 120])
-    >>> ds["roll"].shape, float(ds["roll"].sel(heading=0).item())
+    >>> ds["roll_amplitude"].shape, float(ds["roll_amplitude"].sel(heading=0).item())
     ((1, 3, 1), 0.0)
     """
     checked_harmonics(harmonics)

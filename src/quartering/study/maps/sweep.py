@@ -74,8 +74,8 @@ def sweep(
     Returns
     -------
     xarray.Dataset    dims (loading where axes are given) speed, heading, wave_length, wave_height (or steepness, along which
-                      and along wave_length ``wave_height`` [m] then goes); amplitudes ``sway`` [m],
-                      ``roll``, ``yaw`` [deg], ``roll_peak``, ``k2``, ``q``, ``exponent`` [1/s], ``verdict``, ``status``, ..
+                      and along wave_length ``wave_height`` [m] then goes); ``sway_amplitude`` [m], ``roll_amplitude``,
+                      ``yaw_amplitude`` [deg], ``roll_peak``, ``k2``, ``q``, ``exponent`` [1/s], ``verdict``, ``status``, ..
 
     Raises
     ------
@@ -90,7 +90,7 @@ def sweep(
     --------
     >>> from quartering.hull.file.read import ship
     >>> ds = sweep(ship("wigley"), speed=5.0, heading=[30, 60], wave_length=100.0, wave_height=[1.0, 2.0], K_p=[0.5, 1.0])
-    >>> dict(ds.sizes)["loading"], ds["roll"].dims
+    >>> dict(ds.sizes)["loading"], ds["roll_amplitude"].dims
     (2, ('loading', 'speed', 'heading', 'wave_length', 'wave_height'))
     """
     wanted = grid(
