@@ -93,6 +93,8 @@ def _pressure_integrals(
             for s in range(x.size):
                 for p in range(y.shape[1]):
                     decays[s, p] = math.exp(-k * z[s, p])
+        # Port and starboard together: e^{i k2 y} - e^{-i k2 y} leaves 2 i sin(k2 y), whose i stands in the phasor P of the
+        # docstring. The lever of roll is y dy + (zeta + z0) dz; J(y) of the tapering ends is k2 y^3 _lid(k2 y).
         for s in range(x.size):
             sway = roll = taper = 0.0
             for p in range(y.shape[1]):

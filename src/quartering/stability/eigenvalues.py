@@ -111,6 +111,9 @@ def _pair(a, last, shift, values):
 @inner
 def _sweep(a, first, last, x, y, product):
     """One double-shift QR sweep over rows first..last, in place."""
+    # Francis' step with the two shifts s1, s2 that are eigenvalues of the last 2 x 2 block, without complex numbers:
+    #   (A - s1)(A - s2) e1 = (p, q, r, 0, ..),   s1 + s2 = x + y,   s1 s2 = x y - product .
+    # It begins at the lowest row m where two small subdiagonals in turn already split the block off to rounding.
     m = last - 2
     p, q, r = 0.0, 0.0, 0.0
     while True:
@@ -131,6 +134,8 @@ def _sweep(a, first, last, x, y, product):
         a[i, i - 2] = 0.0
         if i > m + 2:
             a[i, i - 3] = 0.0
+    # Householder's reflection I - (u, v, w)(1, q, r)^T of rows k, k+1, k+2 sends (p, q, r) to (-length, 0, 0). The first one
+    # makes a bulge below the subdiagonal, the others chase it down to the corner: a similarity throughout.
     for k in range(m, last):
         three = k < last - 1
         size = 1.0
@@ -178,6 +183,8 @@ def _values(a, values):
     if not norm < 1e300:
         return False
     last, shift, sweeps = n - 1, 0.0, 0
+    # The block first..last is the lowest one not yet split: one row is a real eigenvalue, two rows a pair, more take a
+    # sweep, after which the last subdiagonal falls off quadratically.
     while last >= 0:
         first = _start_of_block(a, last, norm)
         if first == last:

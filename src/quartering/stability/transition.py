@@ -102,6 +102,8 @@ def _march(first, last, program, parts, factors, periods, u, span, steps, rows, 
             for b in range(size):
                 for l in range(width):
                     phi[a, b, l] = 1.0 if a == b else 0.0
+        # Phi' = J(t) Phi, Phi(0) = 1, by the classical method: slopes at the beginning, twice in the middle, at the end. Step n
+        # spans the angles 2n to 2n + 2 half angles: J is evaluated at the odd and at the even ones, once each.
         for n in range(steps):
             for j in range(4):
                 if j == 0:

@@ -163,6 +163,10 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load
     load[:] = 0.0
     jacobian[:] = 0.0
     read, sums = scratch[:3], scratch[3:]
+    # Across one section the wave's surface is nearly straight: eta + slope y. In axes of the ship it is a plane tilted by
+    # chi = roll + atan(slope) at depth d = down/gamma under the reference point, gamma = sqrt(1 + slope^2), which is what the
+    # tables are made over. Effective gravity turns with it (theory of 3.3): with A, B, Q the wetted area and its moments across
+    # and down, the section's moments about G's axes are b0 A + (B + slope Q)/gamma and q0 A + (Q - slope B)/gamma.
     for s in range(x.size):
         xs, w = x[s], weight[s]
         angle = along * xs + across * b0 - phase
@@ -176,6 +180,8 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load
             return
         change = (1.0 / ct, -(z0 * sp + slope * z0 * cp / ct), (down - q0) * st / ct - xs)
         share = 1.0 - k * eta
+        # Row 0 holds the values, rows 1 to 3 their derivatives by heave, roll and pitch: all three change the depth, roll
+        # changes chi as well. The second half of a table, weighted with e^{-kd}, is the pressure that dies out downwards.
         for row in range(4):
             out = sums[row]
             by_depth = 0.0 if row == 0 else change[row - 1] / gamma

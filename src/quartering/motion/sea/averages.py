@@ -101,6 +101,9 @@ def averages(powers, modulus, coefficients, knots, cubics, mean, c, gain, force)
     Source: [Kazakov54], [Rice44] for the moments of normal variables.
     """
     gain[:], force[:] = 0.0, 0.0
+    # For normal variables E[(x_j - m_j) g(x)] = sum_k c_jk E[dg/dx_k] (Price, Novikov): the linear term that errs least in
+    # the mean square has the gains E[dg/dx_k], whatever g. A modulus times y: d/dy = E|x|, d/dx = E[y sign x]; a product
+    # of up to three: Isserlis' sum over pairs; a power of one variable: E[x^n] = m E[x^(n-1)] + (n-1) c E[x^(n-2)].
     i, rest = np.zeros(8, np.int64), np.zeros(8, np.int64)
     for t in range(modulus.size):
         n = 0

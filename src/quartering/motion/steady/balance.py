@@ -95,6 +95,9 @@ def balance(one, tables, u, residual, matrix, room):
     residual[:] = 0.0
     matrix[:] = 0.0
     held = mean_is_heading(linear, factors)
+    # With phi_c the basis (1, cos, sin, ..) sampled over a cycle, Galerkin's equations of mode k are
+    #   0 = <phi_c, x_k''> - <phi_c, f_k(x, x', t)>,   <phi_c, g> = sum over samples of weight_c phi_c g .
+    # x'' = -(h w)^2 x of harmonic h is diagonal and comes last; the sum over samples is that of f.
     for begin in range(0, samples, columns.shape[1]):
         at_instants(i, share, parts, waves, begin, lanes)
         _orbit_states(program, tables, w, u, held, begin, columns)
@@ -111,6 +114,8 @@ def balance(one, tables, u, residual, matrix, room):
         slopes(program, lanes, 1.0, 0.0, columns, sums, jacobian)
         for l in range(count):
             n = begin + l
+            # df/du_(j b) = df/dv phi_b' w + df/dx phi_b. Sway and yaw have no displacement in f (`holds` is False): the mean is
+            # a mean velocity, whose rate is 1; a held heading's mean is an angle, and enters through the autopilot.
             for j in range(3):
                 velocity, displacement = program.velocities[j], program.displacements[j]
                 for b in range(nb):
@@ -128,6 +133,7 @@ def balance(one, tables, u, residual, matrix, room):
                             matrix[k * nb + c, j * nb + b] += project * column[k, j, b]
     if linear.shape[1] > 4:
         add_steering(linear, factors, w, u, residual, matrix)
+    # The known force is mean + cos(w t) + sin(w t) and projects onto its own three columns alone.
     first = 1 if factors[0] == 0.0 else 0
     for k in range(3):
         for b in range(nb):

@@ -147,6 +147,9 @@ def follow(one, tables, linear_motion, u, work):
     _set_off(linear_motion, scale, tangent)
     for row in range(size):
         u[row // nb, row % nb] = 0.0
+    # Unknowns are the harmonics over their scale and the share s of the excitation; the point goes `length` along the unit
+    # tangent, then Newton's method with the plane across the tangent as the further equation brings it back to the curve.
+    # Where s turns back (a fold) only the balance's own matrix is singular, the bordered one is not.
     share, length = 0.0, 0.05
     for _ in range(600):
         for row in range(size):

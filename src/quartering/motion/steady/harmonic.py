@@ -58,6 +58,9 @@ def _solve(first, last, program, parts, tables, given_start, from_rest, u, waiti
             continue
         one = (program, parts, i, 1.0)
         side = 0
+        # Without the nonlinear terms (strength 0 in `fill`) one step of Newton's method gives the linear motion, and `side`,
+        # the sign of the determinant there. A motion that has grown out of rest without a fold keeps that sign: where
+        # it differs, or roll is not near the linear one, the branch is followed from rest instead.
         if not given_start:
             for k in range(3):
                 for b in range(nb):

@@ -137,6 +137,8 @@ def derivative_abreast(program, tables, lanes, u, matrix, column, room):
             matrix[row, row, l] = -(rate * w[l]) * (rate * w[l])
     sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
     every = 2 if lanes.strips.shape[0] > 0 and samples % 2 == 0 else 1
+    # d residual_(k c)/du_(j b) = -(h w)^2 [same k, c = b] - <phi_c, df_k/dv_j phi_b' w + df_k/dx_j phi_b>, as in
+    # `balance`, with the condition as the last index: one instruction works on eight of them.
     for n in range(0, samples, every):
         at_sample(program, tables, n, u, lanes, columns)
         slopes(program, lanes, waves[1, n], waves[2, n], columns, sums, jacobian)
@@ -346,6 +348,7 @@ def in_step(first, last, program, parts, tables, given_start, from_rest, start, 
     step = np.zeros((size, WIDTH))
     work = (np.zeros((size, size, WIDTH)), np.zeros((size, WIDTH), np.int64), np.zeros((size, WIDTH)), step,
             np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), np.zeros((3, 3, nb, WIDTH)), room)  # fmt: skip
+    # Lanes that are not wanted, or fill up the last row, go along with stage _LEFT and are not written.
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)
         _linear(lanes, factors, linear_motion, side)

@@ -77,6 +77,9 @@ def _integrate(program, parts, times, start, tolerance, scale, limit, nodes, sta
     time, written = times[0], 0
     h = 0.01 / parts.frequency[0]
     _derivative(program, lanes, time, y, waves, room, k[0])
+    # Seven stages k_j = f(t + c_j h, y + h sum a_ji k_i); the last one stands at the new point and is the next step's first.
+    # h sum e_j k_j is the difference of the orders 5 and 4: the step is taken when it is within the tolerance and h is changed
+    # by 0.9 (tolerance/difference)^(1/5), within a fifth and five times.
     while written < times.size:
         if h < 1e-12 * (1.0 + abs(time)):
             return written
@@ -98,6 +101,8 @@ def _integrate(program, parts, times, start, tolerance, scale, limit, nodes, sta
             h *= max(0.2, 0.9 * size**-0.2) if size < 1e300 else 0.2
             continue
         while written < times.size and times[written] <= time + h * (1.0 + 1e-12):
+            # Between the ends y + x (D + (1 - x)(b + x (t + (1 - x) c))): the cubic of Hermite of both ends and slopes, and a
+            # quartic term c from the stages [DormandPrince80].
             x = (times[written] - time) / h
             for s in range(states):
                 difference = new[s] - y[s]

@@ -52,6 +52,7 @@ def _solve_definite(G: Floats, R: Floats) -> None:
         for k in range(i):
             for j in range(m):
                 R[i, j] -= G[i, k] * R[k, j]
+        # The known part of X: what the stream function given on the contour sends out, and the constant of the lid.
         for j in range(m):
             R[i, j] /= G[i, i]
     for i in range(n - 1, -1, -1):
@@ -143,6 +144,9 @@ def standing_waves(
     of_h, of_conjugate = np.zeros(n + 1, dtype=np.complex128), np.zeros(n + 1, dtype=np.complex128)
     row = np.empty(n + 1, dtype=np.complex128)
     skip = 1 if sign > 0.0 else 0
+    # Least squares |A x - b|^2 with one linear constraint (only outgoing waves) and complex x, A and b real: A^T A is singular
+    # along the standing wave that the rows leave free, so beta r r^T of the constraint's row r is added, which changes nothing
+    # where the constraint holds. Then x = G^-1 (A^T b + ..) with two unknowns left, the far amplitude X_r and the multiplier.
     for task in range(first, last):
         s, f = task // count, task % count
         g = f if stream.shape[0] > 1 else 0
