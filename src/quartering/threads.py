@@ -114,7 +114,8 @@ def small_matrices() -> AbstractContextManager[Any]:
 
     Notes
     -----
-    Matrices of a hundred unknowns are solved faster by one core than shared by several; on a busy machine, seven times.
+    Matrices of a hundred unknowns are solved faster by one core than shared by several; on a busy machine, seven times. And
+    the last digits do not depend on how many cores there are.
     """
     from threadpoolctl import threadpool_limits
 

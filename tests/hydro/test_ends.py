@@ -5,6 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 import pytest
+from threadpoolctl import threadpool_limits
 
 import quartering as qt
 from quartering.conventions import InputError
@@ -13,7 +14,7 @@ from quartering.hull.lines.immersed import strips
 from quartering.hull.lines.mesh import hull_grid
 from quartering.hull.lines.stations import hull_from_offsets
 from quartering.hydro.strip.double_body import double_body
-from quartering.hydro.strip.ends import PANELS, end_effect
+from quartering.hydro.strip.ends import PANELS, _effect, end_effect
 from quartering.hydro.strip.ends import with_ends as add_ends
 from quartering.hydro.strip.hull_table import hull_table
 from quartering.hydro.strip.integrals import moment_matrix, section_moments
@@ -36,6 +37,15 @@ def integrals(hull, part="a_zero"):
         getattr(hull_table(replace(hull, ends=ends), [0.0], 1.0), part) for ends in ("strips", "three-dimensional")
     ]
     return np.array([moment_matrix(section_moments(immersed.x, immersed.weight, part)) for part in found])
+
+
+def test_the_bytes_do_not_depend_on_the_threads_of_the_linear_algebra():
+    """Panels of a hull are one large system, which a library shares out among as many threads as it may have."""
+    grid, found = hull_grid(qt.ship("wigley").hull, *PANELS), []
+    for threads in (1, 2, 3):
+        with threadpool_limits(limits=threads, user_api="blas"):
+            found.append([part.tobytes() for part in _effect(grid)])
+    assert found[0] == found[1] == found[2]
 
 
 @pytest.mark.parametrize("name", SHIPS)

@@ -7,6 +7,7 @@ cleans up after itself and lets exceptions go, and the program would run on. So 
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -24,10 +25,15 @@ def quiet_start() -> Iterator[None]:
 
 @contextmanager
 def listening() -> Iterator[None]:
-    """Keep an interrupt beside raising it, while the body runs."""
+    """Keep an interrupt beside raising it, while the body runs; one that a destructor swallowed is kept, and not printed."""
     _asked.clear()
-    with _handled(_keep):
-        yield
+    usual = sys.unraisablehook
+    sys.unraisablehook = lambda told: None if told.exc_type is KeyboardInterrupt and _asked.is_set() else usual(told)
+    try:
+        with _handled(_keep):
+            yield
+    finally:
+        sys.unraisablehook = usual
 
 
 def stop_if_asked() -> None:

@@ -37,6 +37,7 @@ from quartering.hull.lines.section import Floats
 from quartering.hull.lines.strips import Strips, wholly_under_water
 from quartering.hydro.strip.double_body import double_body
 from quartering.hydro.strip.table import SectionTable
+from quartering.threads import small_matrices
 
 ENDS_WORDS: Final = "with three-dimensional ends"
 PANELS: Final = (30, 12)
@@ -99,7 +100,8 @@ def _opened(grid: Grid) -> Grid:
 
 
 def _effect(grid: Grid) -> EndEffect:
-    body = double_body(grid)
+    with small_matrices():  # a library that shares out a large matrix rounds otherwise with every number of threads
+        body = double_body(grid)
     y, z = (0.5 * (points[1:] + points[:-1]) for points in (grid.y, grid.z))
     piece = np.hypot(np.diff(y, axis=1), np.diff(z, axis=1))
     share = (np.cumsum(piece, axis=1) - 0.5 * piece) / piece.sum(axis=1, keepdims=True)
