@@ -66,6 +66,7 @@ if TYPE_CHECKING:
     from quartering.study.paper.model import paper_ship
     from quartering.study.responses import responses
     from quartering.study.seas.response import sea_response
+    from quartering.study.solve import solve
 
 _HOMES = {
     "InputError": "conventions",
@@ -122,6 +123,7 @@ _HOMES = {
     "polar": "study.maps.polar",
     "responses": "study.responses",
     "sea_response": "study.seas.response",
+    "solve": "study.solve",
     "sensitivity": "study.effects.sensitivity",
     "sweep": "study.maps.sweep",
     "tornado": "study.effects.tornado",
@@ -178,6 +180,7 @@ __all__ = [
     "sensitivity",
     "ship",
     "simulate",
+    "solve",
     "stability",
     "steady_motion",
     "surf_riding_thresholds",
