@@ -13,11 +13,11 @@ from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind, near_fold
 from quartering.study.beside import capsizes_on_the_way
 from quartering.study.conditions import RESULTS, evaluate_block
+from quartering.study.failure_events import failure_events
 from quartering.study.grid import grid
 from quartering.study.maps.query import capsizing
 from quartering.study.maps.result import in_memory, open_result
 from quartering.view.plots.polar_map import polar_map
-from quartering.view.report.guidance import failure_events
 
 pytestmark = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
 OLD = qt.ship("dtmb5415").with_(velocities="absolute", righting="polynomial", drag="cubic")

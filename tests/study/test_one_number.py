@@ -7,12 +7,12 @@ import pytest
 
 import quartering as qt
 from quartering.study.branches.coexisting import all_motions
+from quartering.study.condition import examine, facts
+from quartering.study.failure_events import failure_events
 from quartering.study.maps.query import coexisting, other_rolls, worst
 from quartering.view.commands.result import show_worst
-from quartering.view.commands.verdict import examine, facts
 from quartering.view.explorer.headline import headline
 from quartering.view.plots.polar_map import polar_map
-from quartering.view.report.guidance import failure_events
 
 pytestmark = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
 SHIP, SPEED, HEADING, WAVE = qt.ship("series60-cb60"), 5.187561276746522, 80.0, qt.Wave(195.072, 195.072 / 30)

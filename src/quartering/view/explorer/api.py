@@ -22,11 +22,11 @@ from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.status import OnTheWay, Status
 from quartering.options import unknown
 from quartering.stability.kind import Kind
+from quartering.study.condition import Examined, examine, facts
 from quartering.study.effects.cure import Cure
 from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
-from quartering.view.commands.verdict import Examined, examine, facts
 from quartering.view.explorer.answers import joined, noting, sought
 from quartering.view.explorer.calls import MOST_CELLS, PolarCall, VerdictCall
 from quartering.view.explorer.fleet import Fleet
