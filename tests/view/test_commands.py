@@ -17,7 +17,7 @@ from quartering.hull.righting.arm import vanishing_angle
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.stability.kind import Kind
 from quartering.view.cli import app
-from quartering.view.output import write
+from quartering.view.console.files import File, write_files
 
 CONDITION = ["--heading", "30", "--speed", "15kn", "--wave-length", "1L", "--wave-height", "3"]
 SMALL_MAP = ["--speed", "0.25Fn", "--headings", "0:180:7", "--wave-lengths", "0.6L,1L"]
@@ -291,7 +291,7 @@ def test_ctrl_c_says_so_exits_130_and_leaves_nothing(run, tmp_path, monkeypatch)
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("quartering.view.commands.polar.polar", interrupted)
+    monkeypatch.setattr("quartering.study.maps.polar.polar", interrupted)
     result = run("polar", "wigley", *SMALL_MAP)
     assert result.exit_code == 130
     assert "interrupted" in result.stderr
@@ -307,7 +307,7 @@ def test_a_disk_that_fills_up_leaves_the_old_file_and_no_half_of_the_new(tmp_pat
         raise OSError(28, "No space left on device")
 
     with pytest.raises(qt.InputError, match="No space left"):
-        write((old, lambda path: path.write_text("new")), (other, half))
+        write_files(File(old, lambda path: path.write_text("new")), File(other, half))
     assert old.read_text() == "old"
     assert [path.name for path in tmp_path.iterdir()] == ["map.nc"]
 
