@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from quartering.conventions import InputError
 from quartering.options import OPTIONS
 from quartering.units import quantity
+from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
 from quartering.view.console.files import PICTURES, reserve_path
 from quartering.view.console.printed import table
@@ -53,7 +54,6 @@ def each_value_changed(
 
     from quartering.stability.ahead import announce_compilation
     from quartering.study.effects.tornado import tornado
-    from quartering.view.command._varied import dataset_or_picture, is_range, unvaried_words
     from quartering.view.wording import condition_words, notes
 
     ranges = typed.changes
@@ -143,8 +143,6 @@ def _tornado_facts(ds: xr.Dataset) -> dict[str, object]:
 
 
 def _range_words(one: Ship, ds: xr.Dataset, name: str) -> str:
-    from quartering.view.command._varied import option
-
     now = float(ds["value"].sel(parameter=name))
     if name == "kg":  # as far as half of GM: not above the metacentre
         return f"--kg {now - one.loading.gm / 2:.3g}:{now + one.loading.gm / 2:.3g}"

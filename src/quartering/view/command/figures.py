@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from quartering.conventions import InputError
+from quartering.view.command._scoreboard import measure_claims
 from quartering.view.console.answer import Answer
 from quartering.view.console.files import PICTURES, File, folder_named, reserve_path, write_files
 from quartering.view.console.printed import table
@@ -41,7 +42,6 @@ def figures(
     """Recompute the figures of Haddara (1971) from real hulls, or measure its claims."""
     from quartering.stability.ahead import announce_compilation
     from quartering.study.paper.points import read_points
-    from quartering.view.command._scoreboard import measure_claims
     from quartering.view.plots.paper_figures import FIGURES
 
     if scoreboard:

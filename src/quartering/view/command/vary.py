@@ -9,6 +9,8 @@ import typer
 
 from quartering.conventions import InputError, headed, in_unit, written
 from quartering.options import OPTIONS
+from quartering.view.command._tornado import each_value_changed
+from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
 from quartering.view.console.files import PICTURES, reserve_path
@@ -57,8 +59,6 @@ def vary(
     from quartering.stability.ahead import announce_compilation
     from quartering.study.effects.vary import vary as variation
     from quartering.study.loadings import KEEL_AXES
-    from quartering.view.command._tornado import each_value_changed
-    from quartering.view.command._varied import dataset_or_picture, is_range, unvaried_words
     from quartering.view.wording import condition_words, notes
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, ranges)
@@ -109,7 +109,6 @@ def vary(
 def _keeled(one: Ship, ranges: Mapping[str, str]) -> tuple[Ship, dict[str, str]]:
     """The ship with the keels of which one size, or both, are given as one value, and what is left to vary."""
     from quartering.study.loadings import KEEL_AXES, loaded
-    from quartering.view.command._varied import is_range, option
 
     keels = {key: values([ranges[key]], OPTIONS[key], one.sizes, option(key), 2) for key in KEEL_AXES if key in ranges}
     alone = [key for key in keels if not is_range(ranges[key])]
@@ -122,8 +121,6 @@ def _parameters(
     one: Ship, typed: Mapping[str, str], ranges: Mapping[str, str], coefficients: Sequence[str]
 ) -> tuple[dict[str, float], dict[str, list[float]]]:
     """Condition, and values of what is varied; a condition that is varied stands at its first value."""
-    from quartering.view.command._varied import is_range, option
-
     factors = dict(_factor(text) for text in coefficients)
     texts = {key: text for key, text in typed.items() if is_range(text)} | dict(ranges) | factors
     if not texts:
