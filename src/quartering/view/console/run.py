@@ -32,7 +32,8 @@ def as_command(function: Callable[..., Answer | None]) -> Callable[..., None]:
     signature = inspect.signature(function, eval_str=True)
     own = dict(signature.parameters)
     told = next((name for name in ("changes", "ranges") if name in own), None)
-    own.pop(told or "", None)
+    if told is not None:
+        del own[told]
     if signature.return_annotation is Answer:
         own["json"] = inspect.Parameter("json", inspect.Parameter.KEYWORD_ONLY, default=False, annotation=Json)
     options = None if told is None else ShipOptions(own, ranges=told == "ranges")
@@ -41,7 +42,7 @@ def as_command(function: Callable[..., Answer | None]) -> Callable[..., None]:
     def run(**given: Any) -> None:
         with report_errors():
             as_json = given.pop("json", False)
-            if options is not None:
+            if told is not None and options is not None:
                 given[told] = options.taken_from(given)
             answer = function(**given)
             if answer is not None:
