@@ -56,12 +56,7 @@ def each_value_changed(
     from quartering.study.effects.tornado import tornado
     from quartering.view.wording import condition_words, notes
 
-    ranges = typed.changes
-    if (
-        coefficients
-        or any(is_range(text) for key, text in ranges.items() if OPTIONS[key].axis)
-        or any(is_range(text) for text in typed.condition.values())
-    ):
+    if coefficients or _holds_ranges(typed):
         raise InputError("--tornado changes every value itself; leave the ranges out, or leave out --tornado")
     one, wave, speed, heading = typed.read()
     path = reserve_path(output, (*PICTURES, ".nc"))
@@ -84,13 +79,19 @@ def each_value_changed(
         yield from (FLIPS, KG, *notes(ds))
 
     first = str(ds["parameter"].values[0])
-    words = unvaried_words(typed) + option_words(ranges)
+    words = unvaried_words(typed) + option_words(typed.changes)
     return Answer(
         lines(),
         lambda: _tornado_facts(ds) | {"written": None if path is None else str(path)},
         dataset_or_picture(path, ds, draw),
         next_steps=[f"quartering vary {typed.ship}{words} {_range_words(one, ds, first)} -o {first}.png"],
     )
+
+
+def _holds_ranges(typed: Typed) -> bool:
+    """Is a range typed for the condition, or for an option that a study may vary?"""
+    axes = [text for key, text in typed.changes.items() if OPTIONS[key].axis]
+    return any(is_range(text) for text in (*axes, *typed.condition.values()))
 
 
 def _measures(ds: xr.Dataset) -> str:
