@@ -18,9 +18,9 @@ from quartering.hydro.damping.natural_roll import free_roll
 from quartering.options import OPTIONS, Refused, checked, line_of, loading_axes, ship_options
 from quartering.study.case.read import case_grid
 from quartering.view.cli import app
+from quartering.view.console.ship_options import command_options
 from quartering.view.explorer.calls import VerdictCall
 from quartering.view.explorer.fleet import Fleet
-from quartering.view.ship_options import command_options
 
 ROOT = Path(__file__).parents[1]
 S60 = qt.ship("series60-cb60")

@@ -14,6 +14,9 @@ Kind = Literal[
     "growth rate",
 ]  # fmt: skip
 
+MOST_VALUES: Final = 100_000
+"""Largest number of values one range may stand for."""
+
 _LENGTHS: Final = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048}
 _UNITS: Final[dict[str, dict[str, float]]] = {
     "length": _LENGTHS,

@@ -6,8 +6,9 @@ import pytest
 import quartering as qt
 from quartering.conventions import GRAVITY, InputError
 from quartering.study.paper.conditions import speed_of, wave_of
-from quartering.study.paper.curves import coefficient_curves, loading_curves, resonances, response_curves
+from quartering.study.paper.curves import coefficient_curves, loading_curves, response_curves
 from quartering.study.paper.model import paper_ship
+from quartering.study.resonance import resonant_headings
 
 SHIP = paper_ship()
 SPEED = speed_of(SHIP)
@@ -70,7 +71,7 @@ def test_roll_peaks_in_quartering_seas_near_encounter_resonance(name):
     """The paper's second peak; the stiffening righting arm moves it to higher frequency, so to a larger heading."""
     ds = response_curves(paper_ship(name), [0.75, 1.0, 1.5], np.arange(0.0, 181.0, 3.0))
     for one in (ds.isel(wave_length=i) for i in range(3)):
-        (resonance,) = resonances(one)
+        (resonance,) = resonant_headings(one)
         peak = float(one["heading"][np.argmax(one["roll"].values)])
         assert 15.0 < peak < 90.0
         assert resonance <= peak < resonance + 12.0
@@ -81,7 +82,7 @@ def test_the_marked_resonance_solves_the_encounter_relation():
     ds = response_curves(SHIP, [1.0], np.arange(0.0, 181.0, 2.0)).isel(wave_length=0)
     k = 2 * np.pi / SHIP.hull.length
     cosine = (np.sqrt(GRAVITY * k) - ds.attrs["natural_roll_frequency"]) / (k * SPEED)
-    assert resonances(ds)[0] == pytest.approx(np.degrees(np.arccos(cosine)), abs=0.05)
+    assert resonant_headings(ds)[0] == pytest.approx(np.degrees(np.arccos(cosine)), abs=0.05)
 
 
 def test_loading_curves_agree_with_the_judgement_of_one_motion():

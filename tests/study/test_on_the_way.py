@@ -5,6 +5,7 @@ import warnings
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.motion.status import OnTheWay
@@ -13,11 +14,12 @@ from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind, near_fold
 from quartering.study.beside import capsizes_on_the_way
 from quartering.study.conditions import RESULTS, evaluate_block
+from quartering.study.failure_events import failure_events
 from quartering.study.grid import grid
 from quartering.study.maps.query import capsizing
 from quartering.study.maps.result import in_memory, open_result
+from quartering.view.cli import app
 from quartering.view.plots.polar_map import polar_map
-from quartering.view.report.guidance import failure_events
 
 pytestmark = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
 OLD = qt.ship("dtmb5415").with_(velocities="absolute", righting="polynomial", drag="cubic")
@@ -146,17 +148,14 @@ def test_guidance_counts_it_as_a_failure_event(ds):
     assert bool((failed & capsizing(ds)).any())
 
 
-def test_tables_of_a_result_name_it(ds, tmp_path, capsys):
-    from quartering.view.commands.result import show_result, show_worst
-
+def test_tables_of_a_result_name_it(ds, tmp_path):
     path = tmp_path / "map.nc"
     ds.to_netcdf(path)
-    show_worst(str(path), "roll", ds["verdict"].size, True)
-    rows = json.loads(capsys.readouterr().out)["worst"]
+    asked = CliRunner().invoke(app, ["worst", str(path), "--count", str(ds["verdict"].size), "--json"])
+    rows = json.loads(asked.stdout)["worst"]
     named = [row for row in rows if row["verdict"] == "stable motion, capsizes on the way"]
     assert len(named) == int(capsizing(ds).sum())
-    show_result(str(path), [], None, None, None, True)
-    shares = json.loads(capsys.readouterr().out)["capsizing"]
+    shares = json.loads(CliRunner().invoke(app, ["show", str(path), "--json"]).stdout)["capsizing"]
     np.testing.assert_allclose(shares, capsizing(ds).mean("wave_length"))
 
 

@@ -4,15 +4,16 @@ import json
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.study.branches.coexisting import all_motions
+from quartering.study.condition import examine, facts
+from quartering.study.failure_events import failure_events
 from quartering.study.maps.query import coexisting, other_rolls, worst
-from quartering.view.commands.result import show_worst
-from quartering.view.commands.verdict import examine, facts
+from quartering.view.cli import app
 from quartering.view.explorer.headline import headline
 from quartering.view.plots.polar_map import polar_map
-from quartering.view.report.guidance import failure_events
 
 pytestmark = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
 SHIP, SPEED, HEADING, WAVE = qt.ship("series60-cb60"), 5.187561276746522, 80.0, qt.Wave(195.072, 195.072 / 30)
@@ -25,15 +26,15 @@ def ds():
     return qt.polar(SHIP, waves, [3.0, SPEED], [HEADING, 90.0])
 
 
-def test_one_cell_has_one_number_in_six_doors(ds, tmp_path, capsys):
+def test_one_cell_has_one_number_in_six_doors(ds, tmp_path):
     """By definition: the largest |roll| over a cycle of the motion that is judged, sampled finely here."""
     found = examine(SHIP, WAVE, SPEED, HEADING)
     fine = np.degrees(np.abs(found.motion.state(np.linspace(0, 2 * np.pi / found.model.frequency, 2001))[:, 1]).max())
     cell = ds.sel(speed=SPEED, heading=HEADING, wave_length=WAVE.length)
     path = tmp_path / "map.nc"
     ds.to_netcdf(path)
-    show_worst(str(path), "roll", ds["verdict"].size, True)
-    rows = json.loads(capsys.readouterr().out)["worst"]
+    asked = CliRunner().invoke(app, ["worst", str(path), "--count", str(ds["verdict"].size), "--json"])
+    rows = json.loads(asked.stdout)["worst"]
     (row,) = [r for r in rows if (r["speed"], r["heading"], r["wave_length"]) == (SPEED, HEADING, WAVE.length)]
     (mesh, *_) = polar_map(ds).axes[1].collections
     drawn = mesh.get_array().compressed() if np.ma.isMaskedArray(mesh.get_array()) else mesh.get_array().ravel()

@@ -2,12 +2,16 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 from dataclasses import replace
+from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
+import typer
 import xarray as xr
 from typer.testing import CliRunner
 
@@ -16,8 +20,10 @@ from quartering.conventions import RangeWarning
 from quartering.hull.righting.arm import vanishing_angle
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.stability.kind import Kind
-from quartering.view.cli import app
-from quartering.view.output import write
+from quartering.view import command
+from quartering.view.cli import _names, app
+from quartering.view.console.files import File, write_files
+from quartering.view.console.run import as_command
 
 CONDITION = ["--heading", "30", "--speed", "15kn", "--wave-length", "1L", "--wave-height", "3"]
 SMALL_MAP = ["--speed", "0.25Fn", "--headings", "0:180:7", "--wave-lengths", "0.6L,1L"]
@@ -291,7 +297,7 @@ def test_ctrl_c_says_so_exits_130_and_leaves_nothing(run, tmp_path, monkeypatch)
     def interrupted(*_, **__):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("quartering.view.commands.polar.polar", interrupted)
+    monkeypatch.setattr("quartering.study.maps.polar.polar", interrupted)
     result = run("polar", "wigley", *SMALL_MAP)
     assert result.exit_code == 130
     assert "interrupted" in result.stderr
@@ -307,7 +313,7 @@ def test_a_disk_that_fills_up_leaves_the_old_file_and_no_half_of_the_new(tmp_pat
         raise OSError(28, "No space left on device")
 
     with pytest.raises(qt.InputError, match="No space left"):
-        write((old, lambda path: path.write_text("new")), (other, half))
+        write_files(File(old, lambda path: path.write_text("new")), File(other, half))
     assert old.read_text() == "old"
     assert [path.name for path in tmp_path.iterdir()] == ["map.nc"]
 
@@ -373,3 +379,24 @@ def test_options_of_other_commands_left_unread_change_nothing(words):
     alone = subprocess.run(command, capture_output=True, text=True, check=False, env={**os.environ, **wide})
     whole = CliRunner().invoke(app, words, prog_name="quartering", env=wide, terminal_width=78)
     assert (alone.returncode, alone.stdout + alone.stderr) == (whole.exit_code, whole.output)
+
+
+def test_the_command_of_the_contributing_page_is_one_file(tmp_path, monkeypatch):
+    """Authority of the angle: the Series 60's own, by Python."""
+    page = (Path(__file__).parents[2] / "CONTRIBUTING.md").read_text()
+    (text,) = [block for block in re.findall(r"```python\n(.*?)```", page, re.DOTALL) if "def vanishing(" in block]
+    (tmp_path / "vanishing.py").write_text(text)
+    monkeypatch.setattr(command, "__path__", [*command.__path__, str(tmp_path)])
+    assert _names()[-1] == "vanishing"
+    name = f"{command.__name__}.vanishing"
+    made = typer.Typer()
+    made.command()(as_command(import_module(name).vanishing))
+    monkeypatch.delitem(sys.modules, name)
+    words = ["series60-cb60", "--gm", "0.9", "-o", str(tmp_path / "a.csv")]
+    told = CliRunner().invoke(made, words)
+    angle = vanishing_angle(qt.ship("series60-cb60").with_(gm=0.9))
+    assert f"vanishes at {angle:.3g} deg." in told.stdout
+    assert told.stdout.endswith("Next:\n  quartering hull series60-cb60\n")
+    assert (tmp_path / "a.csv").read_text() == f"angle_deg\n{angle:.6g}\n"
+    assert json.loads(CliRunner().invoke(made, [*words, "--json"]).stdout)["vanishing_angle_deg"] == angle
+    assert CliRunner().invoke(made, [*words[:-1], "a.txt"]).exit_code == 2

@@ -16,8 +16,9 @@ import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.loads.validity import FASTEST, SHORTEST
 from quartering.study.maps.store import LAYOUT
+from quartering.units import Sizes
 from quartering.view.cli import app
-from quartering.view.options import Sizes, value
+from quartering.view.console.typed_values import value
 
 CASE = "ship: wigley\nspeed: 5 m/s\nheading: [60 deg]\nwave_length: 1 L\nwave_height: 1 m\n"
 CONDITION = ["--heading", "60", "--speed", "5", "--wave-length", "100", "--wave-height", "1"]

@@ -12,10 +12,11 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.hull.file.read import ship
+from quartering.study.failure_events import failure_events
 from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions
-from quartering.view.report.guidance import failure_events, guidance
+from quartering.view.report.guidance import guidance
 from quartering.view.report.page import guidance_page, write_pdf
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source, report_source

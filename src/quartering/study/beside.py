@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterable, Iterator
 from typing import Final, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -199,3 +200,15 @@ def _stable_rolls(
         if assess(system, u[None], many, 1e-9).kind[0] == Kind.STABLE:
             rolls.append(peak)
     return sorted(rolls)
+
+
+def also_words(rolls: Iterable[float]) -> str:
+    """Other stable motions in one wave by their largest roll over a cycle [deg]; nothing where there are none.
+
+    Examples
+    --------
+    >>> also_words([27.71, 41.0]), also_words([math.nan])
+    ('also 27.7, 41 deg', '')
+    """
+    sizes = [f"{roll:.3g}" for roll in rolls if math.isfinite(roll)]
+    return f"also {', '.join(sizes)} deg" if sizes else ""

@@ -1,11 +1,12 @@
-"""Resolution check: grid steps against the width of the roll resonance."""
+"""Where waves meet a ship at its roll frequency, and whether a grid steps over that resonance."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY
 from quartering.hydro.calm_water import calm_water_exponents
@@ -14,6 +15,60 @@ from quartering.study.grid import Grid
 
 Floats = NDArray[np.float64]
 _LIGHTEST_WAVE_FROM_SIDE = 0.1
+
+
+def resonance_fields(
+    wave_length: ArrayLike, speed: float, heading: ArrayLike, roll_frequency: float
+) -> dict[str, Floats]:
+    """How far the encounter frequency is from n2, from 2 n2, and from zero, at which the ship keeps pace with the wave.
+
+    Parameters
+    ----------
+    wave_length, heading : (...) float    broadcast [m, deg]
+    speed : float                         U [m/s]
+    roll_frequency : float                n2 [rad/s]
+
+    Returns
+    -------
+    dict of str to (...) float            "resonance": abs(omega) - n2; "twice": abs(omega) - 2 n2; "pace": omega [rad/s]
+
+    Examples
+    --------
+    >>> at = resonance_fields(2 * np.pi * GRAVITY / 0.6**2, 0.0, 90.0, 0.6)
+    >>> {name: round(float(gap), 12) for name, gap in at.items()}
+    {'resonance': 0.0, 'twice': -0.6, 'pace': 0.6}
+    """
+    sigma = np.sqrt(GRAVITY * (2 * np.pi / np.asarray(wave_length, dtype=float)))
+    omega = np.asarray(encounter_frequency(sigma, speed, np.asarray(heading, dtype=float)))
+    size = np.abs(omega)
+    return {"resonance": size - roll_frequency, "twice": size - 2 * roll_frequency, "pace": omega}
+
+
+def resonant_headings(ds: xr.Dataset) -> list[float]:
+    """Headings at which the encounter frequency passes the natural frequency of roll.
+
+    Parameters
+    ----------
+    ds : Dataset      of `polar` or `sweep` over ``heading`` alone
+
+    Returns
+    -------
+    list of float     [deg], interpolated between the headings of the dataset
+
+    Notes
+    -----
+    Source: [H71] Figs. 5, 8: where it places the peak of roll.
+
+    Examples
+    --------
+    >>> found = {"heading": [0.0, 90.0], "encounter_frequency": ("heading", [0.2, 0.6])}
+    >>> resonant_headings(xr.Dataset(found, attrs={"natural_roll_frequency": 0.5}))
+    [67.5]
+    """
+    heading = np.asarray(ds["heading"], dtype=float)
+    gap = np.abs(np.asarray(ds["encounter_frequency"])) - float(ds.attrs["natural_roll_frequency"])
+    here = np.flatnonzero(gap[:-1] * gap[1:] < 0)
+    return [float(heading[i] - gap[i] * (heading[i + 1] - heading[i]) / (gap[i + 1] - gap[i])) for i in here]
 
 
 def missed_resonance(grid: Grid) -> tuple[str, ...]:

@@ -1,26 +1,27 @@
-"""The command line. Its commands stand in ``cli_*.py``; their work, and every heavy import, in ``view/commands``."""
+"""The command line. Each file of ``view/command`` is a command: the function of its name, with its options as parameters."""
 
 from __future__ import annotations
 
 import os
 import sys
 from collections.abc import Callable, Sequence
+from importlib import import_module
+from pkgutil import iter_modules
 from typing import Annotated, Any
 
-from quartering.view.interrupts import quiet_start
+from quartering.view.console.interrupts import quiet_start
 
 with quiet_start():
     import typer
 
-    from quartering.view import cli_decay, cli_motions, cli_pages, cli_paper, cli_seas, cli_ships, cli_studies
-    from quartering.view.outcome import BAD_INPUT
-    from quartering.view.ship_options import takes_ship_options
-    from quartering.view.typed_options import Command
+    from quartering.view import command
+    from quartering.view.console.errors import BAD_INPUT, INTERRUPTED
+    from quartering.view.console.parser import Command
+    from quartering.view.console.run import as_command
 
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
 os.environ.setdefault("NUMBA_OPT", "1")
 
-INTERRUPTED = 130
 _MOST_THREADS = 10_000
 
 app = typer.Typer(
@@ -48,49 +49,21 @@ def main_options(
     """At which headings, speeds and waves does a ship roll badly or lose a stable motion, why, and what cures it?"""
 
 
-_COMMANDS = (
-    cli_ships.ships,
-    cli_ships.new,
-    cli_ships.hull,
-    cli_ships.coefficients,
-    cli_ships.forces,
-    cli_ships.responses,
-    cli_ships.criteria,
-    cli_decay.decay,
-    cli_motions.verdict,
-    cli_motions.simulate,
-    cli_motions.branch,
-    cli_motions.basin,
-    cli_seas.sea,
-    cli_studies.polar,
-    cli_studies.vary,
-    cli_studies.sweep,
-    cli_studies.worst,
-    cli_studies.show,
-    cli_paper.figures,
-    cli_paper.duffing,
-    cli_pages.report,
-    cli_pages.app,
-)
-_OF_A_SHIP = (
-    cli_ships.hull,
-    cli_ships.coefficients,
-    cli_ships.forces,
-    cli_ships.responses,
-    cli_ships.criteria,
-    cli_motions.verdict,
-    cli_motions.simulate,
-    cli_motions.branch,
-    cli_motions.basin,
-    cli_seas.sea,
-    cli_studies.polar,
-    cli_studies.vary,
-)
-"""Commands that take the options of a ship."""
-for _command in _COMMANDS:
-    app.command(cls=Command)(
-        _command if _command not in _OF_A_SHIP else takes_ship_options(_command, _command is cli_studies.vary)
-    )
+_ORDER = (
+    "ships", "new", "hull", "coefficients", "forces", "responses", "criteria", "decay", "verdict", "simulate", "branch",
+    "basin", "sea", "polar", "vary", "sweep", "worst", "show", "figures", "duffing", "report", "app",
+)  # fmt: skip
+"""Order of the commands in `quartering --help`; one that is not named stands at the end."""
+
+
+def _names() -> list[str]:
+    """Names of the commands: the files of `quartering.view.command` that begin with a letter."""
+    found = {one.name for one in iter_modules(command.__path__) if not one.name.startswith("_")}
+    return sorted(found, key=lambda name: (_ORDER.index(name) if name in _ORDER else len(_ORDER), name))
+
+
+for _name in _names():
+    app.command(cls=Command)(as_command(getattr(import_module(f"{command.__name__}.{_name}"), _name)))
 
 
 def _leave_unread(words: Sequence[str]) -> None:

@@ -22,6 +22,7 @@ from quartering.motion.status import OnTheWay
 from quartering.names import DRAG_NAME
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
+from quartering.study.beside import also_words
 from quartering.study.loadings import CHOICE_AXES
 from quartering.study.maps.extension import edges_of_largest
 from quartering.study.maps.query import capsizing, other_rolls
@@ -277,18 +278,6 @@ def verdict_words(one: xr.Dataset) -> str:
     """
     words = OnTheWay.BOTH.label if bool(capsizing(one)) else Kind(int(one["verdict"])).label
     return f"{words}, {also_words(other_rolls(one).values)}".removesuffix(", ")
-
-
-def also_words(rolls: Iterable[float]) -> str:
-    """Other stable motions in one wave by their largest roll over a cycle [deg]; nothing where there are none.
-
-    Examples
-    --------
-    >>> also_words([27.71, 41.0]), also_words([math.nan])
-    ('also 27.7, 41 deg', '')
-    """
-    sizes = [f"{roll:.3g}" for roll in rolls if math.isfinite(roll)]
-    return f"also {', '.join(sizes)} deg" if sizes else ""
 
 
 def wave_words(ds: xr.Dataset) -> str:

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.options import Option, Refused, checked
-from quartering.units import Kind, quantity
+from quartering.units import MOST_VALUES, Kind, quantity
 
-MOST_VALUES: Final = 100_000
-"""Largest number of values one range may stand for."""
 _RANGE = re.compile(
     r"\s*(?P<first>[-+.\deE]+?)\s*\.\.\s*(?P<last>[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(?P<unit>\S*?)\s*"
     r"(?:(?P<how>step|count)\s+(?P<size>\S+)\s*(?P<own>\S*))?\s*"

@@ -48,33 +48,6 @@ def response_curves(
     return polar(ship, waves, [speed_of(ship, froude)], headings).isel(speed=0)
 
 
-def resonances(ds: xr.Dataset) -> list[float]:
-    """Headings at which the encounter frequency passes the natural frequency of roll.
-
-    Parameters
-    ----------
-    ds : Dataset      of `polar` or `sweep` over ``heading`` alone
-
-    Returns
-    -------
-    list of float     [deg], interpolated between the headings of the dataset
-
-    Notes
-    -----
-    Source: [H71] Figs. 5, 8: where it places the peak of roll.
-
-    Examples
-    --------
-    >>> found = {"heading": [0.0, 90.0], "encounter_frequency": ("heading", [0.2, 0.6])}
-    >>> resonances(xr.Dataset(found, attrs={"natural_roll_frequency": 0.5}))
-    [67.5]
-    """
-    heading = np.asarray(ds["heading"], dtype=float)
-    gap = np.abs(np.asarray(ds["encounter_frequency"])) - float(ds.attrs["natural_roll_frequency"])
-    here = np.flatnonzero(gap[:-1] * gap[1:] < 0)
-    return [float(heading[i] - gap[i] * (heading[i + 1] - heading[i]) / (gap[i + 1] - gap[i])) for i in here]
-
-
 def loading_curves(
     ship: Ship,
     name: str,

@@ -22,18 +22,18 @@ from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.status import OnTheWay, Status
 from quartering.options import unknown
 from quartering.stability.kind import Kind
+from quartering.study.condition import Examined, examine, facts
 from quartering.study.effects.cure import Cure
 from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
-from quartering.view.commands.verdict import Examined, examine, facts
+from quartering.view.console.printed import plain
 from quartering.view.explorer.answers import joined, noting, sought
 from quartering.view.explorer.calls import MOST_CELLS, PolarCall, VerdictCall
 from quartering.view.explorer.fleet import Fleet
 from quartering.view.explorer.guard import METHODS
 from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
 from quartering.view.explorer.turns import Turns
-from quartering.view.terminal import plain
 
 _AT_ONCE = 1024
 _RESULTS = ("roll", "roll_peak", "other_roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")

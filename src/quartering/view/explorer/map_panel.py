@@ -12,9 +12,9 @@ from nicegui.element import Element
 from nicegui.events import GenericEventArguments
 
 from quartering.hull.righting.arm import fitted_to
-from quartering.loads.waves import Wave, encounter_frequency
 from quartering.stability.kind import Kind
 from quartering.study.maps.query import capsizing, other_rolls
+from quartering.study.resonance import resonance_fields
 from quartering.view.explorer.answers import HEADINGS, RATIOS, Scene
 from quartering.view.plots import style
 
@@ -83,7 +83,7 @@ class MapPanel:
 
     def lines(self, of: Scene, roll_frequency: float) -> None:
         """Draw lines where the encounter frequency equals n2, 2 n2 and zero."""
-        found = resonances(of.ship.hull.length, of.speed, roll_frequency)
+        found = resonance_lines(of.ship.hull.length, of.speed, roll_frequency)
         self._map.props["lines"] = [{"points": found[name], "dash": dash} for name, dash in _DASHES if found[name]]
         self._fitted = fitted_to(of.ship)
         self._lines = [name for name, _ in _DASHES if found[name]]
@@ -149,27 +149,19 @@ def palette() -> tuple[str, ...]:
     return tuple(to_hex(colour) for colour in colours)
 
 
-def resonances(length: float, speed: float, roll_frequency: float) -> dict[str, list[list[list[float]]]]:
+def resonance_lines(length: float, speed: float, roll_frequency: float) -> dict[str, list[list[list[float]]]]:
     """Lines (heading [deg], wave length over L) on which the encounter frequency is n2, 2 n2 and zero, as pieces.
 
     Examples
     --------
-    >>> at_rest = resonances(100.0, 0.0, 0.6)
+    >>> at_rest = resonance_lines(100.0, 0.0, 0.6)
     >>> round(at_rest["resonance"][0][0][1], 3), at_rest["pace"]
     (1.712, [])
     """
     ratio = np.linspace(RATIOS[0] - 0.05, RATIOS[-1] + 0.05, 200)
     heading = np.linspace(0.0, 180.0, 181)
-    sigma = np.array([Wave(one * length, 0.0).frequency for one in ratio])
-    omega = encounter_frequency(sigma, speed, heading[:, None])
-    found = {}
-    for name, field in (
-        ("resonance", np.abs(omega) - roll_frequency),
-        ("twice", np.abs(omega) - 2 * roll_frequency),
-        ("pace", omega),
-    ):
-        found[name] = _crossings(field, heading, ratio)
-    return found
+    fields = resonance_fields(ratio * length, speed, heading[:, None], roll_frequency)
+    return {name: _crossings(field, heading, ratio) for name, field in fields.items()}
 
 
 def _crossings(field: np.ndarray, heading: np.ndarray, ratio: np.ndarray) -> list[list[list[float]]]:

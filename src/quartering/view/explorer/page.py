@@ -15,7 +15,7 @@ from nicegui.client import Client
 
 from quartering.conventions import InputError
 from quartering.hydro.coefficients import coefficients
-from quartering.view.commands.verdict import Examined
+from quartering.study.condition import Examined
 from quartering.view.explorer import downloads
 from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.cell_panel import CellPanel, parts

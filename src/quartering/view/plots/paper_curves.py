@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 
 from quartering.conventions import SYMBOLS, written
 from quartering.stability.kind import Kind
-from quartering.study.paper.curves import resonances
+from quartering.study.resonance import resonant_headings
 from quartering.view.plots import style
 from quartering.view.plots.paper_caption import caption
 
@@ -42,7 +42,7 @@ def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
         one = ds.isel(wave_length=i)
         ax.plot(ds["heading"], one[name], **look, markevery=_points_in(_EVERY, ds), markersize=4)
         _mark_unstable(ax, one, name)
-        for heading in resonances(one):
+        for heading in resonant_headings(one):
             ax.plot(heading, 0.0, color=look["color"], marker=look["marker"], markersize=9, clip_on=False, zorder=4)
     style.headings(ax)
     ax.set_ylim(bottom=0.0)

@@ -18,10 +18,10 @@ from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from quartering.loads.waves import Wave, encounter_frequency
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
 from quartering.study.maps.query import capsizing, coexisting, other_rolls
+from quartering.study.resonance import resonance_fields
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 
@@ -172,16 +172,13 @@ def _outlines(fine: Floats, r: Floats, cells: NDArray[np.bool_], slices: int) ->
 
 def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None:
     """Lines where the encounter frequency equals n2, 2 n2 and zero."""
-    n2, speed = float(ds.attrs["natural_roll_frequency"]), float(ds["speed"])
     theta, lengths = np.linspace(theta[0], theta[-1], 181), np.linspace(r[0] or r[1] / 10, r[-1], 120)
-    sigma = np.array([Wave(one * float(ds.attrs["ship_length"]), 0.0).frequency for one in lengths])
-    omega = encounter_frequency(sigma[:, None], speed, np.degrees(theta))
-    lines = [(np.abs(omega), n2, "-", "white"), (np.abs(omega), 2 * n2, "--", "white")]
-    if _overtakes(ds):
-        lines.append((omega, 0.0, ":", PACE_INK))
-    for field, level, dash, colour in lines:
-        if field.min() < level < field.max():
-            drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
+    n2, wave_length = float(ds.attrs["natural_roll_frequency"]), lengths[:, None] * float(ds.attrs["ship_length"])
+    fields = resonance_fields(wave_length, float(ds["speed"]), np.degrees(theta), n2)
+    for name, dash, colour in (("resonance", "-", "white"), ("twice", "--", "white"), ("pace", ":", PACE_INK)):
+        field = fields[name]
+        if field.min() < 0.0 < field.max() and (name != "pace" or _overtakes(ds)):
+            drawn = ax.contour(theta, lengths, field, levels=[0.0], colors=colour, linestyles=dash, linewidths=1.5)
             drawn.set(path_effects=_OUTLINE)
 
 

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Final, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from markupsafe import Markup
 
 from quartering.conventions import InputError
-from quartering.hull.righting.limit import least_limit
 from quartering.hydro.capsize import vanishing_of_equations
-from quartering.motion.status import Status
 from quartering.stability.kind import Kind
-from quartering.study.maps.query import capsizing, other_rolls, sea_of
+from quartering.study.failure_events import ROLL_LIMIT, failure_angle, failure_events
+from quartering.study.maps.query import other_rolls, sea_of
 from quartering.view.plots.guidance import Diagram, guidance_picture
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source
 from quartering.view.report.tables import Row, Table
 from quartering.view.wording import sea_words
-
-ROLL_LIMIT: Final = 40.0
-"""Largest roll angle that is no failure event, whatever the ship [deg]; MSC.1/Circ.1627."""
 
 _MOST_LENGTHS, _MOST_HEIGHTS = 6, 4
 
@@ -74,7 +70,7 @@ def guidance(source: Source, openings: float | None) -> Guidance:
         )
     openings = source.ship.value("openings") if openings is None else openings
     vanishing = vanishing_of_equations(source.ship)
-    limit = min(ROLL_LIMIT, least_limit(vanishing, openings).angle)
+    limit = failure_angle(vanishing, openings)
     failure = failure_events(result, limit)
     sheets, rows = [], []
     heights = _waves(result)
@@ -88,22 +84,6 @@ def guidance(source: Source, openings: float | None) -> Guidance:
     drawn = sum(min(len(heights[i][1]), _MOST_LENGTHS) for i in shown)
     left_out = f"{len(rows) - drawn} of {len(rows)} waves have no diagram" if drawn < len(rows) else ""
     return Guidance(limit, _limits(vanishing, openings), sheets, _summary_table(rows), left_out)
-
-
-def failure_events(result: xr.Dataset, limit: float) -> xr.DataArray:
-    """Conditions with a failure event: roll beyond the limit or past the capsize limit, at the motion or on the way to it.
-
-    Parameters
-    ----------
-    result : Dataset    of `polar` or `sweep`
-    limit : float       [deg]
-
-    Returns
-    -------
-    DataArray of bool
-    """
-    past = result["status"] == int(Status.BEYOND_CAPSIZE_LIMIT)
-    return (result["roll_peak"] > limit) | past | capsizing(result)
 
 
 def _limits(vanishing: float, openings: float | None) -> list[str]:

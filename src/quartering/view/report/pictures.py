@@ -16,11 +16,11 @@ from quartering.conventions import RangeWarning
 from quartering.hull.righting.arm import righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.study.maps.query import sea_of
-from quartering.view.commands.result import map_of
 from quartering.view.plots import style
 from quartering.view.plots.hull import hull_picture
 from quartering.view.plots.polar_map import polar_map
 from quartering.view.plots.response import response_picture
+from quartering.view.stored import map_of
 from quartering.view.wording import sea_words
 
 _FEWEST_RINGS, _MOST_HEIGHTS, _MOST_PAIRED = 3, 4, 4

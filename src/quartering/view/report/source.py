@@ -24,8 +24,8 @@ from quartering.study.maps.polar import polar
 from quartering.study.maps.store import read_store
 from quartering.study.maps.sweep import sweep
 from quartering.units import quantity
-from quartering.view.commands.result import opened
-from quartering.view.progress import bar
+from quartering.view.console.progress import bar
+from quartering.view.stored import opened
 
 _SAME = (
     "ship", "ship_length", "ship_beam", "ship_draught", "loading", "autopilot", "righting_curve", "provenance",

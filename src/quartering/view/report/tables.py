@@ -11,7 +11,7 @@ from quartering.hull.righting.arm import righting_polynomial, vanishing_angle
 from quartering.hull.ship import Ship
 from quartering.hydro.capsize import capsize_limit
 from quartering.hydro.coefficients import coefficients
-from quartering.view.commands.hull import HYDROSTATICS, LOADING, loading_rows, particular_rows
+from quartering.view.particulars import HYDROSTATICS, LOADING, loading_rows, particular_rows
 from quartering.view.wording import carries_curve
 
 

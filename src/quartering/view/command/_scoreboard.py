@@ -1,0 +1,53 @@
+"""`quartering figures --scoreboard`: the claims of the paper, measured."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from quartering.view.console.answer import Answer
+from quartering.view.console.files import File, reserve_path
+from quartering.view.console.printed import table
+from quartering.view.console.progress import bar
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+
+def measure_claims(output: str | None) -> Answer:
+    """Measure every claim.
+
+    Parameters
+    ----------
+    output : str or None    page to write (.md)
+
+    Returns
+    -------
+    Answer
+    """
+    from quartering.stability.ahead import announce_compilation
+    from quartering.study.paper.scoreboard import CLAIMS, scoreboard, scoreboard_page, tally
+
+    path = reserve_path(output, (".md",))
+    announce_compilation()
+    with bar("claims", len(CLAIMS)) as report:
+        found = scoreboard(report)
+
+    def page(part: Path) -> None:
+        part.write_text(scoreboard_page(found), encoding="utf-8")
+
+    def lines() -> Iterator[Table | str]:
+        rows = [(claim.text, claim.where, finding.answer, finding.evidence) for claim, finding in found]
+        yield table("Claims of the paper", ("claim", "where", "answer", "evidence"), rows)
+        yield tally(found)
+
+    def facts() -> dict[str, object]:
+        rows = [
+            {"claim": claim.text, "where": claim.where, "answer": finding.answer, "evidence": finding.evidence}
+            for claim, finding in found
+        ]
+        return {"claims": rows, "written": None if path is None else str(path)}
+
+    files = () if path is None else (File(path, page),)
+    return Answer(lines(), facts, files, next_steps=["quartering figures"])

@@ -1,0 +1,225 @@
+"""`quartering sea`: one ship in one irregular sea, every method beside the others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from time import process_time
+from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple
+
+import typer
+
+from quartering.arguments import ARGUMENTS
+from quartering.options import Refused, line_of
+from quartering.view.console.answer import Answer
+from quartering.view.console.arguments import Changes, FormName, Heading, ShipName, Speed
+from quartering.view.console.printed import table
+from quartering.view.console.ship_options import option_words
+from quartering.view.console.typed_ship import typed_ship, typed_value
+from quartering.view.console.typed_values import value
+
+if TYPE_CHECKING:
+    import xarray as xr
+    from rich.table import Table
+
+    from quartering.hull.ship import Ship
+    from quartering.loads.forces import Form
+    from quartering.loads.sea.sea import Sea
+
+METHODS: Final = {
+    "linear": ("linear response", "-5 to +31 %"),
+    "closure": ("statistical linearisation", "within 2 %"),
+}
+"""Method -> name, and the error of its roll found against simulation, in twelve seas of one ship (`docs/a_real_sea.md`)."""
+
+
+def _told(name: str, more: str = "") -> Any:
+    """Option for one argument of a sea, with the words of the table."""
+    one = ARGUMENTS[name]
+    text = line_of(one)
+    return typer.Option(one.command, help=f"{text[0].upper()}{text[1:]}{more}.")
+
+
+def sea(
+    ship: ShipName,
+    hs: Annotated[str, _told("hs", ": 6")],
+    heading: Heading,
+    speed: Speed,
+    changes: Changes,
+    tp: Annotated[str | None, _told("tp", ": 11; or give --tz")] = None,
+    tz: Annotated[str | None, _told("tz", ", in place of --tp")] = None,
+    spectrum: Annotated[
+        str, typer.Option(help="Spectrum: jonswap, bretschneider, pierson-moskowitz or torsethaugen.")
+    ] = "jonswap",
+    gamma: Annotated[str, _told("gamma", ", of jonswap")] = "3.3",
+    spreading: Annotated[
+        str, typer.Option(help="Spreading: s of cos^2s of half the angle, cos2, or none for a long-crested sea.")
+    ] = "none",
+    form: FormName = "stf",
+) -> Answer:
+    """Judge a ship in an irregular sea: roll, largest roll of three hours and stability, by every method there is."""
+    from quartering.view.wording import ship_notes
+
+    one = typed_ship(ship, changes)
+    mu, u = typed_value("heading", heading, one.sizes), typed_value("speed", speed, one.sizes)
+    waves = _sea(one, mu, {"hs": hs, "tp": tp, "tz": tz, "gamma": gamma}, spectrum, spreading)
+    chosen: Form = form  # type: ignore[assignment]  # sea_response refuses an unknown one
+    found = _answers(one, waves, u, chosen)
+
+    def lines() -> Iterator[Table | str]:
+        best = found["closure"].result
+        yield _sentence(one, waves, u, best)
+        yield _table(found)
+        yield from _remarks(best)
+        yield ship_notes(one)
+
+    words = f"--heading {heading} --speed {speed} --wave-period {waves.tp:.3g}s --wave-height {waves.hs:.3g}"
+    return Answer(
+        lines(),
+        lambda: _facts(one, waves, u, found),
+        next_steps=[f"quartering verdict {ship} {words}{option_words(changes)}"],
+    )
+
+
+class Found(NamedTuple):
+    """The answer of one method, and the processor time it took [s]."""
+
+    result: xr.Dataset
+    cost: float
+
+
+def _answers(one: Ship, waves: Sea, speed: float, form: Form) -> dict[str, Found]:
+    """The answer of each method."""
+    from quartering.study.seas.response import sea_response
+
+    found: dict[str, Found] = {}
+    for method in METHODS:
+        sea_response(one, waves, speed, method=method, form=form)  # type: ignore[arg-type]  # compiled and tabled: not its cost
+        begun = process_time()
+        result = sea_response(one, waves, speed, method=method, form=form)  # type: ignore[arg-type]
+        found[method] = Found(result, process_time() - begun)
+    return found
+
+
+def _sea(one: Ship, heading: float, typed: Mapping[str, str | None], spectrum: str, spreading: str) -> Sea:
+    """The sea of the words typed.
+
+    Raises
+    ------
+    InputError    what `Sea` refuses, with the option as typed
+    """
+    from quartering.loads.sea.sea import Sea
+
+    given: dict[str, Any] = {"heading": heading, "spectrum": spectrum, "spreading": _spreading(spreading)}
+    for name, text in typed.items():
+        if text is not None:
+            given[name] = value(text, ARGUMENTS[name], one.sizes, ARGUMENTS[name].command)
+    return Sea(**given)
+
+
+def _spreading(text: str) -> Any:
+    if text in ("none", "cos2"):
+        return None if text == "none" else text
+    try:
+        return float(text)
+    except ValueError:
+        raise Refused("spreading", f"spreading = {text!r}; it is s > 0, cos2 or none; try 10", "--spreading") from None
+
+
+def _sentence(one: Ship, sea: Sea, speed: float, best: xr.Dataset) -> str:
+    from quartering.hydro.capsize import capsize_limit
+    from quartering.study.seas.response import MOST_NEAR, SeaStatus
+    from quartering.view.wording import speed_words
+
+    where = f"Heading {float(best['heading']):g} deg, {speed_words(speed, one.hull.length)}, {sea.words}"
+    status = SeaStatus(int(best["status"]))
+    if status == SeaStatus.NOT_CONVERGED:
+        return f"{where}: no Gaussian motion was found; the sea is too much for this method."
+    limit = capsize_limit(one)
+    rms, largest, hours = float(best["roll_rms"]), float(best["roll_mean_largest"]), best.attrs["hours"]
+    rolls = f"roll {rms:.3g} deg RMS, largest of {hours:g} h {largest:.3g} deg in the mean"
+    ends = {
+        SeaStatus.ANSWERED: "steady on average",
+        SeaStatus.UNSTABLE: "but the motion about the mean grows: no steady motion",
+        SeaStatus.SURF_RIDING: f"but over {MOST_NEAR:.0%} of the energy rides with the ship: surf-riding, not valid",
+        SeaStatus.PAST_CAPSIZE_LIMIT: f"past {limit.words}: a capsize is likely, and no Gaussian method tells how soon",
+    }
+    return f"{where}: {rolls}, {ends[status]}."
+
+
+_ROWS: Final = (
+    ("roll RMS [deg]", "roll_rms"),
+    ("mean period of roll [s]", "roll_period"),
+    ("largest roll, most probable [deg]", "roll_most_probable"),
+    ("largest roll, mean [deg]", "roll_mean_largest"),
+    ("  at most, every swing counted [deg]", "roll_mean_largest_bound"),
+    ("lateral acceleration RMS [m/s2]", "lateral_acceleration_rms"),
+    ("largest lateral acceleration, mean [m/s2]", "lateral_acceleration_mean_largest"),
+    ("roll frequency about the motion [rad/s]", "n2"),
+    ("K2, below 0 is stable [1/s2]", "k2"),
+)
+
+
+def _table(found: Mapping[str, Found]) -> Table:
+    rows = [(words, *(_number(found[method].result[name]) for method in METHODS)) for words, name in _ROWS]
+    rows.append(("processor time [s]", *(f"{found[method].cost:.2g}" for method in METHODS)))
+    rows.append(("error of roll RMS found in twelve seas", *(error for _, error in METHODS.values())))
+    hours = found["closure"].result.attrs["hours"]
+    return table(
+        f"Response; largest of {hours:g} h", ("quantity", *(words for words, _ in METHODS.values())), rows, right=(1, 2)
+    )
+
+
+def _number(one: xr.DataArray) -> str:
+    import numpy as np
+
+    return f"{float(one):.3g}" if np.isfinite(float(one)) else "-"
+
+
+def _remarks(best: xr.Dataset) -> list[str]:
+    import numpy as np
+
+    said = [
+        f"Wave energy: {float(best['overtaken']):.2%} overtaken by the ship, {float(best['near_zero']):.2%} near encounter"
+        f" frequency 0, {float(best['cut_off']):.2%} beyond the cut ({best.attrs['cut']})."
+    ]
+    line, at = best["pile_up"].values, best["pile_up_heading"].values
+    for speed, heading, words in zip(line, at, ("roll in step with the waves", "parametric roll"), strict=True):
+        where = f"heading {heading:.3g} deg here" if np.isfinite(heading) else "the ship is too slow for it"
+        said.append(
+            f"Danger line whatever the period, {words}: speed times cosine of the heading {speed:.3g} m/s; {where}."
+        )
+    slow = ", ".join(f"{rate:.3g}" for rate in best["slow"].values)
+    said.append(f"Slow sway-yaw modes averaged over the sea {slow} 1/s; below 0 is stable.")
+    rolls = [roll for roll in np.atleast_1d(best["roll_of_each"].values) if np.isfinite(roll)]
+    if len(rolls) > 1:
+        said.append(f"Several motions: roll RMS {', '.join(f'{roll:.3g}' for roll in rolls)} deg; the ship may jump.")
+    return said
+
+
+def _facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, Found]) -> dict[str, Any]:
+    """Everything about the sea, for programs: what `quartering sea --json` prints."""
+    from quartering.study.seas.response import SeaStatus
+
+    best = found["closure"].result
+    return {
+        "ship": one.name,
+        "condition": {
+            "hs": sea.hs, "tp": sea.tp, "tz": sea.tz, "speed": speed, "heading": float(best["heading"]), "sea": sea.words
+        },
+        "methods": {
+            method: {
+                "status": SeaStatus(int(at["status"])).name.lower(),
+                "processor_time": cost,
+                "roll_error": METHODS[method][1],
+                **{
+                    name: at[name].values.tolist()
+                    for name in at.data_vars
+                    if name not in ("status", "pile_up", "pile_up_heading", "overtaken", "near_zero", "cut_off")
+                },
+            }
+            for method, (at, cost) in found.items()
+        },
+        **{name: float(best[name]) for name in ("overtaken", "near_zero", "cut_off")},
+        "pile_up": dict(zip(best["line"].values.tolist(), best["pile_up"].values.tolist(), strict=True)),
+        "pile_up_heading": dict(zip(best["line"].values.tolist(), best["pile_up_heading"].values.tolist(), strict=True)),
+    }  # fmt: skip

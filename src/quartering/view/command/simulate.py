@@ -1,0 +1,86 @@
+"""`quartering simulate`: the full equations in time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from quartering.view.console.answer import Answer
+from quartering.view.console.arguments import Changes, Heading, Picture, ShipName, Speed, WaveHeight, WaveLength
+from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.ship_options import option_words
+from quartering.view.console.typed_ship import Typed
+from quartering.view.console.typed_values import value
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def simulate(
+    ship: ShipName,
+    heading: Heading,
+    speed: Speed,
+    wave_length: WaveLength,
+    wave_height: WaveHeight,
+    changes: Changes,
+    roll: Annotated[str, typer.Option(help="Roll angle at the start [deg].")] = "5",
+    duration: Annotated[str, typer.Option(help="Duration: 300 [s] or 5min.")] = "300",
+    output: Picture = None,
+) -> Answer:
+    """Integrate the full equations in time from a roll angle."""
+    import numpy as np
+
+    from quartering.hull.righting.arm import warn_of_polynomial
+    from quartering.motion.of_ship import equations
+    from quartering.motion.steady.motion import steady_motion, within_limit
+    from quartering.motion.transient.simulate import simulate as simulated
+    from quartering.stability.ahead import announce_compilation
+    from quartering.view.wording import ship_notes, speed_words
+
+    typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
+    one, wave, u, mu = typed.read()
+    path = reserve_path(output, PICTURES)
+    seconds = value(duration, "time", one.sizes, "--duration")
+    heel = value(roll, "angle", one.sizes, "--roll")
+    announce_compilation()
+    model = equations(one, wave, u, mu)
+    trace = simulated(model, seconds, (0.0, math.radians(heel), 0.0, 0.0))
+    motion = within_limit(model, steady_motion(model, 3, start="rest"))
+    steady = math.degrees(motion.peak[1]) if motion.status.ok else None
+    limit, capsize = model.capsize_limit, trace.attrs.get("capsize_time")
+    largest = float(np.abs(trace["roll"]).max())
+    warn_of_polynomial(one, min(largest, limit.angle))
+    late = float(np.abs(trace["roll"].where(trace["time"] > 0.75 * seconds)).max())
+
+    def draw() -> Figure:
+        from quartering.view.plots.trace import trace_picture
+
+        at = f"heading {mu:g} deg, {speed_words(u, one.hull.length)}"
+        title = f"{one.name}: {at}, wave {wave.length:.4g} x {wave.height:.3g} m"
+        note = f"Full nonlinear equations, from rest but for the roll angle. {ship_notes(one)}"
+        return trace_picture(trace, steady, title, note)
+
+    def lines() -> Iterator[str]:
+        if capsize is not None:
+            yield f"Capsizes after {capsize:.3g} s (roll past {limit.words})."
+            return
+        known = f"the steady motion peaks at {steady:.3g} deg" if steady is not None else "no steady motion was found"
+        yield f"Largest roll {largest:.3g} deg, in the last quarter {late:.3g} deg; {known}."
+
+    def facts() -> dict[str, object]:
+        return {
+            "ship": one.name, "condition": dict(model.source), "roll_at_start_deg": heel,
+            "largest_roll_deg": largest, "largest_late_roll_deg": late, "steady_roll_peak_deg": steady,
+            "capsize_time": capsize, "capsize_angle_deg": limit.angle, "capsize_reason": limit.reason,
+        }  # fmt: skip
+
+    return Answer(
+        lines(),
+        facts,
+        picture_files(path, draw),
+        remarks=[ship_notes(one)],
+        next_steps=[f"quartering verdict {ship} {typed.words}{option_words(changes)}"],
+    )

@@ -1,0 +1,158 @@
+"""Files a command writes: checked before the work, complete or not there at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, overload
+
+from quartering.conventions import InputError
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PICTURES = (".png", ".svg", ".pdf")
+"""Kinds of picture that can be written."""
+
+
+class File(NamedTuple):
+    """A file to write: its path, and ``writer(path)``, which writes the whole of it."""
+
+    path: Path
+    writer: Callable[[Path], object]
+
+
+@overload
+def reserve_path(path: str | Path, endings: Sequence[str]) -> Path: ...
+@overload
+def reserve_path(path: None, endings: Sequence[str]) -> None: ...
+@overload
+def reserve_path(path: str | None, endings: Sequence[str]) -> Path | None: ...
+def reserve_path(path: str | Path | None, endings: Sequence[str]) -> Path | None:
+    """Path of a file to be written, after trying that its folder takes it.
+
+    Parameters
+    ----------
+    path : str, Path or None     None: nothing is to be written
+    endings : sequence of str    allowed, with their dot
+
+    Returns
+    -------
+    Path or None
+
+    Raises
+    ------
+    InputError    another ending, no such folder, a folder in its place, no right to write there
+    """
+    if path is None:
+        return None
+    target = Path(path)
+    if target.suffix.lower() not in endings:
+        raise InputError(
+            f'output "{path}": its name must end in {" or ".join(endings)}; try "{target.stem or "my"}{endings[0]}"'
+        )
+    try:
+        if target.is_dir():
+            raise InputError(f'output "{target}" is a folder; give the name of a file in it')
+        if not target.parent.is_dir():
+            raise InputError(
+                f'output "{target}": there is no folder "{target.parent}"; make it first, or write elsewhere'
+            )
+        trial = _part(target)
+        trial.touch()
+        trial.unlink()
+    except OSError as error:
+        raise InputError(
+            f'output "{target}" cannot be written ({error.strerror}); give a file in a folder you may write to'
+        ) from None
+    return target
+
+
+def folder_named(path: str) -> Path:
+    """Path of a folder to write into.
+
+    Parameters
+    ----------
+    path : str
+
+    Returns
+    -------
+    Path
+
+    Raises
+    ------
+    InputError    an empty name
+
+    Examples
+    --------
+    >>> folder_named("figures").name
+    'figures'
+    """
+    if not path.strip():
+        raise InputError('output "" names no folder; give one, such as results')
+    return Path(path)
+
+
+def picture_files(path: Path | None, draw: Callable[[], Figure]) -> tuple[File, ...]:
+    """The file of a picture that is drawn when it is written; none without a path.
+
+    Parameters
+    ----------
+    path : Path or None
+    draw : function() -> Figure
+
+    Returns
+    -------
+    tuple of File
+    """
+
+    def writer(part: Path) -> None:
+        from quartering.view.plots import style
+
+        style.save(draw(), part)
+
+    return () if path is None else (File(path, writer),)
+
+
+def write_files(*files: File) -> None:
+    """Write files under another name beside their own, and name them only when all are complete.
+
+    Parameters
+    ----------
+    *files : File
+
+    Raises
+    ------
+    InputError    a disk that is full, or another refusal of the system; nothing is left behind
+    """
+    parts = [_part(path) for path, _ in files]
+    try:
+        for part, (_, writer) in zip(parts, files, strict=True):
+            writer(part)
+        for part, (path, _) in zip(parts, files, strict=True):
+            os.replace(part, path)
+    except OSError as error:
+        names = ", ".join(f'"{path}"' for path, _ in files)
+        raise InputError(
+            f"{names} cannot be written ({error.strerror or error}); free some space or write elsewhere"
+        ) from None
+    finally:
+        for part in parts:
+            part.unlink(missing_ok=True)
+
+
+def ship_stem(ship: str) -> str:
+    """Short name of a ship given by name or by path, to name files with.
+
+    Examples
+    --------
+    >>> ship_stem("series60-cb60"), ship_stem("ships/my.yaml")
+    ('series60-cb60', 'my')
+    """
+    path = Path(ship)
+    return path.stem if path.is_file() or path.suffix.lower() in (".yaml", ".yml") else path.name
+
+
+def _part(path: Path) -> Path:
+    return path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
