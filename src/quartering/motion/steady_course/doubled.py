@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, solved
+from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, harmonics, solved
 from quartering.motion.steady_course.course import ROLL, Course
-from quartering.motion.steady_course.orbits import followed_up, symmetric_orbits
+from quartering.motion.steady_course.orbits import followed_up
 
 Floats = NDArray[np.float64]
 
@@ -115,8 +115,6 @@ def onsets(course: Course, amplitudes: Floats, basis: Harmonics | None = None) -
 
 
 def _symmetric_part(basis: Harmonics) -> Harmonics:
-    from quartering.motion.steady_course.balance import harmonics
-
     return harmonics(tuple(int(o) for o in basis.vertical), (), basis.phase.size)
 
 
@@ -195,11 +193,11 @@ def doubled_branch(
         if turned @ tangent < 0.8:
             step *= 0.5
             continue
+        if basis.parts(found[:-1])[ROLL] @ basis.parts(points[-1][:-1])[ROLL] < 0.0:  # back through the symmetric motion
+            break
         points.append(found)
         tangent, step = turned, min(_LONGEST, 1.4 * step)
         if not 0.0 < found[-1] < top or largest_roll(basis, found[:-1])[0] > LARGEST_ROLL:
-            break
-        if largest_roll(basis, found[:-1])[0] < 0.2 * _ONSET:  # back on the symmetric motion
             break
     made = np.array(points)
     return Doubled(course, basis, made[:, -1], made[:, :-1])
@@ -270,7 +268,7 @@ def doubled_motions(course: Course, amplitude: float, top: float, rungs: int = 1
     branches: list[Doubled] = []
     found: list[Floats] = []
     for onset in begun:
-        if any(abs(one.amplitude[-1] - onset[0]) < 1e-3 * top for one in branches):
+        if any(abs(one.amplitude[-1] - onset[0]) < 0.02 * top and one.roll[-1] < 0.05 for one in branches):
             continue  # the other end of a branch already followed
         branches.append(doubled_branch(course, onset, 1.02 * top, basis))
         for x in branches[-1].at(amplitude):
