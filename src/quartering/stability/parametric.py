@@ -11,7 +11,7 @@ A multiplier -1 is a doubling of the period: parametric roll. One of +1 is that 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +25,8 @@ from quartering.motion.steady_course.orbits import POINTS, Orbits, slopes
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-STEPS = 128
-"""Runge-Kutta steps of an encounter period: multipliers to 1e-8."""
+STEPS: Final = 128
+"""Runge-Kutta steps of an encounter period no longer than two of roll: multipliers to 1e-8. Longer ones have more."""
 
 
 class RollGrowth(NamedTuple):
@@ -88,18 +88,19 @@ def roll_growth(orbits: Orbits, damping: float) -> RollGrowth:
     calm_gm, weight = course.ship.loading.gm, course.numbers.scale.prod()
     inertia = roll_inertia(course.ship, 0.5 * course.numbers.omega)
     w0 = np.sqrt(weight * max(calm_gm, 1e-9) / inertia)
-    alone = hill_multipliers(np.where(good[:, None], weight * gm / inertia[:, None], 0.0), 2 * damping * w0, period)
+    steps = STEPS * max(1, int(np.ceil((0.5 * w0 / course.numbers.omega).max(initial=0.0))))
+    stiffness = np.where(good[:, None], weight * gm / inertia[:, None], 0.0)
+    alone = hill_multipliers(stiffness, 2 * damping * w0, period, steps)
     best = np.abs(alone).argmax(axis=1)
     largest = alone[np.arange(n), best]
-    rest = _lateral_multipliers(course, np.where(good[:, None, None, None], by_angle, 0.0), period)
+    rest = _lateral_multipliers(course, np.where(good[:, None, None, None], by_angle, 0.0), period, steps)
     nan = np.where(good, 1.0, np.nan)
-    return RollGrowth(
-        *(nan * part for part in rest),
-        nan * np.log(np.abs(largest)) / period, nan * largest, gm,
-    )  # fmt: skip
+    growth, multiplier, off_course = rest
+    only = np.log(np.abs(largest)) / period
+    return RollGrowth(nan * growth, nan * multiplier, nan * off_course, nan * only, nan * largest, gm)
 
 
-def hill_multipliers(stiffness: Floats, damping: Floats, period: Floats) -> Complex:
+def hill_multipliers(stiffness: Floats, damping: Floats, period: Floats, steps: int = STEPS) -> Complex:
     """Multipliers (n, 2) of x'' + damping x' + stiffness(t) x = 0 over one period.
 
     Parameters
@@ -107,6 +108,7 @@ def hill_multipliers(stiffness: Floats, damping: Floats, period: Floats) -> Comp
     stiffness : (n, t) float    at t equal steps of the period, the first at its beginning [1/s2]
     damping : (n,) float        [1/s]
     period : (n,) float         [s]
+    steps : int                 of its integration
 
     Notes
     -----
@@ -120,7 +122,7 @@ def hill_multipliers(stiffness: Floats, damping: Floats, period: Floats) -> Comp
     >>> (np.abs(found[0]) / np.exp(-0.3)).round(7).tolist()
     [1.0, 1.0]
     """
-    nodes = _nodes(stiffness)
+    nodes = _nodes(stiffness, steps)
     matrix = np.zeros((*nodes.shape, 2, 2))
     matrix[:, :, 0, 1] = 1.0
     matrix[:, :, 1, 0] = -nodes
@@ -128,13 +130,13 @@ def hill_multipliers(stiffness: Floats, damping: Floats, period: Floats) -> Comp
     return np.asarray(np.linalg.eigvals(transition(matrix, np.asarray(period))), dtype=complex)
 
 
-def _nodes(values: Floats) -> Floats:
-    """Samples (n, t, ..) of one period at the 2 STEPS + 1 nodes of its integration, by their Fourier series."""
+def _nodes(values: Floats, steps: int) -> Floats:
+    """Samples (n, t, ..) of one period at the 2 steps + 1 nodes of its integration, by their Fourier series."""
     t = values.shape[1]
     spectrum = np.fft.rfft(values, axis=1)
-    if t % 2 == 0 and t < 2 * STEPS:
+    if t % 2 == 0 and t < 2 * steps:
         spectrum[:, -1] *= 0.5
-    fine = np.fft.irfft(spectrum, n=2 * STEPS, axis=1) * (2 * STEPS / t)
+    fine = np.fft.irfft(spectrum, n=2 * steps, axis=1) * (2 * steps / t)
     return np.concatenate([fine, fine[:, :1]], axis=1)
 
 
@@ -188,9 +190,9 @@ def _lateral_matrices(course: Course, by: Floats) -> Floats:
     return matrix
 
 
-def _lateral_multipliers(course: Course, by: Floats, period: Floats) -> tuple[Floats, Complex, Floats]:
+def _lateral_multipliers(course: Course, by: Floats, period: Floats, steps: int) -> tuple[Floats, Complex, Floats]:
     """Largest growth of roll with its multiplier, and of the course."""
-    along = np.linalg.eigvals(transition(_nodes(_lateral_matrices(course, by)), period))
+    along = np.linalg.eigvals(transition(_nodes(_lateral_matrices(course, by), steps), period))
     still = np.zeros((course.count, 3, *by.shape[2:]))
     weight = course.numbers.scale.prod()
     still[:, :, ROLL, ROLL] = -weight * course.ship.loading.gm
@@ -234,8 +236,8 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
 
     Notes
     -----
-    phi(t + T) = -phi(t), h(t + T) = h(t), so a disturbance after one period, port and starboard exchanged, meets the equations it
-    met before. The water's coefficients are those at omega in heave and pitch, at omega/2 in sway, roll and yaw.
+    phi(t + T) = -phi(t), h(t + T) = h(t), so a disturbance after one period, port and starboard exchanged, meets the equations
+    it met before. The water's coefficients are those at omega in heave and pitch, at omega/2 in sway, roll and yaw.
     """
     many = course.at_amplitude(np.full(len(x), course.numbers.amplitude[0]))
     steps = STEPS // 2

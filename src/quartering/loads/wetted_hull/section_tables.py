@@ -88,7 +88,9 @@ def section_tables(hull: Hull, wavenumber: float = 0.0, pieces: int = PIECES) ->
     """
     wet = wetted_hull(hull, pieces)
     top, keel = float(-wet.z.min()), float(wet.z.max())
-    reach = _REACH * float(wet.y.max())  # a heeled section meets the surface this far above and below its reference point
+    reach = _REACH * float(
+        wet.y.max()
+    )  # a heeled section meets the surface this far above and below its reference point
     depth = np.linspace(-(keel + 0.5 * reach), top + 0.5 * reach, DEPTHS)
     heel = np.radians(np.linspace(-LARGEST_HEEL, LARGEST_HEEL, HEELS))
     values = np.zeros((wet.x.size, DEPTHS, HEELS, 7 if wavenumber > 0.0 else 3))
@@ -218,8 +220,8 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load
         add_section(w, xs, st, ct, False, sums, load, jacobian)
 
 
-# Below the last depth of its table a section heeled by less than 33 deg is under water up to its deck: area and moments stay, and
-# what is weighted with e^{-kd} falls as e^{-kd}.
+# Below the last depth of its table a section heeled by less than 33 deg is under water up to its deck: area and moments stay,
+# and what is weighted with e^{-kd} falls as e^{-kd}.
 @abreast
 def _spline(coefficients, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
     """Integrals and their derivatives by depth and heel; False outside the table."""

@@ -1,10 +1,10 @@
 """Harmonic balance of a ship on a steady course: residual, Jacobian and Newton's method on many conditions, compiled.
 
-The unknowns are Fourier coefficients of the five modes, every mode over harmonics of its own: heave and pitch over those of the
-encounter, sway, roll and yaw over none (the symmetric motion), over odd multiples of half the encounter frequency (the motion of
-two periods, phi(t + T) = -phi(t), h(t + T) = h(t): half of the unknowns that a motion of two periods would have, and samples of
-one period suffice) or over all of them (an oblique sea). Forces are sampled; each harmonic takes the water's coefficients at its
-own frequency.
+The unknowns are Fourier coefficients of the five modes, every mode over harmonics of its own: heave and pitch over those of
+the encounter, sway, roll and yaw over none (the symmetric motion), over odd multiples of half the encounter frequency (the
+motion of two periods, phi(t + T) = -phi(t), h(t + T) = h(t): half of the unknowns that a motion of two periods would have, and
+samples of one period suffice) or over all of them (an oblique sea). Forces are sampled; each harmonic takes the water's
+coefficients at its own frequency.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -66,7 +66,8 @@ class Harmonics(NamedTuple):
 
 def columns(orders: NDArray[np.int64], phase: Floats) -> tuple[Floats, Floats]:
     """1, cos and sin of multiples of half a phase, and their derivatives by the phase."""
-    values, rates = [], []
+    values: list[Floats] = []
+    rates: list[Floats] = []
     for order in orders:
         nu = 0.5 * float(order)
         c, s = np.cos(nu * phase), np.sin(nu * phase)
@@ -232,7 +233,8 @@ def _shortened(basis, step, longest):
 
 
 # With u(t) = c cos nu t + s sin nu t, a phasor c - i s, and an impedance Z the force is  (Zr c + Zi s) cos + (Zr s - Zi c) sin.
-# Z = (i nu M + B) i nu for a displacement, i nu M + B for a velocity. The rudder turns with -(gain + i nu rate)/(1 + i nu lag) psi.
+# Z = (i nu M + B) i nu for a displacement, i nu M + B for a velocity. The rudder turns with
+# -(gain + i nu rate)/(1 + i nu lag) psi.
 @inner
 def _assemble(tables, numbers, i, basis, x, scale, room, residual, jacobian):
     """Residual (m,) and Jacobian (m, m) over the scale; False where a section leaves its table."""
@@ -365,5 +367,3 @@ def _solved_in_place(matrix, right):
             right[k] -= matrix[k, c] * right[c]
         right[k] /= matrix[k, k]
     return True
-
-

@@ -1,7 +1,7 @@
 """Equations of a ship on a steady course in a wave that its whole hull meets: heave, pitch, sway, roll and yaw about G.
 
 The wave's pressure over the instantaneous wetted hull takes the place of the linear restoring and of the linear Froude-Krylov
-force; radiation and diffraction stay linear, and sway, roll and yaw keep the lift, drag and damping of the ship's own equations:
+force; radiation and diffraction stay linear, and sway, roll and yaw keep the lift, drag and damping of the ship's equations:
 
     (M + A) d(velocity)/dt + B velocity = F_w(heave, pitch, roll, t) + F_D(t) + F_v(velocity).
 
@@ -119,7 +119,18 @@ class Course:
 
     def rows(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> Course:
         """Some of the conditions."""
-        per_condition = ("amplitude", "omega", "wave", "mass", "damping", "heel", "force", "products", "strips", "rudder")
+        per_condition = (
+            "amplitude",
+            "omega",
+            "wave",
+            "mass",
+            "damping",
+            "heel",
+            "force",
+            "products",
+            "strips",
+            "rudder",
+        )
         picked = {name: np.ascontiguousarray(getattr(self.numbers, name)[rows]) for name in per_condition}
         numbers = self.numbers._replace(**picked)
         return replace(self, numbers=numbers, signed=self.signed[rows], slow=self.slow[rows])
@@ -221,12 +232,24 @@ def course(ship: Ship, wavenumber: float, amplitude: Floats, speed: Floats, head
     force = np.concatenate([np.where(overtakes, np.conj(diffraction), diffraction), lateral], axis=1)
     ahead, across = heading_components(mu)
     along = -k * ahead
+    powers, modulus, products = _products(first, a.size)
     numbers = Numbers(
-        amplitude=a, omega=omega, wave=np.stack([along, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),
-        mass=mass, damping=damping, heel=first.relative_heel, force=force,
-        **_products(first, a.size), strips=_strips(ship, first, k, U, mu, turn), rudder=np.zeros((a.size, 3)) if first.rudder is None else first.rudder, gains=_gains(ship),
-        share=np.ones(5), scale=np.array([ship.loading.density * GRAVITY, volume]),
-    )  # fmt: skip
+        amplitude=a,
+        omega=omega,
+        wave=np.stack([along, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),
+        mass=mass,
+        damping=damping,
+        heel=first.relative_heel,
+        force=force,
+        powers=powers,
+        modulus=modulus,
+        products=products,
+        strips=_strips(ship, first, k, U, mu, turn),
+        rudder=np.zeros((a.size, 3)) if first.rudder is None else first.rudder,
+        gains=_gains(ship),
+        share=np.ones(5),
+        scale=np.array([ship.loading.density * GRAVITY, volume]),
+    )
     return Course(ship, tables, numbers, signed, slow, ship.hull.length, ship.hull.draught)
 
 
@@ -246,13 +269,13 @@ def _radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats
     return mass, damping
 
 
-def _products(c: Coefficients, n: int) -> dict[str, NDArray[np.float64] | NDArray[np.int64]]:
+def _products(c: Coefficients, n: int) -> tuple[NDArray[np.int64], NDArray[np.int64], Floats]:
     """Products of the velocities, and of roll with them; those of roll alone are the pressure's."""
     names = [name for name in c.nonlinear if not _of_roll_alone(name)]
     tables = [term_table({name: float(c.nonlinear[name][i]) for name in names}) for i in range(n)]
     first = tables[0]
     products = np.stack([one.coefficients.reshape(3, -1) for one in tables])
-    return {"powers": first.powers, "modulus": first.modulus, "products": products}
+    return first.powers, first.modulus, products
 
 
 def _of_roll_alone(name: str) -> bool:

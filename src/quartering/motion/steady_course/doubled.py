@@ -1,9 +1,10 @@
 """Motions of two wave periods beyond the loss of stability in roll: where they begin, and every one of them by continuation.
 
-A motion of two periods has phi(t + T) = -phi(t) and h(t + T) = h(t), so it holds odd multiples of half the encounter frequency in
-sway, roll and yaw beside the harmonics of the encounter in heave and pitch. It begins where the block of sway, roll and yaw of the
-Jacobian on the symmetric motion is singular, which is a multiplier -1. From there the branch is followed through its folds over
-the height of the wave: a march in time finds one of several stable motions, or lingers near one that has just ceased to be.
+A motion of two periods has phi(t + T) = -phi(t) and h(t + T) = h(t), so it holds odd multiples of half the encounter frequency
+in sway, roll and yaw beside the harmonics of the encounter in heave and pitch. It begins where the block of sway, roll and yaw
+of the Jacobian on the symmetric motion is singular, which is a multiplier -1. From there the branch is followed through its
+folds over the height of the wave: a march in time finds one of several stable motions, or lingers near one that has just ceased
+to be.
 """
 
 from __future__ import annotations
@@ -193,7 +194,9 @@ def doubled_branch(
         if turned @ tangent < 0.8:
             step *= 0.5
             continue
-        if basis.parts(found[:-1])[ROLL] @ basis.parts(points[-1][:-1])[ROLL] < 0.0:  # back through the symmetric motion
+        if (
+            basis.parts(found[:-1])[ROLL] @ basis.parts(points[-1][:-1])[ROLL] < 0.0
+        ):  # back through the symmetric motion
             break
         points.append(found)
         tangent, step = turned, min(_LONGEST, 1.4 * step)

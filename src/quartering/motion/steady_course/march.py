@@ -1,7 +1,7 @@
 """Motion in time of a ship on a steady course, the wave's pressure on its whole hull: compiled Runge-Kutta steps.
 
-An integration holds one matrix of the water a mode: that at the encounter frequency in heave and pitch, and in sway, roll and yaw
-at the frequency they are expected to move with, half of it in head and following seas.
+An integration holds one matrix of the water a mode: that at the encounter frequency in heave and pitch, and in sway, roll and
+yaw at the frequency they are expected to move with, half of it in head and following seas.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"

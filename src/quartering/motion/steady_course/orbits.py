@@ -167,7 +167,7 @@ def _slopes(tables, numbers, up, across, rate, phase, x, out):  # type: ignore[n
 
 
 def amplitudes(orbits: Orbits) -> Floats:
-    """Amplitudes (n, 2, h) of the harmonics of heave [m] and pitch [rad] of the encounter; the mean comes first, with its sign."""
+    """Amplitudes (n, 2, h) of the harmonics of heave [m] and pitch [rad]; the mean comes first, with its sign."""
     parts = orbits.basis.parts(orbits.x)
     made = []
     for mode in (HEAVE, PITCH):

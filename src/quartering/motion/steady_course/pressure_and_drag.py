@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from quartering.compiled import inner, inlined
+from quartering.compiled import inlined, inner
 from quartering.loads.wetted_hull.section_tables import table_load
 
 # Order of the modes: heave, pitch, sway, roll, yaw. A state is (h, theta, v, phi, r) and the rate p of roll beside it; the
@@ -21,7 +21,7 @@ def rooms():
 
 
 @inner
-def instant(tables, numbers, i, phase, x, p, room, force, slope):  # type: ignore[no-untyped-def]
+def instant(tables, numbers, i, phase, x, p, room, force, slope):
     """Forces (5,) and their derivatives (5, 6) at a phase of the encounter; False where a section leaves its table."""
     scratch, load, jacobian, state, wave = room
     state[0], state[1], state[2] = x[0], x[3], x[1]
@@ -31,7 +31,7 @@ def instant(tables, numbers, i, phase, x, p, room, force, slope):  # type: ignor
         tables.x, tables.weight, tables.z0, tables.wavenumber, tables.first, tables.step, tables.spline,
         state, wave, scratch, load, jacobian,
     )  # fmt: skip
-    if not load[2] == load[2]:
+    if math.isnan(load[2]):
         return False
     weight, share = numbers.scale[0], numbers.share
     load[2] += numbers.scale[1]
@@ -53,7 +53,7 @@ def instant(tables, numbers, i, phase, x, p, room, force, slope):  # type: ignor
 
 
 @inner
-def _products(numbers, i, x, p, force, slope):  # type: ignore[no-untyped-def]
+def _products(numbers, i, x, p, force, slope):
     """Add the products of (v, phi, p, r)."""
     for t in range(numbers.modulus.size):
         value = 1.0
@@ -77,13 +77,13 @@ def _products(numbers, i, x, p, force, slope):  # type: ignore[no-untyped-def]
 
 
 @inlined
-def _of(x, p, s):  # type: ignore[no-untyped-def]
+def _of(x, p, s):
     """v, phi, p or r."""
     return x[2] if s == 0 else x[3] if s == 1 else p if s == 2 else x[4]
 
 
 @inner
-def _drag(numbers, i, c, s, x, p, force, slope):  # type: ignore[no-untyped-def]
+def _drag(numbers, i, c, s, x, p, force, slope):
     """Add the drag -|q| q e of every strip, and -2 |q| e e^T; see `equations.drag`."""
     strips = numbers.strips
     for z in range(strips.shape[1]):
