@@ -232,7 +232,7 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
     Returns
     -------
     (n, s) complex        of heave, pitch, their rates, v, phi, p, r and the autopilot's states; a motion whose largest is
-                          below 1 in size is stable
+                          below 1 in size is stable; infinite where the hull leaves its tables
 
     Notes
     -----
@@ -240,7 +240,8 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
     it met before. The water's coefficients are those at omega in heave and pitch, at omega/2 in sway, roll and yaw.
     """
     many = course.at_amplitude(np.full(len(x), course.numbers.amplitude[0]))
-    steps = STEPS // 2
+    natural = np.sqrt(many.numbers.scale.prod() * max(many.ship.loading.gm, 0.0) / many.numbers.mass[0, 1, ROLL, ROLL])
+    steps = STEPS // 2 * max(1, int(np.ceil(0.5 * natural / many.numbers.omega[0])))
     phase = 2 * np.pi * np.arange(2 * steps + 1) / (2 * steps)
     by = slopes(many, basis, x, phase)
     lateral = _lateral_matrices(many, by)
@@ -258,4 +259,6 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
         matrix[:, :, state, 0:2] = coupled[:, :, row]
     mirror = np.concatenate([np.ones(4), -np.ones(s)])
     whole = transition(matrix, 2 * np.pi / many.numbers.omega)
-    return np.asarray(np.linalg.eigvals(mirror[:, None] * whole), dtype=complex)
+    inside = np.isfinite(whole).all(axis=(1, 2))
+    found = np.linalg.eigvals(mirror[:, None] * np.where(inside[:, None, None], whole, 0.0))
+    return np.asarray(np.where(inside[:, None], found, np.inf), dtype=complex)

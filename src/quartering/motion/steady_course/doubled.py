@@ -18,7 +18,7 @@ from scipy.optimize import brentq
 
 from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, harmonics, solved
 from quartering.motion.steady_course.course import ROLL, Course
-from quartering.motion.steady_course.orbits import followed_up
+from quartering.motion.steady_course.orbits import climbed
 
 Floats = NDArray[np.float64]
 
@@ -98,8 +98,8 @@ def onsets(course: Course, amplitudes: Floats, basis: Harmonics | None = None) -
     list of (amplitude, symmetric motion (m,), direction (m,))    coefficients of two periods
     """
     basis = doubled_harmonics() if basis is None else basis
-    ladder = course.at_amplitude(amplitudes)
-    orbits = followed_up(ladder, _symmetric_part(basis))
+    orbits = climbed(course, amplitudes, _symmetric_part(basis))
+    ladder = orbits.course
     whole = np.pad(orbits.x, ((0, 0), (0, 3 * basis.sizes[1])))
     signs = np.array([_sign(ladder, i, basis, whole[i]) if orbits.found[i] else 0.0 for i in range(amplitudes.size)])
     begun = []

@@ -11,6 +11,7 @@ from quartering.compiled import kernel
 from quartering.motion.status import Status
 from quartering.motion.steady_course.balance import (
     FOUND,
+    NO_MOTION,
     OUTSIDE,
     SINGULAR,
     Harmonics,
@@ -103,12 +104,52 @@ def followed_up(course: Course, basis: Harmonics) -> Orbits:
     status = np.full(course.count, Status.CONVERGED, dtype=np.int8)
     for i in np.flatnonzero((outcome != FOUND) & ~course.slow):
         x[i], outcome[i], status[i] = _raised(course.rows(np.array([i])), basis)
-    for code, said in ((OUTSIDE, Status.BEYOND_THE_DECK), (SINGULAR, Status.SINGULAR)):
-        status[outcome == code] = said
-    status[(outcome != FOUND) & ~np.isin(outcome, (OUTSIDE, SINGULAR))] = Status.NO_MOTION_FOUND
-    status[course.slow] = Status.ENCOUNTER_FREQUENCY_NEAR_ZERO
+    status = _status(outcome, course.slow, status)
     x[~np.isin(status, (Status.CONVERGED, Status.CONVERGED_BY_FOLLOWING))] = np.nan
     return Orbits(course, basis, x, status)
+
+
+def climbed(course: Course, amplitudes: Floats, basis: Harmonics) -> Orbits:
+    """Motions of every condition at rising amplitudes of the wave, each from the one before: conditions times amplitudes rows.
+
+    Parameters
+    ----------
+    course : Course          n conditions
+    amplitudes : (k,) float  rising [m]
+    basis : Harmonics
+
+    Returns
+    -------
+    Orbits                   n k rows, the amplitudes of one condition beside each other; where a motion is not reached from the one
+                             before or from the linear one, the status says so
+    """
+    n, count = course.count, amplitudes.size
+    linear = linear_start(course.at_amplitude(np.ones(n)), basis)
+    x, outcome = np.empty((count, n, linear.shape[1])), np.empty((count, n), dtype=np.int64)
+    for k, a in enumerate(amplitudes):
+        at = course.at_amplitude(np.full(n, a))
+        start = a * linear
+        if k > 0:
+            before = outcome[k - 1] == FOUND
+            start[before] = x[k - 1][before] * (a / amplitudes[k - 1])
+        x[k], outcome[k] = solved(at, basis, start)
+        again = np.flatnonzero(outcome[k] != FOUND)
+        if k > 0 and again.size:
+            x[k][again], outcome[k][again] = solved(at.rows(again), basis, a * linear[again])
+    grid = course.rows(np.repeat(np.arange(n), count)).at_amplitude(np.tile(amplitudes, n))
+    coefficients = np.ascontiguousarray(x.transpose(1, 0, 2).reshape(n * count, -1))
+    status = _status(outcome.T.ravel(), grid.slow, np.full(n * count, Status.CONVERGED_BY_FOLLOWING, dtype=np.int8))
+    coefficients[~np.isin(status, (Status.CONVERGED, Status.CONVERGED_BY_FOLLOWING))] = np.nan
+    return Orbits(grid, basis, coefficients, status)
+
+
+def _status(outcome: NDArray[np.int64], slow: NDArray[np.bool_], found: NDArray[np.int8]) -> NDArray[np.int8]:
+    """What Newton's method came to, in the words of every door."""
+    status = found.copy()
+    for code, said in ((NO_MOTION, Status.NO_MOTION_FOUND), (OUTSIDE, Status.BEYOND_THE_DECK), (SINGULAR, Status.SINGULAR)):
+        status[outcome == code] = said
+    status[slow] = Status.ENCOUNTER_FREQUENCY_NEAR_ZERO
+    return status
 
 
 def _raised(one: Course, basis: Harmonics) -> tuple[Floats, int, Status]:
