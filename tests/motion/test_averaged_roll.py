@@ -49,9 +49,7 @@ def system(row):
 def test_steady_roll_of_two_periods(row):
     """All roots of the averaged equation to 1e-6; the balance started from one finds the independent code's motion to 1e-4."""
     roots = averaged(row)
-    wanted = sorted(
-        r["averaged"] for r in ROWS if all(r[key] == row[key] for key in list(row)[:8])
-    )
+    wanted = sorted(r["averaged"] for r in ROWS if all(r[key] == row[key] for key in list(row)[:8]))
     assert roots == pytest.approx(wanted, abs=1e-6)
     equations, found = system(row), []
     for phase in np.linspace(0.0, np.pi, 6, endpoint=False):

@@ -6,9 +6,9 @@ import pytest
 from scipy.optimize import brentq
 
 import quartering as qt
+from quartering.motion.steady_course.balance import doubled_harmonics
 from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.doubled import doubled_motions, largest_roll
-from quartering.motion.steady_course.balance import doubled_harmonics
 from quartering.motion.steady_course.march import march, start_on
 from quartering.motion.steady_course.orbits import symmetric_orbits
 from quartering.stability.parametric import doubled_multipliers, hill_multipliers, roll_growth
@@ -45,9 +45,7 @@ def test_growth_on_the_metacentric_height_of_an_independent_code(row):
         value[f"c{k}"] * np.cos(k * phase) - value[f"d{k}"] * np.sin(k * phase) for k in range(1, 7)
     )
     w0, period = value["w0"], 2 * np.pi / value["omega"]
-    found = hill_multipliers(
-        w0**2 * gm[None] / value["gm"], np.array([2 * value["zeta"] * w0]), np.array([period])
-    )
+    found = hill_multipliers(w0**2 * gm[None] / value["gm"], np.array([2 * value["zeta"] * w0]), np.array([period]))
     assert float(np.log(np.abs(found).max())) / period == pytest.approx(value["growth"], abs=1e-5)
 
 

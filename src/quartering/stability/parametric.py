@@ -259,6 +259,6 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
         matrix[:, :, state, 0:2] = coupled[:, :, row]
     mirror = np.concatenate([np.ones(4), -np.ones(s)])
     whole = transition(matrix, 2 * np.pi / many.numbers.omega)
-    inside = np.isfinite(whole).all(axis=(1, 2))
+    inside = np.asarray(np.isfinite(whole).all(axis=(1, 2)))
     found = np.linalg.eigvals(mirror[:, None] * np.where(inside[:, None, None], whole, 0.0))
-    return np.asarray(np.where(inside[:, None], found, np.inf), dtype=complex)
+    return np.where(inside[:, None], found, np.inf).astype(np.complex128)

@@ -126,8 +126,8 @@ def parametric_roll(ship: Ship, wave: Wave, speed: float | str, heading: float |
     -----
     Heave and pitch by harmonic balance of the pressure over the instantaneous wetted hull, with linear radiation and
     diffraction; the stability of roll on that motion by Floquet's theorem, with sway and yaw; the roll beyond by continuation
-    of the motions of two wave periods. Where the ship keeps pace with the wave there is no periodic motion: then GM is that of the
-    balance on each crest position, and one below zero a permanent loss.
+    of the motions of two wave periods. Where the ship keeps pace with the wave there is no periodic motion: then GM is that of
+    the balance on each crest position, and one below zero a permanent loss.
     Source: [STF70] radiation and diffraction; Floquet's theorem.  Valid: constant speed, deep water, hull watertight to the top
     of its offsets, no water on deck.
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.compiled import inner, kernel
+from quartering.motion.steady_course.balance import Harmonics, columns
 from quartering.motion.steady_course.course import Course
 from quartering.motion.steady_course.pressure_and_drag import instant, rooms
 
@@ -72,8 +73,17 @@ def march(
     >>> march(one, np.zeros(10), 2.0).state.shape
     (97, 10)
     """
-    count = round(periods * steps)
     h = 2 * np.pi / course.numbers.omega[condition] / steps
+    return march_in_steps(
+        course, start, h, round(periods * steps), limit=limit, half=half, rise=rise * steps * h, condition=condition
+    )
+
+
+def march_in_steps(
+    course: Course, start: Floats, h: float, count: int, *, limit: float = np.pi / 2, half: bool = True, rise: float = 0.0,
+    condition: int = 0,
+) -> History:  # fmt: skip
+    """`march` by ``count`` steps of ``h`` seconds; the wave rises over ``rise`` seconds."""
     out = np.full((count + 1, len(STATES)), np.nan)
     out[0] = start
     numbers = course.numbers._replace(amplitude=course.numbers.amplitude.copy())
@@ -82,9 +92,9 @@ def march(
     across = np.linalg.inv(numbers.mass[condition, at[1], 2:, 2:])
     outcome = _march(
         course.tables, numbers, condition, up, across, numbers.damping[condition, at[0], :2, :2].copy(),
-        numbers.damping[condition, at[1], 2:, 2:].copy(), h, limit, rise * steps * h, out,
+        numbers.damping[condition, at[1], 2:, 2:].copy(), h, limit, rise, out,
     )  # fmt: skip
-    return History(h * np.arange(count + 1), out, int(outcome))
+    return History(np.asarray(h * np.arange(count + 1), dtype=float), out, int(outcome))
 
 
 @kernel
@@ -139,10 +149,8 @@ def _rates(numbers, i, up, across, damp_up, damp_across, y, force, rate):
     rate[9] = (order - y[9]) / lag if lag > 0.0 else 0.0
 
 
-def start_on(orbit: Floats, basis, omega: float, roll: float = 0.0) -> Floats:
+def start_on(orbit: Floats, basis: Harmonics, omega: float, roll: float = 0.0) -> Floats:
     """State at time 0 on a motion with the coefficients ``orbit``, and a roll angle added [rad]."""
-    from quartering.motion.steady_course.balance import columns
-
     zero = np.zeros(1)
     (up, up_rate), (side, side_rate) = columns(basis.vertical, zero), columns(basis.lateral, zero)
     h, theta, v, phi, r = basis.parts(orbit)

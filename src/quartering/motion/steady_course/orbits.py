@@ -120,8 +120,8 @@ def climbed(course: Course, amplitudes: Floats, basis: Harmonics) -> Orbits:
 
     Returns
     -------
-    Orbits                   n k rows, the amplitudes of one condition beside each other; where a motion is not reached from the one
-                             before or from the linear one, the status says so
+    Orbits                   n k rows, the amplitudes of one condition beside each other; where a motion is not reached from the
+                             one before or from the linear one, the status says so
     """
     n, count = course.count, amplitudes.size
     linear = linear_start(course.at_amplitude(np.ones(n)), basis)
@@ -146,7 +146,11 @@ def climbed(course: Course, amplitudes: Floats, basis: Harmonics) -> Orbits:
 def _status(outcome: NDArray[np.int64], slow: NDArray[np.bool_], found: NDArray[np.int8]) -> NDArray[np.int8]:
     """What Newton's method came to, in the words of every door."""
     status = found.copy()
-    for code, said in ((NO_MOTION, Status.NO_MOTION_FOUND), (OUTSIDE, Status.BEYOND_THE_DECK), (SINGULAR, Status.SINGULAR)):
+    for code, said in (
+        (NO_MOTION, Status.NO_MOTION_FOUND),
+        (OUTSIDE, Status.BEYOND_THE_DECK),
+        (SINGULAR, Status.SINGULAR),
+    ):
         status[outcome == code] = said
     status[slow] = Status.ENCOUNTER_FREQUENCY_NEAR_ZERO
     return status
@@ -171,7 +175,6 @@ def _raised(one: Course, basis: Harmonics) -> tuple[Floats, int, Status]:
 def linear_start(course: Course, basis: Harmonics) -> Floats:
     """Heave and pitch of a low wave, scaled to each height: coefficients (n, m)."""
     low = course.at_amplitude(np.full(course.count, 1e-3 * course.draught))
-    low = low if course.count == low.count else course
     width = 2 * basis.sizes[0] + 3 * basis.sizes[1]
     x, outcome = solved(low, basis, np.zeros((course.count, width)))
     x[outcome != FOUND] = 0.0

@@ -72,18 +72,19 @@ def level1(p: Particulars) -> Judgement:
 def second_check(p: Particulars) -> tuple[float, float]:
     """C2, and the largest roll met [deg].
 
-    C2 is the share of sea states, averaged over speeds in head and following seas, in whose effective wave the roll is too large.
+    C2 is the share of sea states, averaged over speeds in head and following seas, in whose effective wave the roll is too
+    large.
 
     Notes
     -----
-    C2 = [sum_12 C2(head) + (C2(0, head) + C2(0, following))/2 + sum_12 C2(following)]/25, each the weight of the sea states whose
-    effective wave, as long as the ship, makes it roll more than 25 deg. The roll is the largest stable motion of two periods,
-    with sway, yaw and the ship's own damping; what lies between two heights is interpolated, and what capsizes counts 90 deg.
+    C2 = [sum_12 C2(head) + (C2(0, head) + C2(0, following))/2 + sum_12 C2(following)]/25, each the weight of the sea states
+    whose effective wave, as long as the ship, makes it roll more than 25 deg. The roll is the largest stable motion of two
+    periods, with sway, yaw and the ship's own damping; what lies between two heights is interpolated, and what capsizes counts 90 deg.
     """
     table = scatter()
     heights = limit("effective_wave.significant") * effective_deviation(p.length, table.hs[:, None], table.tz)
     heights = np.minimum(heights, STEEPNESSES[-1] * p.length)
-    speeds = tuple(p.speed * share for share in _SHARES) + (0.0,)
+    speeds = (*(p.speed * share for share in _SHARES), 0.0)
     total, largest = 0.0, 0.0
     for heading in (180.0, 0.0):
         rolls = largest_rolls(p.ship, speeds, heading)
@@ -136,7 +137,9 @@ def level2(p: Particulars, second: bool = True) -> Judgement:
         by_roll, largest = second_check(p)
         vulnerable = by_roll > most_second
         reason = f"C1 {value:.3g} is above {most:g}; C2 {by_roll:.3g}; up to {most_second:g}"
-        notes += ("roll in the second check has the ship's own damping; where none is stable it counts 90 deg, a convention",)
+        notes += (
+            "roll in the second check has the ship's own damping; where none is stable it counts 90 deg, a convention",
+        )
     return Judgement(
         "parametric_rolling", 2,
         (
