@@ -62,6 +62,7 @@ _COMMANDS = (
     cli_motions.branch,
     cli_motions.basin,
     cli_seas.sea,
+    cli_seas.parametric,
     cli_studies.polar,
     cli_studies.vary,
     cli_studies.sweep,
@@ -83,6 +84,7 @@ _OF_A_SHIP = (
     cli_motions.branch,
     cli_motions.basin,
     cli_seas.sea,
+    cli_seas.parametric,
     cli_studies.polar,
     cli_studies.vary,
 )

@@ -1,4 +1,4 @@
-"""Commands about irregular seas."""
+"""Commands about irregular seas, and about head and following ones."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import typer
 
 from quartering.arguments import ARGUMENTS
 from quartering.options import line_of
-from quartering.view.arguments import Changes, Form, Heading, Json, Ship, Speed
+from quartering.view.arguments import Changes, Form, Heading, Json, Picture, Ship, Speed, WaveHeight, WaveLength
 from quartering.view.outcome import answering
 
 
@@ -43,3 +43,20 @@ def sea(
 
         typed = {"hs": hs, "tp": tp, "tz": tz, "spectrum": spectrum, "gamma": gamma, "spreading": spreading}
         respond(ship, typed, (heading, speed), form, changes or {}, json)
+
+
+def parametric(
+    ship: Ship,
+    speed: Speed,
+    wave_length: WaveLength,
+    wave_height: WaveHeight,
+    heading: Annotated[str, typer.Option(help="180 for a head sea, 0 for a following one.")] = "180",
+    output: Picture = None,
+    json: Json = False,
+    changes: Changes = None,
+) -> None:
+    """Parametric roll and pure loss in a head or following sea; with -o a map over speed and wave height."""
+    with answering():
+        from quartering.view.commands.parametric import judge_parametric
+
+        judge_parametric(ship, (heading, speed, wave_length, wave_height), changes or {}, output, json)

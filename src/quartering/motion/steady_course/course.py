@@ -87,6 +87,7 @@ class Course:
     ship : Ship
     tables : SectionTables    of its sections, for this wave number
     numbers : Numbers
+    speed : (n,) float        U [m/s]
     signed : (n,) float       encounter frequency, negative where the ship overtakes the wave [rad/s]
     slow : (n,) bool          the ship keeps pace with the wave: no periodic motion
     length, draught : float   [m]
@@ -95,6 +96,7 @@ class Course:
     ship: Ship
     tables: SectionTables
     numbers: Numbers
+    speed: Floats
     signed: Floats
     slow: NDArray[np.bool_]
     length: float
@@ -133,7 +135,7 @@ class Course:
         )
         picked = {name: np.ascontiguousarray(getattr(self.numbers, name)[rows]) for name in per_condition}
         numbers = self.numbers._replace(**picked)
-        return replace(self, numbers=numbers, signed=self.signed[rows], slow=self.slow[rows])
+        return replace(self, numbers=numbers, speed=self.speed[rows], signed=self.signed[rows], slow=self.slow[rows])
 
     def with_constant_coefficients(self) -> Course:
         """The water's coefficients at one frequency a mode: omega in heave and pitch, omega/2 in sway, roll and yaw.
@@ -250,7 +252,7 @@ def course(ship: Ship, wavenumber: float, amplitude: Floats, speed: Floats, head
         share=np.ones(5),
         scale=np.array([ship.loading.density * GRAVITY, volume]),
     )
-    return Course(ship, tables, numbers, signed, slow, ship.hull.length, ship.hull.draught)
+    return Course(ship, tables, numbers, U, signed, slow, ship.hull.length, ship.hull.draught)
 
 
 def _radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:

@@ -79,7 +79,8 @@ def second_check(p: Particulars) -> tuple[float, float]:
     -----
     C2 = [sum_12 C2(head) + (C2(0, head) + C2(0, following))/2 + sum_12 C2(following)]/25, each the weight of the sea states
     whose effective wave, as long as the ship, makes it roll more than 25 deg. The roll is the largest stable motion of two
-    periods, with sway, yaw and the ship's own damping; what lies between two heights is interpolated, and what capsizes counts 90 deg.
+    periods, with sway, yaw and the ship's own damping; what lies between two heights is interpolated, and what capsizes counts
+    90 deg.
     """
     table = scatter()
     heights = limit("effective_wave.significant") * effective_deviation(p.length, table.hs[:, None], table.tz)

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from quartering.hull.ship import Ship
 from quartering.motion.steady_course.balance import doubled_harmonics, symmetric_harmonics
-from quartering.motion.steady_course.course import Course, course
-from quartering.motion.steady_course.doubled import Doubled, doubled_branch, largest_roll, onsets
+from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.orbits import climbed
-from quartering.stability.parametric import doubled_multipliers, roll_growth
+from quartering.stability.parametric import roll_growth
+from quartering.study.parametric_map import stable_rolls
 
 Floats = NDArray[np.float64]
 
@@ -42,25 +42,9 @@ def largest_rolls(ship: Ship, speeds: tuple[float, ...], heading: float) -> Floa
     orbits = climbed(many, amplitudes, symmetric_harmonics(_ORDER, _SAMPLES))
     growth = roll_growth(orbits, 0.0).growth.reshape(U.size, -1)
     found = np.zeros((U.size, STEEPNESSES.size))
+    basis = doubled_harmonics(_ORDER, _LATERAL, _SAMPLES)
     for i in np.flatnonzero(~many.slow):
-        stable = _stable_rolls(many.rows(np.array([i])), amplitudes)
+        stable = stable_rolls(many.rows(np.array([i])), amplitudes, basis)
         unstable = np.where(np.isnan(growth[i]), True, growth[i] > 0)
         found[i, 1:] = np.where(unstable & (stable == 0.0), CAPSIZED, stable)
-    return found
-
-
-def _stable_rolls(one: Course, amplitudes: Floats) -> Floats:
-    """Largest stable roll of two periods of one condition at each amplitude [deg]; 0 where there is none."""
-    basis, top = doubled_harmonics(_ORDER, _LATERAL, _SAMPLES), float(amplitudes[-1])
-    found = np.zeros(amplitudes.size)
-    followed: list[Doubled] = []
-    for onset in onsets(one, np.append(0.02 * amplitudes[0], amplitudes), basis):
-        if any(abs(b.amplitude[-1] - onset[0]) < 0.02 * top and b.roll[-1] < 0.05 for b in followed):
-            continue
-        followed.append(doubled_branch(one, onset, 1.02 * top, basis))
-        for k, amplitude in enumerate(amplitudes):
-            x = followed[-1].at(float(amplitude))
-            if len(x):
-                steady = np.abs(doubled_multipliers(one.at_amplitude(amplitudes[[k]]), basis, x)).max(axis=1) < 1.0
-                found[k] = max(found[k], *np.degrees(largest_roll(basis, x)) * steady)
     return found
