@@ -240,8 +240,10 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
     it met before. The water's coefficients are those at omega in heave and pitch, at omega/2 in sway, roll and yaw.
     """
     many = course.at_amplitude(np.full(len(x), course.numbers.amplitude[0]))
-    natural = np.sqrt(many.numbers.scale.prod() * max(many.ship.loading.gm, 0.0) / many.numbers.mass[0, 1, ROLL, ROLL])
-    steps = STEPS // 2 * max(1, int(np.ceil(0.5 * natural / many.numbers.omega[0])))
+    natural = np.sqrt(
+        course.numbers.scale.prod() * max(course.ship.loading.gm, 0.0) / course.numbers.mass[0, 1, ROLL, ROLL]
+    )
+    steps = STEPS // 2 * max(1, int(np.ceil(0.5 * natural / course.numbers.omega[0])))
     phase = 2 * np.pi * np.arange(2 * steps + 1) / (2 * steps)
     by = slopes(many, basis, x, phase)
     lateral = _lateral_matrices(many, by)

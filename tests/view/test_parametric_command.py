@@ -1,0 +1,45 @@
+"""`quartering parametric`: the numbers are those of Python, the map is drawn, bad input is one message."""
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+import quartering as qt
+from quartering.view.cli import app
+
+WORDS = ["parametric", "dtc", "--wave-length", "1L", "--wave-height", "5", "--speed", "5"]
+
+
+def test_the_record_and_its_map(tmp_path):
+    picture = tmp_path / "map.png"
+    ended = CliRunner().invoke(app, [*WORDS, "--json", "-o", str(picture)])
+    assert ended.exit_code == 0, ended.output
+    told = json.loads(ended.stdout)
+    found = qt.parametric_roll(qt.ship("dtc"), qt.Wave(355.0, 5.0), 5.0)
+    assert told["sentence"] == found.sentence
+    assert told["amplitude"] == pytest.approx(list(found.amplitude))
+    assert (told["kind"], told["status"]) == ("parametric", "CONVERGED")
+    assert picture.stat().st_size > 10_000
+    shown = CliRunner().invoke(app, WORDS)
+    assert "parametric roll, tenfold in" in " ".join(shown.stdout.split())
+
+
+@pytest.mark.parametrize(("heading", "words"), [("30", "head (180) and following (0)"), ("x", "--heading")])
+def test_another_heading_is_refused(heading, words):
+    ended = CliRunner().invoke(app, [*WORDS, "--heading", heading])
+    assert ended.exit_code == 2
+    assert words in " ".join(ended.stderr.split())
+
+
+def test_a_map_holds_what_the_record_of_one_wave_says():
+    """Same amplitude, growth and margin in a cell and in the record; heights that do not rise are refused."""
+    ship = qt.ship("dtc")
+    ds = qt.parametric_map(ship, 355.0, [3.0, 5.0], [5.0])
+    found = qt.parametric_roll(ship, qt.Wave(355.0, 5.0), 5.0)
+    cell = ds.isel(speed=0, wave_height=1)
+    assert float(cell.roll_settled) == pytest.approx(found.amplitude[0], rel=1e-6)
+    assert float(cell.growth) == pytest.approx(found.growth, rel=1e-6)
+    assert float(cell.margin) == pytest.approx(found.margin, rel=1e-6)
+    with pytest.raises(qt.InputError, match="they are above 0 and rise"):
+        qt.parametric_map(ship, 355.0, [5.0, 3.0], [5.0])
