@@ -41,9 +41,8 @@ def main(picture: str = "") -> None:
         right.plot(height, angle, "C0-", lw=1)
         right.plot(height[size < 1], angle[size < 1], "ko", ms=4, label="stable")
         right.plot(height[size >= 1], angle[size >= 1], "ko", mfc="w", ms=4, label="unstable")
-        print(
-            f"begins at {height[0]:.3g} m; at {height[-1]:.3g} m roll {angle[-1]:.3g} deg; {np.sum(size < 1)} of {size.size} stable"
-        )
+        stable = f"{np.sum(size < 1)} of {size.size} stable"
+        print(f"begins at {height[0]:.3g} m; {angle[-1]:.3g} deg at {height[-1]:.3g} m; {stable}")
     right.set(xlabel="wave height [m]", ylabel="largest roll [deg]", title=f"motions of two periods at {SPEED:g} m/s")
     right.legend()
     figure.suptitle(f"{SHIP.name} in head seas of {length:g} m, {ds.attrs['loading']}")
