@@ -170,7 +170,7 @@ def doubled_branch(
     Notes
     -----
     Steps along the arc length of the branch, each corrected at right angles to its tangent; a step whose correction fails is
-    halved.  Source: arc-length continuation, as `motion.branches`.
+    halved.  Source: [Krack19] (arclength continuation).
     """
     basis = doubled_harmonics() if basis is None else basis
     path = _Path(course, basis, top)
