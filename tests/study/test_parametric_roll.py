@@ -68,7 +68,6 @@ def test_an_overtaking_wave_takes_the_restoring_moment_away_for_a_time():
 @pytest.mark.parametrize(
     ("condition", "words"),
     [
-        ((qt.Wave(175.0, 5.0), 3.0, 30.0), "head \\(180\\) and following"),
         ((qt.Wave(175.0, 0.0), 3.0), "needs a wave"),
         ((qt.Wave(175.0, 5.0), -3.0), "speed"),
     ],

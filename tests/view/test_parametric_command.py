@@ -25,11 +25,14 @@ def test_the_record_and_its_map(tmp_path):
     assert "parametric roll, tenfold in" in " ".join(shown.stdout.split())
 
 
-@pytest.mark.parametrize(("heading", "words"), [("30", "head (180) and following (0)"), ("x", "--heading")])
-def test_another_heading_is_refused(heading, words):
-    ended = CliRunner().invoke(app, [*WORDS, "--heading", heading])
-    assert ended.exit_code == 2
-    assert words in " ".join(ended.stderr.split())
+def test_what_cannot_be_asked_is_one_message(tmp_path):
+    for words, said in (
+        (["--heading", "x"], "--heading"),
+        (["--heading", "30", "-o", str(tmp_path / "map.png")], "try 180"),
+    ):
+        ended = CliRunner().invoke(app, [*WORDS, *words])
+        assert ended.exit_code == 2
+        assert said in " ".join(ended.stderr.split())
 
 
 def test_a_map_holds_what_the_record_of_one_wave_says():

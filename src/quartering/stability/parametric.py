@@ -220,7 +220,25 @@ def _roll_pair(matrix: Floats) -> NDArray[np.int64]:
     return np.argsort(distance)[:2]
 
 
-def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
+def forced_growth(orbits: Orbits) -> tuple[float, complex]:
+    """Growth [1/s] of a disturbance of the forced motion of one condition, that of the course left out, and its multiplier.
+
+    Notes
+    -----
+    The multipliers nearest to those of the course in calm water are left out. Coefficients as in `doubled_multipliers`.
+    """
+    course, period = orbits.course, 2 * np.pi / float(orbits.course.numbers.omega[0])
+    found = doubled_multipliers(course, orbits.basis, orbits.x, mirrored=False)[0]
+    still = np.zeros((1, 1, 5, 6))
+    still[0, 0, ROLL, ROLL] = -course.numbers.scale.prod() * course.ship.loading.gm
+    calm = _lateral_matrices(course, still)[0, 0]
+    expected = np.exp(np.delete(np.linalg.eigvals(calm), _roll_pair(calm)) * period)
+    kept = np.delete(found, linear_sum_assignment(np.abs(expected[:, None] - found[None, :]))[1])
+    largest = kept[np.abs(kept).argmax()]
+    return float(np.log(np.abs(largest)) / period), complex(largest)
+
+
+def doubled_multipliers(course: Course, basis: Harmonics, x: Floats, mirrored: bool = True) -> Complex:
     """Multipliers (n, s) of motions of two periods (n, m) of one condition, each over one period and a mirror.
 
     Parameters
@@ -228,6 +246,7 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
     course : Course       one condition, in the wave of the motions
     basis : Harmonics     of two periods
     x : (n, m) float
+    mirrored : bool       False: over one period alone, of motions of one period
 
     Returns
     -------
@@ -259,7 +278,7 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats) -> Complex:
     coupled = np.einsum("nij,ntjk->ntik", across, by[:, :, SWAY:, :2])
     for row, state in enumerate((4, 6, 7)):
         matrix[:, :, state, 0:2] = coupled[:, :, row]
-    mirror = np.concatenate([np.ones(4), -np.ones(s)])
+    mirror = np.concatenate([np.ones(4), np.full(s, -1.0 if mirrored else 1.0)])
     whole = transition(matrix, 2 * np.pi / many.numbers.omega)
     inside = np.asarray(np.isfinite(whole).all(axis=(1, 2)))
     found = np.linalg.eigvals(mirror[:, None] * np.where(inside[:, None, None], whole, 0.0))

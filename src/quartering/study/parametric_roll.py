@@ -1,4 +1,4 @@
-"""Parametric roll and pure loss of stability of a ship in a head or following sea: one record with its sentence."""
+"""Parametric roll and pure loss of stability of a ship in regular waves: one record with its sentence."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from quartering.loads.wetted_hull.floating import floating_hull
 from quartering.loads.wetted_hull.pressure import Waves, immersion
 from quartering.motion.status import Status
 from quartering.motion.steady_course.balance import columns, doubled_harmonics
-from quartering.motion.steady_course.course import Course, course, roll_inertia
+from quartering.motion.steady_course.course import ROLL, Course, course, roll_inertia, warn_across
 from quartering.motion.steady_course.doubled import doubled_motions, largest_roll
-from quartering.motion.steady_course.orbits import POINTS, Orbits, symmetric_orbits
+from quartering.motion.steady_course.orbits import POINTS, Orbits, forced_motions, symmetric_orbits
 from quartering.stability.averaged_roll import threshold
-from quartering.stability.parametric import doubled_multipliers, roll_growth
+from quartering.stability.parametric import doubled_multipliers, forced_growth, roll_growth
 from quartering.study.gm_in_waves import gm_in_waves
 
 Kind = Literal["parametric", "pure-loss", "forced", "stable"]
@@ -40,7 +40,7 @@ _TENFOLD: Final = math.log(10.0)
 
 @dataclass(frozen=True)
 class ParametricRoll:
-    """What happens to roll in a head or following sea.
+    """What happens to roll in a regular sea.
 
     Parameters
     ----------
@@ -58,7 +58,8 @@ class ParametricRoll:
     frequency_ratio : float       encounter frequency over the natural frequency of roll at the mean GM
     threshold : float             least gm_first/gm_mean with which roll alone grows, closed form near a ratio of 2
     margin : float                gm_first/gm_mean over the threshold: above 1 roll grows
-    amplitude : tuple of float    largest roll of every stable motion of two wave periods [deg]
+    amplitude : tuple of float    largest roll of every stable motion of two wave periods; in an oblique sea that of the forced
+                                  motion where it is stable [deg]
     tenfold : float               time for roll to grow tenfold [s]; infinite where it does not
     time_below_zero : float       with a GM below zero, in each period of encounter [s]
     growth_below_zero : float     by how much roll grows meanwhile, in powers of e
@@ -101,14 +102,14 @@ class ParametricRoll:
 
 @takes(ship="Ship", wave="Wave")
 def parametric_roll(ship: Ship, wave: Wave, speed: float | str, heading: float | str = 180.0) -> ParametricRoll:
-    """Parametric roll and pure loss of stability of a ship in a regular head or following sea.
+    """Parametric roll and pure loss of stability of a ship in regular waves.
 
     Parameters
     ----------
     ship : Ship
     wave : Wave
     speed : float      U >= 0 [m/s]
-    heading : float    180 head or 0 following sea [deg]
+    heading : float    mu: 0 following, 90 beam, 180 head [deg]
 
     Returns
     -------
@@ -116,17 +117,18 @@ def parametric_roll(ship: Ship, wave: Wave, speed: float | str, heading: float |
 
     Raises
     ------
-    InputError    another heading, a number out of its range
+    InputError    a wave of no height, a number out of its range
 
     Warns
     -----
-    RangeWarning  the wave passes over the deck; what `warn_of_conditions` finds
+    RangeWarning  the wave passes over the deck, or is short across the ship; what `warn_of_conditions` finds
 
     Notes
     -----
     Heave and pitch by harmonic balance of the pressure over the instantaneous wetted hull, with linear radiation and
     diffraction; the stability of roll on that motion by Floquet's theorem, with sway and yaw; the roll beyond by continuation
-    of the motions of two wave periods. Where the ship keeps pace with the wave there is no periodic motion: then GM is that of
+    of the motions of two wave periods. An oblique sea forces roll of its own period: that motion is judged, and motions of two
+    periods beyond it are not followed. Where the ship keeps pace with the wave there is no periodic motion: then GM is that of
     the balance on each crest position, and one below zero a permanent loss.
     Source: [STF70] radiation and diffraction; Floquet's theorem.  Valid: constant speed, deep water, hull watertight to the top
     of its offsets, no water on deck.
@@ -139,34 +141,29 @@ def parametric_roll(ship: Ship, wave: Wave, speed: float | str, heading: float |
     ('stable', True)
     """
     U, mu = condition(ship, speed, heading)
-    if mu not in (0.0, 180.0):
-        raise InputError(
-            f"heading = {mu:g} deg; parametric roll is looked for in head (180) and following (0) seas, where a ship that does "
-            'not roll moves in heave and pitch alone; in oblique seas simulate(ship, .., modes="six") marches the same '
-            "equations"
-        )
     if not wave.height > 0:
         raise InputError("wave_height = 0 m; parametric roll needs a wave; try 0.02 of its length")
     warn_of_conditions(ship, U, wave.length)
+    warn_across(ship, wave.wavenumber, mu)
     one = course(ship, wave.wavenumber, np.array([wave.amplitude]), np.array([U]), np.array([mu]))
     facts, zeta = _at_rest(ship, wave, mu), whole_damping(ship, U)
     if abs(float(one.signed[0])) < PACE * _natural(one):
         status = Status.ENCOUNTER_FREQUENCY_NEAR_ZERO
         facts |= _keeping_pace(ship, one, facts, zeta)
     else:
-        orbits = symmetric_orbits(one)
+        orbits = symmetric_orbits(one) if mu in (0.0, 180.0) else forced_motions(one)
         status = Status(int(orbits.status[0]))
         facts |= _along(one, orbits, zeta) if status.ok else {}
     said: dict[str, Any] = {"ship": ship.name, "wave": wave, "speed": U, "heading": mu, "status": status}
     facts = dict(_EMPTY) | facts | said | {"encounter_frequency": float(one.signed[0])}
     facts["kind"] = _kind(facts)
-    facts.pop("multiplier")
-    facts.pop("gm_rest")
+    for name in ("multiplier", "gm_rest", "forced"):
+        facts.pop(name)
     return ParametricRoll(**facts, sentence=_sentence(facts))
 
 
 _EMPTY: Final[dict[str, Any]] = {
-    "unstable": False, "multiplier": math.nan, "gm_rest": (), "amplitude": (), "tenfold": math.inf,
+    "unstable": False, "forced": False, "multiplier": math.nan, "gm_rest": (), "amplitude": (), "tenfold": math.inf,
     **dict.fromkeys(
         ("growth", "growth_roll_only", "gm_mean", "gm_first", "gm_least", "frequency_ratio", "threshold", "margin",
          "time_below_zero", "growth_below_zero", "deck_under"), math.nan,
@@ -203,7 +200,14 @@ def _at_rest(ship: Ship, wave: Wave, heading: float) -> dict[str, Any]:
 def _along(one: Course, orbits: Orbits, zeta: float) -> dict[str, Any]:
     """What the motion in heave and pitch does to roll."""
     growth = roll_growth(orbits, zeta)
-    gm, rate = growth.gm[0], float(growth.growth[0])
+    gm, rate, multiplier = growth.gm[0], float(growth.growth[0]), complex(growth.multiplier[0])
+    forced = bool(orbits.basis.lateral.size)
+    if forced:
+        rate, multiplier = forced_growth(orbits)
+        largest = float(np.degrees(largest_roll(orbits.basis, orbits.x)[0]))
+        rolls: tuple[float, ...] = () if rate > 0 else (largest,)
+    else:
+        rolls = _amplitudes(one)
     mean, first = _harmonics(gm)
     w0 = _natural(one)
     at_mean = w0 * math.sqrt(max(mean, 0.0) / one.ship.loading.gm)
@@ -211,9 +215,9 @@ def _along(one: Course, orbits: Orbits, zeta: float) -> dict[str, Any]:
     limit = float(threshold(ratio, zeta * w0 / at_mean)) if at_mean > 0 else math.nan
     return {
         "unstable": rate > 0, "growth": rate, "growth_roll_only": float(growth.growth_roll_only[0]),
-        "multiplier": complex(growth.multiplier[0]), "gm_mean": mean, "gm_first": first, "gm_least": float(gm.min()),
+        "multiplier": multiplier, "gm_mean": mean, "gm_first": first, "gm_least": float(gm.min()),
         "frequency_ratio": ratio, "threshold": limit, "margin": first / mean / limit if mean > 0 else math.inf,
-        "amplitude": _amplitudes(one), "tenfold": _TENFOLD / rate if rate > 0 else math.inf,
+        "amplitude": rolls, "forced": forced, "tenfold": _TENFOLD / rate if rate > 0 else math.inf,
         "deck_under": _deck(one, orbits), **_below_zero(gm, one, w0, zeta),
     }  # fmt: skip
 
@@ -267,10 +271,11 @@ def _deck(one: Course, orbits: Orbits) -> float:
     phase = 2 * np.pi * np.arange(POINTS) / POINTS
     up = columns(orbits.basis.vertical, phase)[0]
     heave, pitch = (up @ part for part in orbits.basis.parts(orbits.x[0])[:2])
+    roll = columns(orbits.basis.lateral, phase)[0] @ orbits.basis.parts(orbits.x[0])[ROLL]
     along, across, way = one.numbers.wave[0]
     ones = np.ones(POINTS)
     waves = Waves(one.numbers.amplitude[0] * ones, along * ones, across * ones, way * phase)
-    over = float(immersion(floating_hull(one.ship).hull, 0 * ones, heave, pitch, waves).max())
+    over = float(immersion(floating_hull(one.ship).hull, roll, heave, pitch, waves).max())
     if over > 0:
         warnings.warn(
             f"{one.ship.name}: the water comes up to {over:.3g} m over the top of the offsets; from there on the hull is a "
@@ -285,7 +290,7 @@ def _deck(one: Course, orbits: Orbits) -> float:
 def _kind(facts: dict[str, Any]) -> Kind:
     """Period doubling, a restoring moment lost for a time, or neither."""
     if not facts["unstable"]:
-        return "stable"
+        return "forced" if facts["forced"] else "stable"
     multiplier = complex(facts["multiplier"])
     if multiplier.real > 0 and float(facts["gm_least"]) <= 0:
         return "pure-loss"
@@ -295,10 +300,8 @@ def _kind(facts: dict[str, Any]) -> Kind:
 def _sentence(facts: dict[str, Any]) -> str:
     """The answer in words."""
     f, wave, status = facts, facts["wave"], facts["status"]
-    sea = "head" if f["heading"] == 180.0 else "following"
-    where = (
-        f"{f['ship']} in a {sea} sea, {wave.length:.4g} m long and {wave.height:.3g} m high, at {f['speed']:.3g} m/s"
-    )
+    sea = {180.0: "a head sea", 0.0: "a following sea"}.get(f["heading"], f"a sea from heading {f['heading']:g} deg")
+    where = f"{f['ship']} in {sea}, {wave.length:.4g} m long and {wave.height:.3g} m high, at {f['speed']:.3g} m/s"
     if status is Status.ENCOUNTER_FREQUENCY_NEAR_ZERO:
         lost = (
             f"GM is {f['gm_least']:.3g} m on the worst crest position, where roll grows tenfold in {f['tenfold']:.3g} s"
@@ -316,9 +319,13 @@ def _sentence(facts: dict[str, Any]) -> str:
     lost = f"GM is below zero for {f['time_below_zero']:.3g} s of each encounter"
     if f["kind"] == "parametric":
         end = f"settles at {rolls} deg" if rolls else "no stable roll was found beyond: it may capsize"
+        if f["heading"] not in (0.0, 180.0):
+            end = "roll of two wave periods grows out of the forced one"
         what = f"parametric roll, tenfold in {f['tenfold']:.3g} s; {end}"
     elif f["kind"] == "pure-loss":
         what = f"pure loss of stability, tenfold in {f['tenfold']:.3g} s; {lost}"
+    elif f["kind"] == "forced":
+        what = f"the wave rolls it {rolls} deg, and that motion is stable"
     else:
         what = f"small roll decays, but a large one lasts at {rolls} deg" if rolls else "roll decays"
         what += f", though {lost}" if f["time_below_zero"] > 0 else ""

@@ -50,12 +50,12 @@ def parametric(
     speed: Speed,
     wave_length: WaveLength,
     wave_height: WaveHeight,
-    heading: Annotated[str, typer.Option(help="180 for a head sea, 0 for a following one.")] = "180",
+    heading: Annotated[str, typer.Option(help="180 for a head sea, 0 for a following one; or another.")] = "180",
     output: Picture = None,
     json: Json = False,
     changes: Changes = None,
 ) -> None:
-    """Parametric roll and pure loss in a head or following sea; with -o a map over speed and wave height."""
+    """Parametric roll and pure loss in a regular sea; with -o a map over speed and height in a head or following one."""
     with answering():
         from quartering.view.commands.parametric import judge_parametric
 

@@ -79,7 +79,7 @@ def columns(orders: NDArray[np.int64], phase: Floats) -> tuple[Floats, Floats]:
 
 
 @lru_cache(maxsize=32)
-def harmonics(vertical: tuple[int, ...], lateral: tuple[int, ...], samples: int, steered: bool = False) -> Harmonics:
+def harmonics(vertical: tuple[int, ...], lateral: tuple[int, ...], samples: int) -> Harmonics:
     """Harmonics of the modes, in halves of the encounter frequency.
 
     Parameters
@@ -87,7 +87,6 @@ def harmonics(vertical: tuple[int, ...], lateral: tuple[int, ...], samples: int,
     vertical, lateral : tuple of int    (0, 2, 4, ..) and () for the symmetric motion; with lateral (1, 3, ..) the motion of two
                                         periods; (0, 2, 4, ..) twice for one period without symmetry, (0, 1, 2, ..) for two
     samples : int                       of one period of the encounter
-    steered : bool                      with an autopilot, whose mean is a heading in place of a rate of turn
 
     Examples
     --------
@@ -100,7 +99,7 @@ def harmonics(vertical: tuple[int, ...], lateral: tuple[int, ...], samples: int,
     first, second = np.array(vertical, dtype=np.int64), np.array(lateral, dtype=np.int64)
     (up, _), (across, rate) = columns(first, phase), columns(second, phase)
     turn = across.copy()
-    if steered and 0 in lateral:
+    if 0 in lateral:  # on a steady course the mean of yaw is a heading, or a moment that holds it
         turn[:, 0] = 0.0
 
     def onto(values: Floats, orders: NDArray[np.int64]) -> Floats:
@@ -132,7 +131,7 @@ def doubled_harmonics(order: int = 7, lateral: int = 5, samples: int = 48) -> Ha
     return harmonics(tuple(range(0, 2 * order + 1, 2)), tuple(range(1, 2 * lateral, 2)), samples)
 
 
-def periodic_harmonics(order: int = 5, samples: int = 32, steered: bool = False) -> Harmonics:
+def periodic_harmonics(order: int = 5, samples: int = 32) -> Harmonics:
     """All harmonics of the encounter in every mode: the forced motion of an oblique sea.
 
     Examples
@@ -141,7 +140,7 @@ def periodic_harmonics(order: int = 5, samples: int = 32, steered: bool = False)
     [0, 2, 4]
     """
     orders = tuple(range(0, 2 * order + 1, 2))
-    return harmonics(orders, orders, samples, steered)
+    return harmonics(orders, orders, samples)
 
 
 def force_scale(course: Course) -> Floats:
@@ -323,8 +322,14 @@ def _linear(numbers, i, orders, mode, modes, width, first, jacobian):
                     z *= 1j * nu
                 if c == 4 and numbers.gains[0] + numbers.gains[1] > 0.0:
                     z += _rudder(numbers, i, m, nu)
-                    if orders[o] == 0 and numbers.gains[0] > 0.0:
+                if (
+                    c == 4 and orders[o] == 0
+                ):  # no mean rate of turn: a heading under an autopilot, or a moment that holds it
+                    z = 0.0j
+                    if numbers.gains[0] > 0.0:
                         z = numbers.rudder[i, m - 2] * numbers.gains[0] + 0.0j
+                    elif m == 4:
+                        z = numbers.scale[0] * numbers.scale[1] + 0.0j
                 a, b = first + row * width + at, first + column * width + at
                 if orders[o] == 0:
                     jacobian[a, b] = z.real

@@ -10,13 +10,15 @@ Heave and pitch are displacements in axes that move with the mean course, sway a
 
 from __future__ import annotations
 
+import math
+import warnings
 from dataclasses import dataclass, replace
 from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.conventions import GRAVITY
+from quartering.conventions import GRAVITY, RangeWarning
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
@@ -39,6 +41,8 @@ Phasors = NDArray[np.complex128]
 MODES: Final = ("heave", "pitch", "sway", "roll", "yaw")
 """What the equations solve for: heave [m], pitch [rad], sway velocity [m/s], roll [rad], rate of turn [rad/s]."""
 HEAVE, PITCH, SWAY, ROLL, YAW = range(5)
+STRAIGHT: Final = 0.3
+"""k B sin mu above which the surface is not straight across the ship."""
 HALVES: Final = 15
 """Multiples of half the encounter frequency at which the water's coefficients are held, 0 among them."""
 
@@ -137,15 +141,15 @@ class Course:
         numbers = self.numbers._replace(**picked)
         return replace(self, numbers=numbers, speed=self.speed[rows], signed=self.signed[rows], slow=self.slow[rows])
 
-    def with_constant_coefficients(self) -> Course:
-        """The water's coefficients at one frequency a mode: omega in heave and pitch, omega/2 in sway, roll and yaw.
+    def with_constant_coefficients(self, half: bool = True) -> Course:
+        """The water's coefficients at one frequency a mode: omega in heave and pitch, omega/2 or omega in sway, roll and yaw.
 
         That is what an integration in time can hold; harmonic balance takes each harmonic's own otherwise.
         """
         mass, damping = self.numbers.mass.copy(), self.numbers.damping.copy()
         for part in (mass, damping):
             part[:, :, :2, :2] = part[:, 2:3, :2, :2]
-            part[:, :, 2:, 2:] = part[:, 1:2, 2:, 2:]
+            part[:, :, 2:, 2:] = part[:, 1:2, 2:, 2:] if half else part[:, 2:3, 2:, 2:]
         return replace(self, numbers=self.numbers._replace(mass=mass, damping=damping))
 
     def rolling_alone(self, damping: float, quadratic: float = 0.0) -> Course:
@@ -172,6 +176,23 @@ class Course:
             force=numbers.force * np.array([1.0, 1.0, 0.0, 1.0, 0.0]),
         )  # fmt: skip
         return replace(self, numbers=locked)
+
+
+def warn_across(ship: Ship, wavenumber: float, heading: float) -> None:
+    """Say that a wave is too short across a ship for tables of its sections.
+
+    Warns
+    -----
+    RangeWarning    k B sin(heading) above `STRAIGHT`
+    """
+    across = wavenumber * ship.hull.beam * abs(math.sin(math.radians(heading)))
+    if across > STRAIGHT:
+        warnings.warn(
+            f"{ship.name}: k B sin(heading) is {across:.2g}; above {STRAIGHT:g} the surface is not straight across the ship, and "
+            "heave, pitch and roll are some per cent off; take a longer wave, or the three modes of equations",
+            RangeWarning,
+            stacklevel=5,
+        )
 
 
 def roll_inertia(ship: Ship, frequency: Floats) -> Floats:

@@ -16,6 +16,7 @@ from quartering.motion.steady_course.balance import (
     SINGULAR,
     Harmonics,
     columns,
+    periodic_harmonics,
     solved,
     symmetric_harmonics,
 )
@@ -95,6 +96,27 @@ def symmetric_orbits(course: Course, order: int = 7, samples: int = 32) -> Orbit
     [True]
     """
     return followed_up(course, symmetric_harmonics(order, samples))
+
+
+def forced_motions(course: Course, order: int = 5, samples: int = 32) -> Orbits:
+    """Motions of one wave period in all five modes: those an oblique sea forces.
+
+    Parameters
+    ----------
+    course : Course
+    order : int      harmonics of the encounter frequency, even and odd
+    samples : int    of the forces in a period
+
+    Returns
+    -------
+    Orbits
+
+    Notes
+    -----
+    As `symmetric_orbits`; the course is held: an autopilot finds a mean heading, and without one a mean moment in yaw
+    stands for the rudder.
+    """
+    return followed_up(course, periodic_harmonics(order, samples))
 
 
 def followed_up(course: Course, basis: Harmonics) -> Orbits:
@@ -185,6 +207,9 @@ def slopes(course: Course, basis: Harmonics, x: Floats, phase: Floats) -> Floats
     """Derivatives (n, t, 5, 6) of the forces along motions (n, m) at phases (t,)."""
     up, (across, rate) = columns(basis.vertical, phase)[0], columns(basis.lateral, phase)
     out = np.empty((course.count, phase.size, 5, 6))
+    if 0 in basis.lateral:  # the mean of yaw is no rate of turn
+        x = x.copy()
+        x[:, 2 * basis.sizes[0] + 2 * basis.sizes[1]] = 0.0
     _slopes(course.tables, course.numbers, up, across, rate, phase, np.ascontiguousarray(x), out)
     return out
 

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-import warnings
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from quartering.conventions import GRAVITY, InputError, RangeWarning
+from quartering.conventions import GRAVITY, InputError
 from quartering.hull.told import condition, number
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.validity import warn_of_conditions
-from quartering.motion.steady_course.course import Course, course
+from quartering.motion.steady_course.course import Course, course, warn_across
 from quartering.motion.steady_course.march import STATES, UNDER, march_in_steps
 
 if TYPE_CHECKING:
@@ -25,8 +24,6 @@ if TYPE_CHECKING:
 
 RISE: Final = 2.0
 """Periods of encounter over which the wave rises from nothing."""
-STRAIGHT: Final = 0.3
-"""k B sin mu above which the surface is not straight across the ship."""
 _STEPS: Final = 48
 _MOST: Final = 5_000_000
 _COLUMNS: Final = {
@@ -133,12 +130,5 @@ def _course(ship: Ship, wave: Wave, speed: float, heading: float) -> Course:
             f"heading {heading:g} deg, speed {speed:g} m/s, wave {wave.length:g} m: the ship keeps pace with the wave, and "
             "radiation and diffraction have no frequency; change speed or heading"
         )
-    across = wave.wavenumber * ship.hull.beam * abs(math.sin(math.radians(heading)))
-    if across > STRAIGHT:
-        warnings.warn(
-            f"{ship.name}: k B sin(heading) is {across:.2g}; above {STRAIGHT:g} the surface is not straight across the ship, "
-            'and heave, pitch and roll are some per cent off; take a longer wave, or modes="three"',
-            RangeWarning,
-            stacklevel=4,
-        )
+    warn_across(ship, wave.wavenumber, heading)
     return one

@@ -1,4 +1,4 @@
-"""`quartering parametric`: parametric roll and pure loss in a head or following sea."""
+"""`quartering parametric`: parametric roll and pure loss in a regular sea."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from quartering.conventions import InputError
 from quartering.stability.ahead import announce_compilation
 from quartering.study.parametric_map import parametric_map
 from quartering.study.parametric_roll import ParametricRoll, parametric_roll
@@ -41,6 +42,8 @@ def judge_parametric(
     """Print what the wave does to roll; draw the map over speed and wave height where asked."""
     one, wave, speed, heading = condition(name, typed, changes)
     path = claim(output, PICTURES) if output is not None else None
+    if path is not None and heading not in (0.0, 180.0):
+        raise InputError(f"--heading: {heading:g} deg; a map is drawn of head (180) and following (0) seas; try 180")
     announce_compilation()
     found = parametric_roll(one, wave, speed, heading)
     if path is not None:
