@@ -1,5 +1,7 @@
 """Steady roll of two wave periods: the closed form, and the balance of many harmonics of the general equations."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -28,8 +30,6 @@ def system(row):
         "K_phiphiphi": -row["alpha3"], "K_phi5": -row["alpha5"],
     }  # fmt: skip
     still = Model(np.eye(3), {k: v for k, v in terms.items() if v}, row["W"], (0, 0, 0), (0, 0, 0)).system
-    from dataclasses import replace
-
     own = term_table({k: v for k, v in terms.items() if v and k not in ("Y_v", "N_r", "K_phi", "K_p")})
     count = own.modulus.size
     coefficients = np.zeros((1, 3, count + 2))

@@ -188,8 +188,8 @@ def warn_across(ship: Ship, wavenumber: float, heading: float) -> None:
     across = wavenumber * ship.hull.beam * abs(math.sin(math.radians(heading)))
     if across > STRAIGHT:
         warnings.warn(
-            f"{ship.name}: k B sin(heading) is {across:.2g}; above {STRAIGHT:g} the surface is not straight across the ship, and "
-            "heave, pitch and roll are some per cent off; take a longer wave, or the three modes of equations",
+            f"{ship.name}: k B sin(heading) is {across:.2g}; above {STRAIGHT:g} the surface is not straight across the ship, "
+            "and heave, pitch and roll are some per cent off; take a longer wave, or the three modes of equations",
             RangeWarning,
             stacklevel=5,
         )
