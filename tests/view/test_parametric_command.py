@@ -11,16 +11,22 @@ from quartering.view.cli import app
 WORDS = ["parametric", "dtc", "--wave-length", "1L", "--wave-height", "5", "--speed", "5"]
 
 
-def test_the_record_and_its_map(tmp_path):
+@pytest.mark.soak
+def test_a_map_is_drawn_beside_the_record(tmp_path):
     picture = tmp_path / "map.png"
-    ended = CliRunner().invoke(app, [*WORDS, "--json", "-o", str(picture)])
+    ended = CliRunner().invoke(app, [*WORDS, "-o", str(picture)])
+    assert ended.exit_code == 0, ended.output
+    assert picture.stat().st_size > 10_000
+
+
+def test_the_record_is_that_of_python():
+    ended = CliRunner().invoke(app, [*WORDS, "--json"])
     assert ended.exit_code == 0, ended.output
     told = json.loads(ended.stdout)
     found = qt.parametric_roll(qt.ship("dtc"), qt.Wave(355.0, 5.0), 5.0)
     assert told["sentence"] == found.sentence
     assert told["amplitude"] == pytest.approx(list(found.amplitude))
     assert (told["kind"], told["status"]) == ("parametric", "CONVERGED")
-    assert picture.stat().st_size > 10_000
     shown = CliRunner().invoke(app, WORDS)
     assert "parametric roll, tenfold in" in " ".join(shown.stdout.split())
 
