@@ -64,6 +64,8 @@ if TYPE_CHECKING:
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
+    from quartering.study.parametric_map import parametric_map
+    from quartering.study.parametric_roll import parametric_roll
     from quartering.study.responses import responses
     from quartering.study.seas.response import sea_response
     from quartering.study.solve import solve
@@ -120,6 +122,8 @@ _HOMES = {
     "gm_in_waves": "study.gm_in_waves",
     "righting_arm": "study.gm_in_waves",
     "paper_ship": "study.paper.model",
+    "parametric_map": "study.parametric_map",
+    "parametric_roll": "study.parametric_roll",
     "polar": "study.maps.polar",
     "responses": "study.responses",
     "sea_response": "study.seas.response",
@@ -167,6 +171,8 @@ __all__ = [
     "kramers_kronig",
     "limiting_kg",
     "paper_ship",
+    "parametric_map",
+    "parametric_roll",
     "polar",
     "read_capytaine",
     "read_decay",

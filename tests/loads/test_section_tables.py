@@ -62,9 +62,20 @@ def test_the_gradients_are_those_of_the_tables_themselves(pressure):
 
 def test_a_state_outside_the_tables_has_no_loads():
     calm = Waves(*np.zeros((4, 1)))
-    for state in ([0.0, np.radians(80.0), 0.0], [5 * SHIP.hull.draught, 0.0, 0.0]):
+    for state in ([0.0, np.radians(80.0), 0.0], [5 * SHIP.hull.draught, np.radians(50.0), 0.0]):
         loads, jacobian = table_loads(tables("hydrostatic"), np.array([state]), calm)
         assert np.isnan(loads).all()
         assert np.isnan(jacobian).all()
     flying = table_loads(tables("hydrostatic"), np.array([[-5 * SHIP.hull.draught, 0.0, 0.0]]), calm)[0]
     assert flying == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_hull_under_water_up_to_its_deck_keeps_its_volume():
+    """Below the last depth of the tables the loads are those of the pressure itself: whole areas, and a wave that decays."""
+    _, wave = states_and_waves(180.0, 3)
+    deep = np.array([[2.0 * SHIP.hull.draught + d, 0.1, 0.02] for d in (6.0, 9.0, 12.0)])
+    for pressure in ("hydrostatic", "smith"):
+        loads, _ = table_loads(tables(pressure), deep, wave)
+        wanted, _ = direct_loads(FLOATS.hull, deep, wave, pressure)
+        assert loads[:, 2] == pytest.approx(wanted[:, 2], rel=2e-3)
+        assert loads[:, 3] == pytest.approx(wanted[:, 3], abs=2e-3 * np.abs(wanted[:, 3]).max())

@@ -26,6 +26,7 @@ class Status(IntEnum):
     ENCOUNTER_FREQUENCY_NEAR_ZERO = 5
     BEYOND_CAPSIZE_LIMIT = 6
     OUTSIDE_DATABASE = 7
+    BEYOND_THE_DECK = 8
 
     @property
     def ok(self) -> bool:
@@ -54,6 +55,8 @@ _ADVICE = {
     " at which openings go under and 90 deg; treat as capsize risk and try a lower wave",
     Status.OUTSIDE_DATABASE: "outside the frequencies or headings of the ship's own database or panels: compute it further, or"
     " try longer waves, less speed or other headings",
+    Status.BEYOND_THE_DECK: "the sections go deeper, or heel further, than their tables reach: the ship dives or capsizes here;"
+    " carry the sides up with depth where the ship has them, or try a lower wave",
 }
 
 

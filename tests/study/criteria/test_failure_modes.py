@@ -56,7 +56,7 @@ def test_changes_of_gm_and_the_first_check_are_those_of_the_reference(one):
     found = parametric_rolling.level1(p)
     assert found.value("gm_variation_waterplane") == pytest.approx(by_planes, rel=0.015)
     assert found.value("gm_variation_waves") == pytest.approx(in_waves, rel=0.015)
-    assert parametric_rolling.level2(p).value("c1") == pytest.approx(c1, abs=1e-12)
+    assert parametric_rolling.level2(p, second=False).value("c1") == pytest.approx(c1, abs=1e-12)
 
 
 def test_least_gm_is_that_of_the_reference(one):

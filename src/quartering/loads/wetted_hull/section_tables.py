@@ -32,6 +32,12 @@ LARGEST_HEEL: Final = 75.0
 """Heel against the surface up to which a table reaches [deg]."""
 
 
+_REACH: Final = 1.1
+"""How far above and below its reference point a heeled section meets the surface, over the largest half breadth."""
+_DROWNED: Final = math.asin(0.5 * _REACH)
+"""Heel up to which a section below the last depth of its table is under water as a whole [rad]."""
+
+
 class SectionTables(NamedTuple):
     """Tables of all sections of a hull.
 
@@ -82,7 +88,9 @@ def section_tables(hull: Hull, wavenumber: float = 0.0, pieces: int = PIECES) ->
     """
     wet = wetted_hull(hull, pieces)
     top, keel = float(-wet.z.min()), float(wet.z.max())
-    reach = 1.1 * float(wet.y.max())  # a heeled section meets the surface this far above and below its reference point
+    reach = _REACH * float(
+        wet.y.max()
+    )  # a heeled section meets the surface this far above and below its reference point
     depth = np.linspace(-(keel + 0.5 * reach), top + 0.5 * reach, DEPTHS)
     heel = np.radians(np.linspace(-LARGEST_HEEL, LARGEST_HEEL, HEELS))
     values = np.zeros((wet.x.size, DEPTHS, HEELS, 7 if wavenumber > 0.0 else 3))
@@ -174,7 +182,7 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load
         slope = across * sine
         gamma = math.sqrt(1.0 + slope * slope)
         down = (heave - z0 - xs * st + eta) / ct + q0
-        if not _spline(spline[s], first, step, down / gamma, roll + math.atan(slope), read):
+        if not _spline(spline[s], first, step, k, down / gamma, roll + math.atan(slope), read):
             load[:] = np.nan
             jacobian[:] = np.nan
             return
@@ -212,9 +220,15 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load
         add_section(w, xs, st, ct, False, sums, load, jacobian)
 
 
+# Below the last depth of its table a section heeled by less than 33 deg is under water up to its deck: area and moments stay,
+# and what is weighted with e^{-kd} falls as e^{-kd}.
 @abreast
-def _spline(coefficients, first, step, depth, heel, read):  # type: ignore[no-untyped-def]
+def _spline(coefficients, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
     """Integrals and their derivatives by depth and heel; False outside the table."""
+    last = first[0] + (coefficients.shape[0] - 3) * step[0]
+    drowned = depth > last and abs(heel) <= _DROWNED
+    by = math.exp(-k * (depth - last)) if drowned else 1.0
+    depth = last if drowned else depth
     u, v = (depth - first[0]) / step[0], (heel - first[1]) / step[1]
     i, j = math.floor(u) - 1, math.floor(v) - 1
     if i < 0:  # above the water
@@ -236,6 +250,10 @@ def _spline(coefficients, first, step, depth, heel, read):  # type: ignore[no-un
             by_u += (s0 if r == 0 else s1 if r == 1 else s2 if r == 2 else s3) * line
             by_v += across * (t0 * c0 + t1 * c1 + t2 * c2 + t3 * c3)
         read[0, n], read[1, n], read[2, n] = value, by_u / step[0], by_v / step[1]
+        if drowned:
+            decay = by if n > 2 else 1.0
+            read[0, n], read[2, n] = decay * value, decay * read[2, n]
+            read[1, n] = -k * read[0, n] if n > 2 else 0.0
     return True
 
 

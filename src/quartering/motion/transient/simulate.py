@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 
@@ -16,11 +16,17 @@ from quartering.hull.told import number
 from quartering.motion.equations.rates import enter_inputs, fill, forces, room_for, row_of_lanes
 from quartering.motion.equations.steering import HEADING, RUDDER
 from quartering.motion.equations.system import Floats, Model
+from quartering.motion.of_ship import equations
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     import xarray as xr
+
+    from quartering.hull.ship import Ship
+    from quartering.loads.waves import Wave
+
+Modes = Literal["three", "six"]
 
 MOST_SAMPLES = 5_000_000
 """Longest result: about 300 MB."""
@@ -130,24 +136,32 @@ def _rudder_angle(autopilot: Autopilot, states: Floats) -> Floats:
     return np.asarray(-autopilot.gain * states[:, HEADING] - autopilot.rate_gain * states[:, 3])
 
 
-@takes(model="Model")
+@takes(model="Model, Ship", wave="Wave, None")
 def simulate(
-    model: Model,
+    model: Model | Ship,
     duration: float | str,
     state0: Sequence[float | str] = (0.0, 0.0, 0.0, 0.0),
     step: float | str | None = None,
     tolerance: float = 1e-9,
+    *,
+    wave: Wave | None = None,
+    speed: float | str = 0.0,
+    heading: float | str = 180.0,
+    modes: Modes = "three",
 ) -> xr.Dataset:
     """Motion in time from a given start, by integrating the full equations.
 
     Parameters
     ----------
-    model : Model
+    model : Model or Ship  of a ship give the wave, speed and heading beside it
     duration : float       [s]; here and below numbers, or text with a unit: "5min", "10 deg"
     state0 : (4,) float    v [m/s], phi [rad], p, r [rad/s] at time 0; with an autopilot psi and, with a lag, delta may follow
                            [rad], 0 when left out
     step : float           between output samples [s]; by default 1/60 of the wave's period
     tolerance : float      relative error allowed in one step
+    wave, speed, heading   of a ship: a `Wave`, U [m/s] and mu [deg]
+    modes : str            "three": sway, roll and yaw as `equations` has them; "six": with heave and pitch, the pressure of the
+                           wave on the whole hull; see `simulate_on_course`
 
     Returns
     -------
@@ -172,6 +186,23 @@ def simulate(
     >>> trace["roll"].values.round(4).tolist()
     [5.7296, -5.7296, 5.7296]
     """
+    if modes not in get_args(Modes):
+        raise InputError(f"modes {modes!r} is unknown; allowed: {', '.join(get_args(Modes))}; try 'six'")
+    if not isinstance(model, Model):
+        if wave is None:
+            raise InputError(
+                "wave is missing; of a ship give one, such as wave=quartering.Wave(100.0, 2.0), with speed and heading"
+            )
+        if modes == "six":
+            from quartering.motion.transient.simulate_six import simulate_on_course
+
+            return simulate_on_course(model, wave, speed, heading, duration, state0, step)
+        model = equations(model, wave, speed, heading)
+    elif wave is not None or modes == "six":
+        raise InputError(
+            "a Model has its wave, speed and heading, and three modes; give a ship in its place, such as "
+            'simulate(ship, 300, wave=wave, speed=5, heading=180, modes="six")'
+        )
     duration, tolerance = number(None, "duration", duration), number(None, "tolerance", tolerance)
     import xarray as xr
 

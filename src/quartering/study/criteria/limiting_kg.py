@@ -30,7 +30,8 @@ _CLOSE = 1e-3
 def _levels(propulsion: Propulsion | None) -> dict[str, Callable[[Particulars], Judgement]]:
     """Every level that depends on the height of G."""
     return {
-        "parametric_rolling.level1": parametric_rolling.level1, "parametric_rolling.level2": parametric_rolling.level2,
+        "parametric_rolling.level1": parametric_rolling.level1,
+        "parametric_rolling.level2": lambda p: parametric_rolling.level2(p, second=False),
         "pure_loss.level1": pure_loss.level1, "pure_loss.level2": pure_loss.level2,
         "surf_riding.level1": surf_riding.level1, "surf_riding.level2": lambda p: surf_riding.level2(p, propulsion),
         "dead_ship.level1": dead_ship.level1, "dead_ship.level2": dead_ship.level2,

@@ -1,16 +1,21 @@
-"""Parametric rolling: GM in waves against the standard of the ship's damping, and the 2:1 resonance in 16 wave cases."""
+"""Parametric rolling: GM in waves against R_PR of the damping, the 2:1 resonance in 16 wave cases, and the roll itself."""
 
 from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from quartering.study.criteria.constants import limit
 from quartering.study.criteria.in_waves import gm_mean, gm_variation
 from quartering.study.criteria.particulars import Particulars
 from quartering.study.criteria.record import Judgement, Quantity
-from quartering.study.criteria.sea_states import wave_cases
+from quartering.study.criteria.roll_in_waves import STEEPNESSES, largest_rolls
+from quartering.study.criteria.sea_states import effective_deviation, scatter, wave_cases
 
 _FINE, _FULL = 0.94, 0.96
+_SHARES = tuple(math.cos(math.radians(7.5 * i)) for i in range(12))
+"""Speeds of the second check over the service speed, in head and in following seas; 0 comes to them, once for both."""
 
 
 def standard(p: Particulars) -> float:
@@ -64,8 +69,41 @@ def level1(p: Particulars) -> Judgement:
     )  # fmt: skip
 
 
-def level2(p: Particulars) -> Judgement:
-    """C1: share of wave cases with too large a change of GM whose 2:1 resonance lies within the service speed.
+def second_check(p: Particulars) -> tuple[float, float]:
+    """C2, and the largest roll met [deg].
+
+    C2 is the share of sea states, averaged over speeds in head and following seas, in whose effective wave the roll is too
+    large.
+
+    Notes
+    -----
+    C2 = [sum_12 C2(head) + (C2(0, head) + C2(0, following))/2 + sum_12 C2(following)]/25, each the weight of the sea states
+    whose effective wave, as long as the ship, makes it roll more than 25 deg. The roll is the largest stable motion of two
+    periods, with sway, yaw and the ship's own damping; what lies between two heights is interpolated, and what capsizes counts
+    90 deg.
+    """
+    table = scatter()
+    heights = limit("effective_wave.significant") * effective_deviation(p.length, table.hs[:, None], table.tz)
+    heights = np.minimum(heights, STEEPNESSES[-1] * p.length)
+    speeds = (*(p.speed * share for share in _SHARES), 0.0)
+    total, largest = 0.0, 0.0
+    for heading in (180.0, 0.0):
+        rolls = largest_rolls(p.ship, speeds, heading)
+        for speed, by_height in zip(speeds, rolls, strict=True):
+            roll = np.interp(heights, STEEPNESSES * p.length, by_height)
+            share = float(table.weight[roll > limit("parametric_rolling.largest_roll")].sum())
+            total += share * (0.5 if speed == 0.0 else 1.0)
+            largest = max(largest, float(roll.max()))
+    return total / (2 * len(_SHARES) + 1), largest
+
+
+def level2(p: Particulars, second: bool = True) -> Judgement:
+    """C1: share of wave cases with too large a change of GM whose 2:1 resonance lies within the service speed; then C2.
+
+    Parameters
+    ----------
+    p : Particulars
+    second : bool      make the second check where the first fails: some seconds
 
     Notes
     -----
@@ -86,22 +124,29 @@ def level2(p: Particulars) -> Judgement:
             "weight": float(weight), "wave_length": float(length), "wave_height": float(height), "gm_mean": mean,
             "gm_variation": change, "ratio": ratio, "resonant_speed": abs(meets), "counts": float(counts),
         })  # fmt: skip
-    most = limit("parametric_rolling.c1_limit")
+    most, most_second = limit("parametric_rolling.c1_limit"), limit("parametric_rolling.c2_limit")
     known = not math.isnan(p.speed)
-    value = total if known else math.nan
+    value, by_roll, largest, notes = total if known else math.nan, math.nan, math.nan, p.keel_note
+    vulnerable: bool | None = None
     if not known:
         reason = "needs the service speed"
+    elif value <= most:
+        vulnerable, reason = False, f"C1 {value:.3g}; up to {most:g}"
+    elif not second:
+        reason = f"C1 {value:.3g} is above {most:g}; the second check was not asked for"
     else:
-        passed = value <= most
-        reason = (
-            f"C1 {value:.3g}; up to {most:g}" if passed else f"C1 {value:.3g} is above {most:g}; no second check yet"
+        by_roll, largest = second_check(p)
+        vulnerable = by_roll > most_second
+        reason = f"C1 {value:.3g} is above {most:g}; C2 {by_roll:.3g}; up to {most_second:g}"
+        notes += (
+            "roll in the second check has the ship's own damping; where none is stable it counts 90 deg, a convention",
         )
     return Judgement(
         "parametric_rolling", 2,
         (
             Quantity("c1", value, "1", f"first check, up to {most:g}"),
-            Quantity("c2", math.nan, "1", "second check, by the roll in head and following seas"),
+            Quantity("c2", by_roll, "1", f"second check, by the roll in head and following seas, up to {most_second:g}"),
+            Quantity("largest_roll", largest, "deg", "in the effective waves of the second check; 90 stands for a capsize"),
         ),
-        False if value <= most else None, reason,
-        notes=p.keel_note, cases=tuple(cases),
+        vulnerable, reason, notes=notes, cases=tuple(cases),
     )  # fmt: skip

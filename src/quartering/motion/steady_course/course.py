@@ -1,0 +1,321 @@
+"""Equations of a ship on a steady course in a wave that its whole hull meets: heave, pitch, sway, roll and yaw about G.
+
+The wave's pressure over the instantaneous wetted hull takes the place of the linear restoring and of the linear Froude-Krylov
+force; radiation and diffraction stay linear, and sway, roll and yaw keep the lift, drag and damping of the ship's equations:
+
+    (M + A) d(velocity)/dt + B velocity = F_w(heave, pitch, roll, t) + F_D(t) + F_v(velocity).
+
+Heave and pitch are displacements in axes that move with the mean course, sway and yaw are velocities of the ship.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from dataclasses import dataclass, replace
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from quartering.conventions import GRAVITY, RangeWarning
+from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.ship import Ship
+from quartering.hydro.coefficient_table import Coefficients
+from quartering.hydro.coefficients import coefficients
+from quartering.hydro.source.of_ship import source_of
+from quartering.loads.forces import ship_force_phasors
+from quartering.loads.lift import ship_lift_phasors
+from quartering.loads.vertical import vertical_forces
+from quartering.loads.waves import encounter_frequency, heading_components, least_encounter_frequency
+from quartering.loads.wetted_hull.floating import floating_tables
+from quartering.loads.wetted_hull.section_tables import SectionTables
+from quartering.motion.drag_of_ship import moving_water
+from quartering.motion.equations.terms import parse, term_table
+from quartering.motion.equations.water import Strips
+from quartering.motion.six_modes import vertical_system
+
+Floats = NDArray[np.float64]
+Phasors = NDArray[np.complex128]
+
+MODES: Final = ("heave", "pitch", "sway", "roll", "yaw")
+"""What the equations solve for: heave [m], pitch [rad], sway velocity [m/s], roll [rad], rate of turn [rad/s]."""
+HEAVE, PITCH, SWAY, ROLL, YAW = range(5)
+STRAIGHT: Final = 0.3
+"""k B sin mu above which the surface is not straight across the ship."""
+HALVES: Final = 15
+"""Multiples of half the encounter frequency at which the water's coefficients are held, 0 among them."""
+
+
+class Numbers(NamedTuple):
+    """The numbers of n conditions in one wave length, as the kernels take them.
+
+    Parameters
+    ----------
+    amplitude, omega : (n,)      of the wave [m]; modulus of the encounter frequency [rad/s]
+    wave : (n, 3)                its number along and across the ship [1/m], and 1, or -1 where the ship overtakes it
+    mass, damping : (n, j, 5, 5) with added mass, and on the velocities (dh/dt, dtheta/dt, v, p, r), at j |omega|/2
+    heel : (n, 3)                Y, K, N per roll that are no hydrostatics
+    force : (n, 5) complex       diffraction and lift of the moving water, phasors of e^{i |omega| t} per metre of amplitude
+    powers, modulus, products    of (v, phi, p, r): (t, 4), (t,) and coefficients (n, 3, t), as `TermTable`
+    strips : (n, z, 5)           cross-flow drag, as `Strips.array`; the water's velocity per metre of amplitude
+    rudder : (n, 3)              Y, K, N per radian
+    gains : (3,)                 of the heading, of its rate, and the lag; 0 without an autopilot
+    share : (5,)                 1, or 0 for a mode in which the pressure does not push
+    scale : (2,)                 density times gravity, and the volume of the tables
+    """
+
+    amplitude: Floats
+    omega: Floats
+    wave: Floats
+    mass: Floats
+    damping: Floats
+    heel: Floats
+    force: Phasors
+    powers: NDArray[np.int64]
+    modulus: NDArray[np.int64]
+    products: Floats
+    strips: Floats
+    rudder: Floats
+    gains: Floats
+    share: Floats
+    scale: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """A ship on a steady course at n conditions in waves of one length.
+
+    Parameters
+    ----------
+    ship : Ship
+    tables : SectionTables    of its sections, for this wave number
+    numbers : Numbers
+    speed : (n,) float        U [m/s]
+    signed : (n,) float       encounter frequency, negative where the ship overtakes the wave [rad/s]
+    slow : (n,) bool          the ship keeps pace with the wave: no periodic motion
+    length, draught : float   [m]
+    """
+
+    ship: Ship
+    tables: SectionTables
+    numbers: Numbers
+    speed: Floats
+    signed: Floats
+    slow: NDArray[np.bool_]
+    length: float
+    draught: float
+
+    @property
+    def count(self) -> int:
+        """Conditions."""
+        return int(self.signed.size)
+
+    @property
+    def steered(self) -> bool:
+        """Is there an autopilot?"""
+        return bool(self.numbers.gains.any())
+
+    def at_amplitude(self, amplitude: Floats) -> Course:
+        """The same conditions in waves of other amplitudes (n,), or one condition in many."""
+        amplitudes = np.atleast_1d(np.asarray(amplitude, dtype=float))
+        rows = np.zeros(amplitudes.size, dtype=int) if self.count == 1 else np.arange(self.count)
+        found = self.rows(rows)
+        return replace(found, numbers=found.numbers._replace(amplitude=amplitudes))
+
+    def rows(self, rows: NDArray[np.int64] | NDArray[np.bool_]) -> Course:
+        """Some of the conditions."""
+        per_condition = (
+            "amplitude",
+            "omega",
+            "wave",
+            "mass",
+            "damping",
+            "heel",
+            "force",
+            "products",
+            "strips",
+            "rudder",
+        )
+        picked = {name: np.ascontiguousarray(getattr(self.numbers, name)[rows]) for name in per_condition}
+        numbers = self.numbers._replace(**picked)
+        return replace(self, numbers=numbers, speed=self.speed[rows], signed=self.signed[rows], slow=self.slow[rows])
+
+    def with_constant_coefficients(self, half: bool = True) -> Course:
+        """The water's coefficients at one frequency a mode: omega in heave and pitch, omega/2 or omega in sway, roll and yaw.
+
+        That is what an integration in time can hold; harmonic balance takes each harmonic's own otherwise.
+        """
+        mass, damping = self.numbers.mass.copy(), self.numbers.damping.copy()
+        for part in (mass, damping):
+            part[:, :, :2, :2] = part[:, 2:3, :2, :2]
+            part[:, :, 2:, 2:] = part[:, 1:2, 2:, 2:] if half else part[:, 2:3, 2:, 2:]
+        return replace(self, numbers=self.numbers._replace(mass=mass, damping=damping))
+
+    def rolling_alone(self, damping: float, quadratic: float = 0.0) -> Course:
+        """Sway and yaw locked; of the whole damping in roll a fraction of critical at the ship's GM, and B2 |p| p.
+
+        Parameters
+        ----------
+        damping : float      zeta, of critical at omega_0^2 = rho g V GM/(I44 + A44(omega/2))
+        quadratic : float    B2 over I44 + A44 [1/rad]
+        """
+        numbers, weight = self.numbers, self.numbers.scale[0] * self.numbers.scale[1]
+        inertia = roll_inertia(self.ship, 0.5 * numbers.omega)
+        frequency = np.sqrt(weight * max(self.ship.loading.gm, 0.0) / inertia)
+        mass, own = numbers.mass.copy(), numbers.damping.copy()
+        mass[:, :, 2:, 2:], own[:, :, 2:, 2:] = weight * np.eye(3), weight * np.eye(3)  # sway and yaw come to rest
+        mass[:, :, ROLL, ROLL] = inertia[:, None]
+        own[:, :, ROLL, ROLL] = (2.0 * damping * frequency * inertia)[:, None]
+        push = np.zeros((self.count, 3, 1))
+        push[:, 1, 0] = -quadratic * inertia
+        locked = numbers._replace(
+            mass=mass, damping=own, heel=np.zeros_like(numbers.heel), powers=np.array([[0, 0, 1, 0]]),
+            modulus=np.array([3]), products=push, strips=np.zeros((self.count, 0, 5)),
+            rudder=np.zeros_like(numbers.rudder), gains=np.zeros(3), share=np.array([1.0, 1.0, 0.0, 1.0, 0.0]),
+            force=numbers.force * np.array([1.0, 1.0, 0.0, 1.0, 0.0]),
+        )  # fmt: skip
+        return replace(self, numbers=locked)
+
+
+def warn_across(ship: Ship, wavenumber: float, heading: float) -> None:
+    """Say that a wave is too short across a ship for tables of its sections.
+
+    Warns
+    -----
+    RangeWarning    k B sin(heading) above `STRAIGHT`
+    """
+    across = wavenumber * ship.hull.beam * abs(math.sin(math.radians(heading)))
+    if across > STRAIGHT:
+        warnings.warn(
+            f"{ship.name}: k B sin(heading) is {across:.2g}; above {STRAIGHT:g} the surface is not straight across the ship, "
+            "and heave, pitch and roll are some per cent off; take a longer wave, or the three modes of equations",
+            RangeWarning,
+            stacklevel=5,
+        )
+
+
+def roll_inertia(ship: Ship, frequency: Floats) -> Floats:
+    """I44 + A44 about G at frequencies (n,) [kg m2].
+
+    Examples
+    --------
+    >>> from quartering.hull.file.read import ship
+    >>> bool(roll_inertia(ship("box"), np.array([0.5]))[0] > 10250e3 * ship("box").loading.gyradius_roll**2)
+    True
+    """
+    own = hydrostatics(ship).mass * ship.loading.gyradius_roll**2
+    return np.asarray(own + source_of(ship).matrices(np.abs(frequency))[0][:, 1, 1])
+
+
+def course(ship: Ship, wavenumber: float, amplitude: Floats, speed: Floats, heading: Floats) -> Course:
+    """Equations of a ship on a steady course at many conditions in waves of one length.
+
+    Parameters
+    ----------
+    ship : Ship
+    wavenumber : float                  k > 0 [1/m]
+    amplitude, speed, heading : (n,)    of the wave [m]; U >= 0 [m/s]; mu [deg]
+
+    Returns
+    -------
+    Course
+
+    Raises
+    ------
+    InputError    what `coefficients` refuses
+
+    Notes
+    -----
+    Section tables hold the surface straight across a section: exact in head and following seas, and within about 1 % in
+    oblique ones for k B sin mu below 0.3.
+    Source: [STF70] radiation and diffraction.  Valid: deep water, constant speed, slender ship.
+
+    Examples
+    --------
+    >>> from quartering.hull.file.read import ship
+    >>> one = course(ship("wigley"), 0.06, np.array([1.0]), np.array([3.0]), np.array([180.0]))
+    >>> one.count, one.numbers.mass.shape
+    (1, (1, 15, 5, 5))
+    """
+    a, U, mu = (np.array(v, dtype=float) for v in np.broadcast_arrays(*map(np.atleast_1d, (amplitude, speed, heading))))
+    k = np.full(a.size, wavenumber)
+    signed = np.asarray(encounter_frequency(np.sqrt(GRAVITY * k), U, mu))
+    slow = np.abs(signed) < least_encounter_frequency(ship.hull.length)
+    omega = np.where(slow, least_encounter_frequency(ship.hull.length), np.abs(signed))
+    tables, volume = floating_tables(ship, wavenumber)
+    mass, damping = _radiation(ship, omega, U)
+    diffraction = vertical_forces(ship, k, U, mu)[1][:, 1:]
+    lateral = ship_force_phasors(ship, k, U, mu)[1]
+    first = coefficients(ship, omega, U)
+    overtakes = signed[:, None] < 0
+    # there the surface at G passes its mean level on the way down at t = 0; here a crest stands at G
+    turn = np.where(overtakes, 1j, -1j)
+    lateral = (lateral + ship_lift_phasors(ship, first, k, U, mu)) * turn
+    force = np.concatenate([np.where(overtakes, np.conj(diffraction), diffraction), lateral], axis=1)
+    ahead, across = heading_components(mu)
+    along = -k * ahead
+    powers, modulus, products = _products(first, a.size)
+    numbers = Numbers(
+        amplitude=a,
+        omega=omega,
+        wave=np.stack([along, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),
+        mass=mass,
+        damping=damping,
+        heel=first.relative_heel,
+        force=force,
+        powers=powers,
+        modulus=modulus,
+        products=products,
+        strips=_strips(ship, first, k, U, mu, turn),
+        rudder=np.zeros((a.size, 3)) if first.rudder is None else first.rudder,
+        gains=_gains(ship),
+        share=np.ones(5),
+        scale=np.array([ship.loading.density * GRAVITY, volume]),
+    )
+    return Course(ship, tables, numbers, U, signed, slow, ship.hull.length, ship.hull.draught)
+
+
+def _radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:
+    """Mass with added mass, and damping, of the five modes at multiples of half the encounter frequency."""
+    n = omega.size
+    frequency = (0.5 * omega[:, None] * np.arange(HALVES)).ravel()
+    speeds = np.repeat(speed, HALVES)
+    kyy = float(ship.value("gyradius_pitch"))
+    vertical_mass, vertical_damping, _ = vertical_system(ship, frequency, speeds, kyy)
+    c = coefficients(ship, frequency, speeds)
+    mass, damping = np.zeros((2, n, HALVES, 5, 5))
+    mass[:, :, :2, :2] = vertical_mass[:, 1:, 1:].reshape(n, HALVES, 2, 2)
+    damping[:, :, :2, :2] = vertical_damping[:, 1:, 1:].reshape(n, HALVES, 2, 2)
+    mass[:, :, 2:, 2:] = c.inertia.reshape(n, HALVES, 3, 3)
+    damping[:, :, 2:, 2:] = -c.linear.reshape(n, HALVES, 3, 3)
+    return mass, damping
+
+
+def _products(c: Coefficients, n: int) -> tuple[NDArray[np.int64], NDArray[np.int64], Floats]:
+    """Products of the velocities, and of roll with them; those of roll alone are the pressure's."""
+    names = [name for name in c.nonlinear if not _of_roll_alone(name)]
+    tables = [term_table({name: float(c.nonlinear[name][i]) for name in names}) for i in range(n)]
+    first = tables[0]
+    products = np.stack([one.coefficients.reshape(3, -1) for one in tables])
+    return first.powers, first.modulus, products
+
+
+def _of_roll_alone(name: str) -> bool:
+    powers = parse(name)[1]
+    return powers.powers[0] == powers.powers[2] == powers.powers[3] == 0 and powers.modulus in (0, 2)
+
+
+def _strips(ship: Ship, c: Coefficients, k: Floats, speed: Floats, heading: Floats, turn: Phasors) -> Floats:
+    """Cross-flow drag by strips (n, z, 5), the water counted from a crest at G."""
+    found = moving_water(ship, c, k, speed, heading, "stf").get("strips")
+    if found is None:
+        return np.zeros((k.size, 0, 5))
+    water = np.broadcast_to(found.water, (k.size, found.x.size)) * turn
+    return np.ascontiguousarray(Strips(found.x, found.lever, found.c, water).array)
+
+
+def _gains(ship: Ship) -> Floats:
+    """Gain, rate gain and lag of the autopilot; 0 without one."""
+    pilot = ship.autopilot
+    return np.zeros(3) if pilot is None else np.array([pilot.gain, pilot.rate_gain, pilot.lag])

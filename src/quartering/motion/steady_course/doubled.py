@@ -1,0 +1,282 @@
+"""Motions of two wave periods beyond the loss of stability in roll: where they begin, and every one of them by continuation.
+
+A motion of two periods has phi(t + T) = -phi(t) and h(t + T) = h(t), so it holds odd multiples of half the encounter frequency
+in sway, roll and yaw beside the harmonics of the encounter in heave and pitch. It begins where the block of sway, roll and yaw
+of the Jacobian on the symmetric motion is singular, which is a multiplier -1. From there the branch is followed through its
+folds over the height of the wave: a march in time finds one of several stable motions, or lingers near one that has just ceased
+to be.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, harmonics, solved
+from quartering.motion.steady_course.course import ROLL, Course
+from quartering.motion.steady_course.orbits import climbed
+
+Floats = NDArray[np.float64]
+
+LARGEST_ROLL: Final = np.radians(60.0)
+"""Roll at which a branch is left [rad]."""
+_SIZES: Final = np.array([0.3, 0.1, 2.0, 0.3, 0.1])
+"""Coefficients of one unit of length along a branch: heave in draughts, pitch [rad], sway [m/s], roll [rad], yaw [rad/s]."""
+_FIRST, _LONGEST, _SHORTEST = 0.03, 0.25, 1e-4
+_MOST: Final = 250
+_ONSET: Final = np.radians(0.5)
+
+
+@dataclass(frozen=True, eq=False)
+class Doubled:
+    """A branch of motions of two periods over the amplitude of the wave.
+
+    Parameters
+    ----------
+    course : Course          one condition
+    basis : Harmonics
+    amplitude : (k,) float   of the wave, in the order of the branch; the first is where it begins [m]
+    x : (k, m) float         Fourier coefficients
+    """
+
+    course: Course
+    basis: Harmonics
+    amplitude: Floats
+    x: Floats
+
+    @property
+    def roll(self) -> Floats:
+        """Largest roll of each motion (k,) [rad]."""
+        return largest_roll(self.basis, self.x)
+
+    def at(self, amplitude: float) -> Floats:
+        """Motions (j, m) of the branch in one wave, in the order of the branch."""
+        beyond = self.amplitude - amplitude
+        found: list[Floats] = []
+        for k in np.flatnonzero(beyond[:-1] * beyond[1:] <= 0.0):
+            t = beyond[k] / (beyond[k] - beyond[k + 1]) if beyond[k] != beyond[k + 1] else 0.0
+            guess = (1 - t) * self.x[k] + t * self.x[k + 1]
+            x, outcome = solved(self.course.at_amplitude(np.array([amplitude])), self.basis, guess[None])
+            new = outcome[0] == FOUND and largest_roll(self.basis, x)[0] > 1e-4
+            if new and not any(np.abs(x[0] - one).max() < 1e-6 for one in found):
+                found.append(x[0])
+        return np.array(found).reshape(-1, self.x.shape[1])
+
+
+def largest_roll(basis: Harmonics, x: Floats) -> Floats:
+    """Largest roll (k,) of motions (k, m) [rad]."""
+    roll = basis.parts(np.atleast_2d(x))[ROLL]
+    phase = np.linspace(0.0, 2 * np.pi, 181)
+    values = np.zeros((roll.shape[0], phase.size))
+    at = 0
+    for order in basis.lateral:
+        nu = 0.5 * float(order)
+        if order == 0:
+            values += roll[:, [at]]
+            at += 1
+            continue
+        values += roll[:, [at]] * np.cos(nu * phase) + roll[:, [at + 1]] * np.sin(nu * phase)
+        at += 2
+    return np.asarray(np.abs(values).max(axis=1))
+
+
+def onsets(course: Course, amplitudes: Floats, basis: Harmonics | None = None) -> list[tuple[float, Floats, Floats]]:
+    """Wave amplitudes at which motions of two periods begin, of one condition.
+
+    Parameters
+    ----------
+    course : Course          one condition
+    amplitudes : (n,) float  rising, between which a change of the determinant's sign is looked for [m]
+    basis : Harmonics        of two periods
+
+    Returns
+    -------
+    list of (amplitude, symmetric motion (m,), direction (m,))    coefficients of two periods
+    """
+    basis = doubled_harmonics() if basis is None else basis
+    orbits = climbed(course, amplitudes, _symmetric_part(basis))
+    ladder = orbits.course
+    whole = np.pad(orbits.x, ((0, 0), (0, 3 * basis.sizes[1])))
+    signs = np.array([_sign(ladder, i, basis, whole[i]) if orbits.found[i] else 0.0 for i in range(amplitudes.size)])
+    begun = []
+    for i in np.flatnonzero(signs[:-1] * signs[1:] < 0):
+        a = _root(course, basis, (amplitudes[i], amplitudes[i + 1]), (whole[i], whole[i + 1]))
+        x = _symmetric_at(course, basis, a, whole[i])
+        if x is None:
+            continue
+        block = _lateral_block(course.at_amplitude(np.array([a])), 0, basis, x)
+        direction = np.zeros(x.size)
+        direction[2 * basis.sizes[0] :] = np.linalg.svd(block)[2][-1]
+        begun.append((a, x, direction))
+    return begun
+
+
+def _symmetric_part(basis: Harmonics) -> Harmonics:
+    return harmonics(tuple(int(o) for o in basis.vertical), (), basis.phase.size)
+
+
+def _lateral_block(course: Course, i: int, basis: Harmonics, x: Floats) -> Floats:
+    first = 2 * basis.sizes[0]
+    return balance(course, i, basis, x)[1][first:, first:]
+
+
+def _sign(course: Course, i: int, basis: Harmonics, x: Floats) -> float:
+    return float(np.linalg.slogdet(_lateral_block(course, i, basis, x))[0])
+
+
+def _symmetric_at(course: Course, basis: Harmonics, amplitude: float, guess: Floats) -> Floats | None:
+    part = 2 * basis.sizes[0]
+    x, outcome = solved(course.at_amplitude(np.array([amplitude])), _symmetric_part(basis), guess[None, :part])
+    return np.pad(x[0], (0, guess.size - part)) if outcome[0] == FOUND else None
+
+
+def _root(course: Course, basis: Harmonics, between: tuple[float, float], ends: tuple[Floats, Floats]) -> float:
+    """Amplitude at which the lateral block is singular, by its determinant over that at one end."""
+    low, high = between
+    reference = np.linalg.slogdet(_lateral_block(course.at_amplitude(np.array([low])), 0, basis, ends[0]))[1]
+
+    def determinant(a: float) -> float:
+        t = (a - low) / (high - low)
+        x = _symmetric_at(course, basis, a, (1 - t) * ends[0] + t * ends[1])
+        if x is None:
+            return float("nan")
+        sign, size = np.linalg.slogdet(_lateral_block(course.at_amplitude(np.array([a])), 0, basis, x))
+        return float(sign * np.exp(np.clip(size - reference, -60.0, 60.0)))
+
+    return float(brentq(determinant, low, high, xtol=1e-7 * high, rtol=1e-10))
+
+
+def doubled_branch(
+    course: Course, onset: tuple[float, Floats, Floats], top: float, basis: Harmonics | None = None
+) -> Doubled:
+    """The branch of motions of two periods that begins at one onset.
+
+    Parameters
+    ----------
+    course : Course     one condition
+    onset               one of `onsets`
+    top : float         amplitude of the wave up to which it is followed [m]
+    basis : Harmonics   of two periods
+
+    Returns
+    -------
+    Doubled             followed until the wave is higher than ``top`` or lower than nothing, the roll exceeds `LARGEST_ROLL`,
+                        or the hull leaves its tables
+
+    Notes
+    -----
+    Steps along the arc length of the branch, each corrected at right angles to its tangent; a step whose correction fails is
+    halved.  Source: [Krack19] (arclength continuation).
+    """
+    basis = doubled_harmonics() if basis is None else basis
+    path = _Path(course, basis, top)
+    a, x, direction = onset
+    points = [np.append(x, a)]
+    roll = largest_roll(basis, direction)[0]
+    tangent = np.append(direction, 0.0) / path.sizes
+    tangent /= np.linalg.norm(tangent)
+    by = _ONSET / max(roll, 1e-12)
+    start = path.corrected(points[0] + np.append(by * direction, 0.0), tangent)
+    if start is None:
+        return Doubled(course, basis, np.array([a]), x[None])
+    points.append(start)
+    step, tangent = _FIRST, path.tangent(start, tangent)
+    while len(points) < _MOST and step > _SHORTEST:
+        found = path.corrected(points[-1] + step * tangent * path.sizes, tangent)
+        if found is None:
+            step *= 0.5
+            continue
+        turned = path.tangent(found, tangent)
+        if turned @ tangent < 0.8:
+            step *= 0.5
+            continue
+        if (
+            basis.parts(found[:-1])[ROLL] @ basis.parts(points[-1][:-1])[ROLL] < 0.0
+        ):  # back through the symmetric motion
+            break
+        points.append(found)
+        tangent, step = turned, min(_LONGEST, 1.4 * step)
+        if not 0.0 < found[-1] < top or largest_roll(basis, found[:-1])[0] > LARGEST_ROLL:
+            break
+    made = np.array(points)
+    return Doubled(course, basis, made[:, -1], made[:, :-1])
+
+
+class _Path:
+    """Points (x, a) on a branch, in units of their own."""
+
+    def __init__(self, course: Course, basis: Harmonics, top: float) -> None:
+        numbers = course.numbers._replace(amplitude=course.numbers.amplitude.copy())
+        self.course, self.basis = replace(course, numbers=numbers), basis
+        up, across = basis.sizes
+        one = _SIZES * np.array([course.draught, 1, 1, 1, 1])
+        self.sizes = np.append(np.repeat(one, [up, up, across, across, across]), 0.25 * top)
+        self.small = 1e-5 * top
+
+    def balance(self, point: Floats) -> tuple[Floats, Floats, bool]:
+        """Residual (m,) and its derivatives (m, m + 1) by the scaled point."""
+        self.course.numbers.amplitude[0] = point[-1]
+        residual, jacobian, inside = balance(self.course, 0, self.basis, point[:-1])
+        self.course.numbers.amplitude[0] = point[-1] + self.small
+        higher, _, inside_too = balance(self.course, 0, self.basis, point[:-1])
+        whole = np.column_stack([jacobian, (higher - residual) / self.small])
+        return residual, whole * self.sizes, inside and inside_too
+
+    def corrected(self, guess: Floats, tangent: Floats) -> Floats | None:
+        """The point of the branch on the plane through a guess at right angles to the tangent."""
+        point = guess.copy()
+        for _ in range(8):
+            residual, jacobian, inside = self.balance(point)
+            if not inside:
+                return None
+            if np.abs(residual).max() < 1e-9:
+                return point
+            try:
+                change = np.linalg.solve(np.vstack([jacobian, tangent]), np.append(residual, 0.0))
+            except np.linalg.LinAlgError:
+                return None
+            if np.abs(change).max() > 2.0:
+                return None
+            point = point - change * self.sizes
+        return None
+
+    def tangent(self, point: Floats, before: Floats) -> Floats:
+        """Unit tangent that goes on as the one before."""
+        _, jacobian, _ = self.balance(point)
+        found = np.linalg.solve(np.vstack([jacobian, before]), np.append(np.zeros(jacobian.shape[0]), 1.0))
+        return np.asarray(found / np.linalg.norm(found))
+
+
+def doubled_motions(course: Course, amplitude: float, top: float, rungs: int = 12) -> tuple[Floats, list[Doubled]]:
+    """All motions of two periods in one wave, on branches that begin in waves up to a given amplitude.
+
+    Parameters
+    ----------
+    course : Course      one condition
+    amplitude : float    of the wave [m]
+    top : float          amplitude up to which onsets are looked for, and branches followed [m]
+    rungs : int          heights between nothing and the top at which the symmetric motion is looked at
+
+    Returns
+    -------
+    x : (j, m) float     coefficients of each motion, least roll first
+    branches : list of Doubled
+    """
+    basis = doubled_harmonics()
+    begun = onsets(course, top * np.append(0.01, np.arange(1, rungs + 1)) / rungs, basis)
+    branches: list[Doubled] = []
+    found: list[Floats] = []
+    for onset in begun:
+        if any(abs(one.amplitude[-1] - onset[0]) < 0.02 * top and one.roll[-1] < 0.05 for one in branches):
+            continue  # the other end of a branch already followed
+        branches.append(doubled_branch(course, onset, 1.02 * top, basis))
+        for x in branches[-1].at(amplitude):
+            if not any(np.abs(largest_roll(basis, x)[0] - largest_roll(basis, one)[0]) < 1e-5 for one in found):
+                found.append(x)
+    width = 2 * basis.sizes[0] + 3 * basis.sizes[1]
+    found.sort(key=lambda x: float(largest_roll(basis, x)[0]))
+    return np.array(found).reshape(-1, width), branches

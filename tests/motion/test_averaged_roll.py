@@ -1,0 +1,69 @@
+"""Steady roll of two wave periods: the closed form, and the balance of many harmonics of the general equations."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from quartering.motion.equations.system import Model
+from quartering.motion.equations.terms import term_table
+from quartering.motion.steady.harmonic import solve_with_care
+from quartering.motion.steady.subharmonic import slowed
+from quartering.stability.averaged_roll import averaged_amplitudes, averaged_growth, threshold
+from tests.reference import table
+
+ROWS = [{key: float(value) for key, value in row.items()} for row in table("amplitudes_of_two_periods.csv")]
+ORDERS = (0, 2, 1, *range(3, 18))
+
+
+def averaged(row):
+    return averaged_amplitudes(
+        row["W"], row["zeta"], row["h"], cubic=row["alpha3"], fifth=row["alpha5"], cubic_variation=row["h3"],
+        quadratic_damping=row["delta"], cubic_damping=row["beta3"],
+    )  # fmt: skip
+
+
+def system(row):
+    """Roll alone, sway and yaw damped and apart; the wave changes the stiffness."""
+    terms = {
+        "Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -2 * row["zeta"], "K_p|p|": -row["delta"], "K_ppp": -row["beta3"],
+        "K_phiphiphi": -row["alpha3"], "K_phi5": -row["alpha5"],
+    }  # fmt: skip
+    still = Model(np.eye(3), {k: v for k, v in terms.items() if v}, row["W"], (0, 0, 0), (0, 0, 0)).system
+    own = term_table({k: v for k, v in terms.items() if v and k not in ("Y_v", "N_r", "K_phi", "K_p")})
+    count = own.modulus.size
+    coefficients = np.zeros((1, 3, count + 2))
+    coefficients[0, :, :count] = own.coefficients.reshape(3, count)
+    coefficients[0, 1, count:] = -row["h"], -row["h3"]
+    powers = np.zeros((count + 2, 5), dtype=int)
+    powers[:count, :4] = own.powers.reshape(count, 4)
+    powers[count], powers[count + 1] = (0, 1, 0, 0, 1), (0, 3, 0, 0, 1)
+    made = replace(
+        still, powers=powers, modulus=np.append(own.modulus, [0, 0]).astype(int), coefficients=coefficients,
+        extra=np.array([-1]), inputs=np.array([[[0.0, 1.0, 0.0]]]),
+    )  # fmt: skip
+    return slowed(made, 2)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda r: f"W{r['W']}-A{r['averaged']:.2f}")
+def test_steady_roll_of_two_periods(row):
+    """All roots of the averaged equation to 1e-6; the balance started from one finds the independent code's motion to 1e-4."""
+    roots = averaged(row)
+    wanted = sorted(r["averaged"] for r in ROWS if all(r[key] == row[key] for key in list(row)[:8]))
+    assert roots == pytest.approx(wanted, abs=1e-6)
+    equations, found = system(row), []
+    for phase in np.linspace(0.0, np.pi, 6, endpoint=False):
+        start = np.zeros((1, 3, 2 * len(ORDERS) - 1))
+        start[0, 1, 3:5] = row["first"] * np.cos(phase), row["first"] * np.sin(phase)  # order 1 stands third
+        u, status, _ = solve_with_care(equations, ORDERS, start)
+        if status[0] <= 1:
+            found.append(float(np.hypot(*u[0, 1, 3:5])))
+    assert min(abs(a - row["first"]) for a in found) < 1e-4
+
+
+def test_threshold_and_growth_by_one_harmonic():
+    """The reference's one-harmonic thresholds, at which the growth is nothing."""
+    for row in table("mathieu_thresholds.csv"):
+        W, zeta, h = (float(row[key]) for key in ("W", "zeta", "h_one_harmonic"))
+        assert float(threshold(W, zeta)) == pytest.approx(h, abs=1e-10)
+        assert float(averaged_growth(W, zeta, h)) == pytest.approx(0.0, abs=1e-9)

@@ -1,0 +1,128 @@
+"""A ship on a steady course in the wave's pressure: linear motion of low waves, and another integration of steep ones."""
+
+import numpy as np
+import pytest
+
+import quartering as qt
+from quartering.loads.vertical import vertical_forces
+from quartering.loads.wetted_hull.floating import floating_hull
+from quartering.loads.wetted_hull.pressure import Waves, direct_loads
+from quartering.motion.six_modes import vertical_system
+from quartering.motion.status import Status
+from quartering.motion.steady_course.course import course
+from quartering.motion.steady_course.orbits import amplitudes, forced_motions, symmetric_orbits
+
+SHIP = qt.ship("s175").with_(gm=1.0, gyradius_pitch=43.75)
+K = 2 * np.pi / 175.0
+DENSITY, GRAVITY = 1025.0, 9.81
+
+
+@pytest.mark.parametrize(
+    ("heading", "speed", "across"), [(180.0, 3.3, False), (0.0, 3.0, False), (120.0, 5.0, True), (30.0, 5.0, True)]
+)
+def test_in_a_low_wave_nothing_is_counted_twice(heading, speed, across):
+    """Double counting: the march in time on the pressure returns the linear responses, computed from coefficients alone.
+
+    Heave and pitch within 2e-3 in head and following seas. In oblique ones the tables take the surface for straight across a
+    section, which leaves out a factor sin q/q of its force, q = k B sin mu/2: 2.6 % at 120 deg. Heave, pitch, roll and yaw 3 %.
+    """
+    wave = qt.Wave(175.0, 0.05)
+    linear = qt.responses(SHIP, wave, speed, heading)
+    omega = abs(float(linear.encounter_frequency))
+    period = 2 * np.pi / omega
+    with pytest.warns(qt.RangeWarning, match="straight") if across else np.errstate():
+        found = qt.simulate(SHIP, 160 * period, wave=wave, speed=speed, heading=heading, modes="six")
+    last = slice(-48 * 20 - 1, -1)
+    turn = np.exp(-1j * omega * found.time.values[last])
+    names = ("heave", "pitch", *((("roll", "yaw")) if across else ()))
+    for name in names:
+        key = "roll_amplitude" if name == "roll" else name
+        phasor = 2 * np.mean(found[name].values[last] * turn)
+        wanted = float(linear[key]) * np.exp(1j * np.radians(float(linear[f"{key}_phase"])))
+        assert abs(phasor - wanted) < (0.03 if across else 2e-3) * abs(wanted)
+
+
+def march_on_the_pressure(one, wave, speed, heading, periods=25, steps=40):
+    """Heave and pitch by Runge-Kutta of the pressure integrated anew at each instant, matrices at the encounter frequency."""
+    given = [np.array([value]) for value in (wave.wavenumber, speed, heading)]
+    omega = float(one.signed[0])
+    mass, damping, _ = vertical_system(SHIP, np.array([omega]), given[1], 43.75)
+    inverse, damp = np.linalg.inv(mass[0, 1:, 1:]), damping[0, 1:, 1:]
+    diffraction, floats = vertical_forces(SHIP, *given)[1][0, 1:], floating_hull(SHIP, 24)
+    along = wave.wavenumber * np.cos(np.radians(heading))
+
+    def rate(time, y):
+        waves = Waves(*(np.array([value]) for value in (wave.amplitude, along, 0.0, omega * time)))
+        load = direct_loads(floats.hull, np.array([[y[0], 0.0, y[1]]]), waves)[0][0]
+        force = DENSITY * GRAVITY * np.array([load[2] + floats.volume, load[4]])
+        force += wave.amplitude * (diffraction * np.exp(1j * omega * time)).real - damp @ y[2:]
+        return np.concatenate([y[2:], inverse @ force])
+
+    h = 2 * np.pi / abs(omega) / steps
+    y, kept = np.zeros(4), []
+    for n in range(periods * steps):
+        t = n * h
+        k1 = rate(t, y)
+        k2 = rate(t + h / 2, y + h / 2 * k1)
+        k3 = rate(t + h / 2, y + h / 2 * k2)
+        k4 = rate(t + h, y + h * k3)
+        y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+        kept.append(y[:2])
+    return 2 * np.abs(np.fft.rfft(np.array(kept[-2 * steps :]), axis=0)[::2] / (2 * steps)).T
+
+
+def test_the_symmetric_motion_is_that_of_the_pressure_integrated_in_time():
+    """Harmonics of heave and pitch in a steep head sea (1/33, the bow goes under): first 0.5 %, second 5 % of themselves."""
+    wave = qt.Wave(175.0, 5.25)
+    one = course(SHIP, wave.wavenumber, np.array([wave.amplitude]), np.array([3.3]), np.array([180.0]))
+    found = amplitudes(symmetric_orbits(one.with_constant_coefficients()))[0]
+    marched = march_on_the_pressure(one, wave, 3.3, 180.0)
+    assert found[:, 1] == pytest.approx(marched[:, 1], rel=5e-3)
+    assert found[:, 2] == pytest.approx(marched[:, 2], rel=5e-2)
+
+
+def test_the_motion_an_oblique_sea_forces_is_that_of_a_march():
+    """Bow seas, 1/58: first harmonics of heave, pitch, sway, roll and yaw within 0.5 % of a march of the same equations.
+
+    The march keeps the water's coefficients at the encounter frequency, so the balance does here. Nobody steers the march; the
+    balance holds the course, so means are not compared.
+    """
+    one = course(SHIP, K, np.array([1.5]), np.array([5.0]), np.array([120.0])).with_constant_coefficients(half=False)
+    motion = forced_motions(one)
+    with pytest.warns(qt.RangeWarning, match="straight"):
+        marched = qt.simulate(SHIP, 1200.0, wave=qt.Wave(175.0, 3.0), speed=5.0, heading=120.0, modes="six")
+    names = ("heave", "pitch", "sway_velocity", "roll", "yaw_rate")
+    for name, part in zip(names, motion.basis.parts(motion.x[0]), strict=True):
+        values = marched[name].values[-48 * 20 - 1 : -1]
+        values = np.radians(values) if marched[name].units.startswith("deg") else values
+        first = 2 * np.abs(np.fft.rfft(values)[20]) / values.size
+        assert float(np.hypot(part[1], part[2])) == pytest.approx(first, rel=5e-3)
+    with pytest.warns(qt.RangeWarning, match="straight"):
+        found = qt.parametric_roll(SHIP, qt.Wave(175.0, 3.0), 5.0, 120.0)
+    assert (found.kind, len(found.amplitude)) == ("forced", 1)
+    assert "the wave rolls it" in found.sentence
+
+
+def test_a_motion_that_does_not_exist_says_so():
+    """Where the ship keeps pace with the wave, or dives, there is a status with advice and no number."""
+    celerity = float(np.sqrt(GRAVITY / K))
+    many = course(SHIP, K, np.array([1.0, 1.0]), np.array([celerity, 3.0]), np.array([0.0, 180.0]))
+    found = symmetric_orbits(many)
+    assert found.status.tolist() == [Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, Status.CONVERGED]
+    assert np.isnan(found.x[0]).all()
+    assert np.isfinite(found.x[1]).all()
+
+
+def test_a_ship_marches_with_three_modes_or_six():
+    wave = qt.Wave(175.0, 2.0)
+    three = qt.simulate(SHIP, 20.0, wave=wave, speed=5.0, heading=150.0)
+    same = qt.simulate(qt.equations(SHIP, wave, 5.0, 150.0), 20.0)
+    np.testing.assert_array_equal(three["roll"], same["roll"])
+    for given, words in (
+        ({"wave": wave, "modes": "four"}, "allowed: three, six"),
+        ({"modes": "six"}, "wave is missing"),
+    ):
+        with pytest.raises(qt.InputError, match=words):
+            qt.simulate(SHIP, 20.0, **given)
+    with pytest.raises(qt.InputError, match="a Model has its wave"):
+        qt.simulate(qt.equations(SHIP, wave, 5.0, 150.0), 20.0, modes="six")
