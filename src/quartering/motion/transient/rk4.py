@@ -79,11 +79,11 @@ def alike(system: System) -> Alike:
 
 @abreast
 def room_to_march(equations):
-    """What `step_sum` works in: lanes, columns and rates, and the sum of four rates."""
+    """What `step_sum` works in: lanes, columns and rates, the sum of four rates, and the first of them."""
     lanes = row_of_lanes(equations.parts, WIDTH)
     fill(0, 1.0, equations.parts, lanes)
     columns, rate, _, sums = room_for(equations.program, lanes)
-    return lanes, columns, rate, sums, np.zeros((equations.program.states, WIDTH))
+    return lanes, columns, rate, sums, np.zeros((equations.program.states, WIDTH)), np.zeros(rate.shape)
 
 
 @abreast
@@ -118,7 +118,9 @@ def _hold(series, lanes):
 
 @abreast
 def step_sum(equations, h, excitation, series, waves, y, room):
-    """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last of ``room``.
+    """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last but one of ``room``.
+
+    The last takes the accelerations at the beginning of the step.
 
     Parameters
     ----------
@@ -130,7 +132,7 @@ def step_sum(equations, h, excitation, series, waves, y, room):
     -----
     The state after the step is ``y + h/6`` times the sum.  Source: [H71] eq. (3), the classical fourth-order method.
     """
-    lanes, columns, rate, sums, total = room
+    lanes, columns, rate, sums, total, first = room
     program = equations.program
     states = program.states
     for s in range(states):
@@ -145,6 +147,10 @@ def step_sum(equations, h, excitation, series, waves, y, room):
             _hold(series[at], lanes)
         enter_inputs(program, lanes, waves[at], columns)
         _rates(equations, lanes, waves[at, 1], waves[at, 2], columns, sums, rate)
+        if j == 0:
+            for k in range(rate.shape[0]):
+                for l in range(WIDTH):
+                    first[k, l] = rate[k, l]
         weight, ahead = (1.0 if j == 0 or j == 3 else 2.0), (0.5 * h if j < 2 else h)
         # a state that follows another first, while that one is still the stage's
         for s in range(states):
