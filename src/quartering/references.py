@@ -110,6 +110,9 @@ REFERENCES: Final[dict[str, str]] = {
     "processes. Journal of Applied Mechanics 42.",
     "Tucker84": "Tucker, M. J., Challenor, P. G., Carter, D. J. T. (1984). Numerical simulation of a random sea: a common "
     "error and its effect upon wave group statistics. Applied Ocean Research 6.",
+    "Gustavsen99": "Gustavsen, B., Semlyen, A. (1999). Rational approximation of frequency domain responses by vector fitting. "
+    "IEEE Transactions on Power Delivery 14.",
+    "Coles01": "Coles, S. (2001). An Introduction to Statistical Modeling of Extreme Values. Springer.",
     "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
     "Numerische Mathematik 58.",
 }

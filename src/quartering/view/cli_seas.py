@@ -33,6 +33,7 @@ def sea(
     spreading: Annotated[
         str, typer.Option(help="Spreading: s of cos^2s of half the angle, cos2, or none for a long-crested sea.")
     ] = "none",
+    hours: Annotated[str, typer.Option(help="Hours to simulate, 32 at a time: 1000; 0 for no simulation.")] = "32",
     form: Form = "stf",
     json: Json = False,
     changes: Changes = None,
@@ -42,4 +43,4 @@ def sea(
         from quartering.view.commands.sea import respond
 
         typed = {"hs": hs, "tp": tp, "tz": tz, "spectrum": spectrum, "gamma": gamma, "spreading": spreading}
-        respond(ship, typed, (heading, speed), form, changes or {}, json)
+        respond(ship, typed, (heading, speed), form, changes or {}, json, hours)

@@ -1,4 +1,4 @@
-"""Equations of a ship in a sea for integration in time: its coefficients at the frequency of free roll, the sea a series."""
+"""Equations of a ship in a sea for integration in time: with memory of the waves it makes, or its coefficients of free roll."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.motion.equations.few_strips import gauss_rule
-from quartering.motion.equations.layout import LAGGING, SHIP, STEERED
+from quartering.motion.equations.layout import LAGGING, SHIP, STEERED, Layout
 from quartering.motion.equations.steering import steered
 from quartering.motion.equations.system import System
 from quartering.motion.sea.closure import coefficients_at
 from quartering.motion.sea.equations import SeaEquations, Terms
+from quartering.motion.sea.memory import Memory
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -62,13 +63,14 @@ def with_few_strips(equations: SeaEquations, points: int) -> SeaEquations:
     return replace(equations, water=water, terms=replace(terms, forms=forms, drag=c))
 
 
-def frozen_equations(equations: SeaEquations, variance: Floats) -> FrozenEquations:
+def frozen_equations(equations: SeaEquations, variance: Floats, memory: Memory | None = None) -> FrozenEquations:
     """Equations in time of those over the cells of a sea.
 
     Parameters
     ----------
     equations : SeaEquations
     variance : (z,) float       of the strips' velocity through the water, by which matched cubic drag is made [m2/s2]
+    memory : Memory             of the radiated waves, whose states follow those of the ship; None: without
 
     Returns
     -------
@@ -76,10 +78,12 @@ def frozen_equations(equations: SeaEquations, variance: Floats) -> FrozenEquatio
 
     Notes
     -----
-    Inertia and linear forces are those of free roll; the wave force of each cell, lift in it, that of its own encounter
-    frequency.
+    Without memory inertia and linear forces are those of free roll. The wave force of each cell, lift in it, is that
+    of its own encounter frequency.
     """
     terms, (inertia, linear) = equations.terms, equations.at_roll
+    if memory is not None:
+        inertia, linear = memory.inertia, memory.linear(linear)
     inverse = np.asarray(np.linalg.inv(inertia), dtype=np.float64)
     coefficients = coefficients_at(terms, variance)
     used = _uses_the_water(terms)
@@ -93,9 +97,14 @@ def frozen_equations(equations: SeaEquations, variance: Floats) -> FrozenEquatio
         strips[0, :, :3] = terms.forms * scale[:, None]
         water = (equations.water[:, 0] + 1j * equations.water[:, 1]) * scale
     pilot = equations.autopilot
-    accelerations = (inverse @ linear)[None]
+    rates = (inverse @ linear)[None]
+    layout = SHIP if pilot is None else STEERED if pilot.lag == 0.0 else LAGGING
+    if pilot is not None:
+        rates = steered(rates, (inverse @ equations.rudder)[None], pilot)
+    if memory is not None:
+        rates, layout = _with_memory(rates[0], layout, memory, inverse)
     system = System(
-        linear=accelerations if pilot is None else steered(accelerations, (inverse @ equations.rudder)[None], pilot),
+        linear=rates,
         coefficients=np.ascontiguousarray(inverse @ coefficients)[None],
         powers=np.ascontiguousarray(powers),
         modulus=terms.modulus,
@@ -110,10 +119,24 @@ def frozen_equations(equations: SeaEquations, variance: Floats) -> FrozenEquatio
         knots=terms.knots[None],
         cubics=terms.cubics[None],
         arm=np.ascontiguousarray(inverse[:, 1])[None],
-        layout=SHIP if pilot is None else STEERED if pilot.lag == 0.0 else LAGGING,
+        layout=layout,
     )
     channels = np.concatenate([equations.force @ inverse.T, inputs, water], axis=1)
     return FrozenEquations(system, channels)
+
+
+def _with_memory(linear: Floats, layout: Layout, memory: Memory, inverse: Floats) -> tuple[Floats, Layout]:
+    """Linear part (1, k + m, s + m) and layout with the states of the memory after the others."""
+    own, drive, force = memory.states()
+    (k, s), m = linear.shape, len(own)
+    out = np.zeros((k + m, s + m))
+    out[:k, :s] = linear
+    out[:3, s:] = inverse @ force
+    out[k:, [0, 2, 3]] = drive
+    out[k:, s:] = own
+    more = tuple(f"memory_{i}" for i in range(m))
+    rows, follows = (*layout.rows, *range(k, k + m)), (*layout.follows, *(-1,) * m)
+    return out[None], Layout((*layout.states, *more), rows, follows, layout.velocities, layout.displacements)
 
 
 def _uses_the_water(terms: Terms) -> bool:

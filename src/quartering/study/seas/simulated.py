@@ -52,7 +52,7 @@ def simulated_dataset(tally: Tally, known: Mapping[str, Any]) -> xr.Dataset:
     attributes = {
         "title": "Simulation in an irregular sea",
         "method": "simulation",
-        "method_meaning": "nonlinear motion in time, Gaussian records by Fourier transform, coefficients of free roll",
+        "method_meaning": "nonlinear motion in time, Gaussian records by Fourier transform",
         "seas": sea.words,
         "cut": "; ".join(dict.fromkeys(f"{one.band[0]:.3g} to {one.band[1]:.3g} rad/s" for one in sea.partitions)),
         "speed": known["speed"],

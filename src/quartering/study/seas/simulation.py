@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from numbers import Integral
 from pathlib import Path
 from typing import Any, Final, overload
@@ -24,13 +24,15 @@ from quartering.loads.sea.cells import Cells, wave_cells
 from quartering.loads.sea.sea import Sea
 from quartering.motion.equations.system import Model
 from quartering.motion.sea.closure import Solution, closure_solutions
-from quartering.motion.sea.equations import Force, SeaEquations, free_roll_of, roll_mode_of
+from quartering.motion.sea.equations import Force, SeaEquations, angle_of_largest_arm, free_roll_of, roll_mode_of
 from quartering.motion.sea.frozen import frozen_equations, with_few_strips
+from quartering.motion.sea.memory import Memory, memory_of
 from quartering.motion.sea.synthesis import record_of
 from quartering.motion.transient.irregular import irregular as irregular_by_components
 from quartering.motion.transient.rk4 import alike
 from quartering.options import quoted
 from quartering.study.seas.blocks import BLOCK, Plan, Tally, run_blocks
+from quartering.study.seas.moments import moments_of, products
 from quartering.study.seas.response import (
     LEAST_DAMPING,
     MOST_NEAR,
@@ -53,6 +55,9 @@ _RUN_UP, _LONGEST_RUN_UP, _TIMES = 200.0, 900.0, 6.0
 _STRIPS: Final = (6, 9, 13)
 STRIPS_ERROR: Final = 0.003
 """Change of the closure's roll that fewer strips may make [1]."""
+NOTEWORTHY: Final = 0.05
+"""Change of the closure with the coefficients of a simulation that is warned of [1]."""
+_FASTEST: Final = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,6 +72,7 @@ class Asked:
     reason: str
     step: float | None
     strips: int | None
+    memory: bool
     seed: int
     form: Form
     force: Force | None
@@ -79,9 +85,11 @@ class Ready:
     plan: Plan
     cells: Cells
     strips: int
-    strips_error: float
+    memory: Memory | None
+    errors: tuple[float, float]
     run_up: float
     run_up_wanted: float
+    largest_arm: float
     shares: tuple[float, float, float]
     roll_frequency: float
     damping: float
@@ -116,6 +124,7 @@ def irregular(
     acceleration_limit: float | None = ...,
     step: float | str | None = ...,
     strips: int | None = ...,
+    memory: bool = ...,
     store: str | os.PathLike[str] | None = ...,
 ) -> xr.Dataset: ...
 def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Dataset:
@@ -144,6 +153,8 @@ def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Datas
     step : float, optional        of time [s]; by default 0.3 rad of free roll
     strips : int, optional        of the drag and of the water's velocity; by default as few as change roll of the closure by
                                   less than 0.3 %
+    memory : bool                 of the radiated waves, by a rational fit of added mass and damping over frequency; without it
+                                  both are those of free roll. A `Model` has none
     store : path, optional        a file that keeps finished blocks: an interrupted or shorter run goes on from there
 
     Returns
@@ -166,18 +177,19 @@ def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Datas
     Notes
     -----
     Gaussian records by Fourier transform from the cross-spectra of forces and of the water's velocity at the strips, of half an
-    hour and a run-up each, with random amplitudes; classical Runge-Kutta. Coefficients are those of free roll; the wave forces,
-    lift in them, those of each wave. A block ends with its failure. Results are the same for any number of threads, and a
-    longer run begins with the blocks of a shorter one. Numbers of failures have the exact interval of a Poisson count.
+    hour and a run-up each, with random amplitudes; classical Runge-Kutta. The wave forces, lift in them, are those
+    of each wave. A block ends with its failure. Results are the same for any number of threads, and a longer run begins with
+    the blocks of a shorter one. Numbers of failures have the exact interval of a Poisson count.
     The form with arrays, ``irregular(model, frequency, force, phase, duration, *, step, limit, water)``, adds up waves of given
     amplitudes: see `quartering.motion.transient.irregular`.
     Source: [Tucker84] random amplitudes; MSC.1/Circ.1627 for the failures.  Valid: linear waves, constant speed, mean heading,
-    no memory of the radiated waves.
+    drag on as many strips as the attribute ``strips``. ``closure_change`` says what the closure's roll and lateral acceleration
+    are in these equations over what they are with coefficients at each frequency and every strip.
 
     Examples
     --------
     >>> import quartering as qt
-    >>> sea = qt.Sea(hs=3, tp=9, heading=60)
+    >>> sea = qt.Sea(hs=1, tp=9, heading=60)
     >>> found = qt.irregular(qt.ship("wigley"), sea, 5.0, hours=32, seed=1)
     >>> closed = qt.sea_response(qt.ship("wigley"), sea, 5.0, method="closure")
     >>> bool(abs(found["roll_rms"] / closed["roll_rms"] - 1) < 0.05), float(found["exposure"])
@@ -212,6 +224,7 @@ def _in_a_sea(
     acceleration_limit: float | None = None,
     step: float | str | None = None,
     strips: int | None = None,
+    memory: bool = True,
     store: str | os.PathLike[str] | None = None,
 ) -> xr.Dataset:
     of = ship if isinstance(ship, Ship) else None
@@ -225,6 +238,7 @@ def _in_a_sea(
         reason=reason,
         step=None if step is None else number(None, "step", step),
         strips=None if strips is None else _count("strips", strips, 1),
+        memory=_yes_or_no("memory", memory),
         seed=_count("seed", seed, 0),
         form=form,
         force=force,
@@ -245,6 +259,12 @@ def _count(name: str, given: Any, least: int) -> int:
     if isinstance(given, bool) or not isinstance(given, Integral) or given < least:
         raise InputError(f"{name} = {quoted(given)}; it is a whole number, {least} or above; try {max(least, 6)}")
     return int(given)
+
+
+def _yes_or_no(name: str, given: Any) -> bool:
+    if not isinstance(given, (bool, np.bool_)):
+        raise InputError(f"{name} = {quoted(given)}; it is True or False")
+    return bool(given)
 
 
 def _file(store: Any) -> Path:
@@ -281,11 +301,15 @@ def planned(asked: Asked) -> Ready:
     cells = wave_cells([asked.sea], asked.speed, frequency, max(damping, LEAST_DAMPING))
     everything = sea_equations(asked.ship, cells, asked.force, asked.form)
     energy = cells.energy(asked.sea)
-    equations, solution, error = _with_strips_for(everything, energy, asked.strips)
-    frozen = frozen_equations(equations, solution.statistics.variance)
-    _, _, slow = roll_mode_of(*equations.at_roll)
+    memory = memory_of(everything, energy) if asked.memory else None
+    shared = _in_time(everything, memory)
+    equations, solution = _with_strips_for(shared, energy, asked.strips)
+    exact = solution if equations is everything else closure_solutions(everything, energy)[0]
+    errors = _changes((equations, solution), (everything, exact), asked)
+    frozen = frozen_equations(equations, solution.statistics.variance, memory)
+    _, _, slow = roll_mode_of(*everything.at_roll)
     wanted = max(_RUN_UP, _TIMES / max(min(slow, max(damping, 0.0) * frequency), 1e-9))
-    step = _RADIANS_A_STEP / frequency if asked.step is None else asked.step
+    step = _step_for(frequency, memory) if asked.step is None else asked.step
     if step > BLOCK / 100:
         raise InputError(f"step = {step:g} s; it is at most {BLOCK / 100:g} s; try {_RADIANS_A_STEP / frequency:.2g} s")
     step = BLOCK / math.ceil(BLOCK / step * (1.0 - 1e-12))
@@ -304,31 +328,71 @@ def planned(asked: Asked) -> Ready:
         condition=_condition(asked, step, first, equations.terms.drag.size),
     )
     shares = shares_of(cells, asked.sea, frequency)
-    return Ready(plan, cells, equations.terms.drag.size, error, first * step, wanted, shares, frequency, damping)
+    arm = math.degrees(angle_of_largest_arm(everything))
+    return Ready(
+        plan, cells, equations.terms.drag.size, memory, errors, first * step, wanted, arm, shares, frequency, damping
+    )  # fmt: skip
 
 
-def _with_strips_for(
-    equations: SeaEquations, energy: Floats, strips: int | None
-) -> tuple[SeaEquations, Solution, float]:
-    """Equations with few strips, their closure, and what the closure's roll says they err by; NaN where it says nothing."""
+def _in_time(equations: SeaEquations, memory: Memory | None) -> SeaEquations:
+    """Equations over cells with the coefficients that a simulation has."""
+    if memory is not None:
+        return memory.in_cells(equations)
+    if len(equations.linear) == 1:
+        return equations
+    inertia, linear = equations.at_roll
+    return replace(equations, inertia=inertia[None], linear=linear[None])
+
+
+def _step_for(roll_frequency: float, memory: Memory | None) -> float:
+    """Step of time [s]: 0.3 rad of free roll, and short enough for the fastest state of the memory."""
+    step = _RADIANS_A_STEP / roll_frequency
+    return step if memory is None else min(step, _FASTEST / float(np.abs(memory.fit.poles).max()))
+
+
+def _memory_words(memory: Memory | None) -> str:
+    if memory is None:
+        return "no memory, coefficients of free roll"
+    passive = "passive" if memory.passive else "not passive"
+    return f"memory of {memory.fit.drive.size} poles, {passive}, misfit {memory.misfit:.2g}"
+
+
+def _with_strips_for(equations: SeaEquations, energy: Floats, strips: int | None) -> tuple[SeaEquations, Solution]:
+    """Equations with few strips, and their closure."""
     whole = closure_solutions(equations, energy)[0]
     if equations.terms.drag.size == 0 or equations.terms.matched is not None:
-        return equations, whole, 0.0
+        return equations, whole
     for points in _STRIPS if strips is None else (strips,):
         fewer = with_few_strips(equations, points)
         if fewer is equations:
-            return equations, whole, 0.0
+            break
         found = closure_solutions(fewer, energy)[0]
-        known = whole.converged and found.converged and whole.roll > 0
-        error = found.roll / whole.roll - 1.0 if known else math.nan
-        if strips is not None or abs(error) < STRIPS_ERROR:
-            return fewer, found, error
-    return equations, whole, 0.0
+        near = whole.converged and found.converged and abs(found.roll - whole.roll) <= STRIPS_ERROR * whole.roll
+        if strips is not None or near:
+            return fewer, found
+    return equations, whole
+
+
+def _changes(
+    own: tuple[SeaEquations, Solution], exact: tuple[SeaEquations, Solution], asked: Asked
+) -> tuple[float, float]:
+    """Roll and lateral acceleration of one closure over those of another, less 1; NaN where one did not converge."""
+    found = []
+    for equations, solution in (own, exact):
+        if not solution.converged:
+            return math.nan, math.nan
+        at = equations.frequency[solution.cells]
+        moments = moments_of(solution.energy @ products(solution.motion, at, asked.speed, asked.place))
+        found.append(np.sqrt([moments.roll[0], moments.acceleration[0]]))
+    if not found[1].all():
+        return math.nan, math.nan
+    roll, felt = found[0] / found[1] - 1.0
+    return float(roll), float(felt)
 
 
 def _condition(asked: Asked, step: float, first: int, strips: int) -> int:
     """Number of the condition, which with the seed and a block's number decides what is drawn."""
-    parts = [asked.ship, asked.sea, asked.speed, asked.form, step, first, strips]
+    parts = [asked.ship, asked.sea, asked.speed, asked.form, asked.memory, step, first, strips]
     return int(fingerprint(parts)[:16], 16)
 
 
@@ -353,7 +417,9 @@ def _known(asked: Asked, ready: Ready) -> dict[str, Any]:
             "run_up_of_slow_modes": ready.run_up_wanted,
             "step": ready.plan.step,
             "strips": ready.strips,
-            "strips_error": ready.strips_error,
+            "memory": _memory_words(ready.memory),
+            "largest_arm": ready.largest_arm,
+            "closure_change": f"roll {ready.errors[0]:+.2%}, lateral acceleration {ready.errors[1]:+.2%}",
             "frequencies": len(record.roots),
             "highest_frequency": len(record.roots) * 2.0 * math.pi / (record.samples * record.interval),
             "force_left_out": record.left_out,
@@ -382,6 +448,11 @@ def _warn(asked: Asked, ready: Ready, tally: Tally, result: xr.Dataset) -> None:
         said.append(
             f"the run-up of {ready.run_up:.0f} s is shorter than slow modes of the ship ask for ({ready.run_up_wanted:.0f} s):"
             " sway and yaw keep some of their start from rest"
+        )
+    if max(np.abs(np.nan_to_num(ready.errors))) > NOTEWORTHY:
+        said.append(
+            f"the closure changes by {ready.errors[0]:+.0%} in roll and {ready.errors[1]:+.0%} in lateral acceleration with the"
+            f" coefficients of this simulation ({_memory_words(ready.memory)}) in place of those at each frequency"
         )
     p = float(result["waiting_time_p"])
     if p < 0.01:

@@ -16,6 +16,8 @@ from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
 from quartering.options import Refused
 from quartering.study.seas.response import MOST_NEAR, Method, SeaStatus, sea_response
+from quartering.study.seas.simulation import irregular
+from quartering.units import NO_SHIP
 from quartering.view.commands.conditions import typed_ship, typed_value
 from quartering.view.options import value
 from quartering.view.ship_options import option_words
@@ -43,8 +45,9 @@ def respond(
     form: Form | str,
     changes: Mapping[str, str],
     as_json: bool,
+    hours: str = "32",
 ) -> None:
-    """Print the response to one sea."""
+    """Print the response to one sea; ``hours`` are those of the simulation, 0 for none."""
     one = typed_ship(name, changes)
     heading, speed = (typed_value(key, text, one.sizes) for key, text in zip(("heading", "speed"), typed, strict=True))
     waves = typed_sea(sea, one, heading)
@@ -53,15 +56,43 @@ def respond(
         sea_response(one, waves, speed, method=method, form=form)  # type: ignore[arg-type]  # compiled and tabled: not its cost
         begun = process_time()
         found[method] = Found(sea_response(one, waves, speed, method=method, form=form), process_time() - begun)  # type: ignore[arg-type]
+    simulated = _hours(hours)
+    if simulated > 0:
+        irregular(one, waves, speed, form=form)  # compiled: not its cost
+        begun = process_time()
+        result = irregular(one, waves, speed, hours=simulated, form=form)
+        found["simulation"] = Found(result, process_time() - begun)
     if as_json:
         show_json(facts(one, waves, speed, found))
         return
     best = found["closure"].result
     show(_sentence(one, waves, speed, best))
     show(_table(found), *_remarks(best))
+    if "simulation" in found:
+        show(*_of_simulation(found["simulation"].result))
     show(ship_notes(one))
     words = f"--heading {typed[0]} --speed {typed[1]} --wave-period {waves.tp:.3g}s --wave-height {waves.hs:.3g}"
     show(next_steps(f"quartering verdict {name} {words}{option_words(changes)}"))
+
+
+def _hours(text: str) -> float:
+    """Hours to simulate; 0 for none."""
+    return 0.0 if text.strip() in ("0", "none") else value(text, ARGUMENTS["simulated_hours"], NO_SHIP, "--hours")
+
+
+def _of_simulation(result: xr.Dataset) -> list[str]:
+    """What only a simulation tells: failures, their rate, and what it rests on."""
+    k, exposure = int(result["failures"]), float(result["exposure"])
+    limit = result.attrs["roll_limit"]
+    felt = result.attrs["acceleration_limit"]
+    other = f" or {felt:g} m/s2" if isinstance(felt, float) else ""
+    return [
+        f"Simulation of {exposure:.4g} h (seed {result.attrs['seed']}): {k} failures (roll of {limit:.3g} deg{other}), rate"
+        f" {float(result['failure_rate']):.2g} 1/s, 95 % interval {float(result['rate_lower']):.2g} to"
+        f" {float(result['rate_upper']):.2g} 1/s.",
+        f"It has {result.attrs['strips']} strips of drag and {result.attrs['memory']}; by the closure that changes"
+        f" {result.attrs['closure_change']}.",
+    ]
 
 
 def typed_sea(typed: Mapping[str, str | None], one: Ship, heading: float) -> Sea:
@@ -123,17 +154,20 @@ _ROWS: Final = (
 
 
 def _table(found: Mapping[str, Found]) -> Any:
-    rows = [(words, *(_number(found[method].result[name]) for method in METHODS)) for words, name in _ROWS]
-    rows.append(("processor time [s]", *(f"{found[method].cost:.2g}" for method in METHODS)))
-    rows.append(("error of roll RMS found in twelve seas", *(error for _, error in METHODS.values())))
+    rows = [(words, *(_number(one.result, name) for one in found.values())) for words, name in _ROWS]
+    rows.append(("processor time [s]", *(f"{one.cost:.2g}" for one in found.values())))
+    errors, names = [error for _, error in METHODS.values()], [words for words, _ in METHODS.values()]
+    if "simulation" in found:
+        at = found["simulation"].result
+        errors.append(f"{float(at['roll_rms_error'] / at['roll_rms']):.1%} standard error")
+        names.append(f"simulation, {float(at['exposure']):.4g} h")
+    rows.append(("error of roll RMS; of the first two as found in twelve seas", *errors))
     hours = found["closure"].result.attrs["hours"]
-    return table(
-        f"Response; largest of {hours:g} h", ("quantity", *(words for words, _ in METHODS.values())), rows, right=(1, 2)
-    )
+    return table(f"Response; largest of {hours:g} h", ("quantity", *names), rows, right=tuple(range(1, len(names) + 1)))
 
 
-def _number(one: xr.DataArray) -> str:
-    return f"{float(one):.3g}" if np.isfinite(float(one)) else "-"
+def _number(of: xr.Dataset, name: str) -> str:
+    return f"{float(of[name]):.3g}" if name in of and np.isfinite(float(of[name])) else "-"
 
 
 def _remarks(best: xr.Dataset) -> list[str]:
@@ -175,8 +209,21 @@ def facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, Found]) -> dict
                 },
             }
             for method, (at, cost) in found.items()
+            if method in METHODS
         },
+        **({"simulation": _simulated_facts(found["simulation"])} if "simulation" in found else {}),
         **{name: float(best[name]) for name in ("overtaken", "near_zero", "cut_off")},
         "pile_up": dict(zip(best["line"].values.tolist(), best["pile_up"].values.tolist(), strict=True)),
         "pile_up_heading": dict(zip(best["line"].values.tolist(), best["pile_up_heading"].values.tolist(), strict=True)),
     }  # fmt: skip
+
+
+def _simulated_facts(found: Found) -> dict[str, Any]:
+    """Numbers of a simulation, without those of each block, and what it rests on."""
+    at = found.result
+    numbers = {name: at[name].values.tolist() for name in at.data_vars if not at[name].dims}
+    return {
+        "processor_time": found.cost,
+        **numbers,
+        **{name: at.attrs[name] for name in ("seed", "hours", "step", "memory")},
+    }
