@@ -58,9 +58,9 @@ def respond(
         found[method] = Found(sea_response(one, waves, speed, method=method, form=form), process_time() - begun)  # type: ignore[arg-type]
     simulated = _hours(hours)
     if simulated > 0:
-        irregular(one, waves, speed, form=form)  # compiled: not its cost
+        irregular(one, waves, speed, form=form)  # type: ignore[arg-type]  # compiled: not its cost
         begun = process_time()
-        result = irregular(one, waves, speed, hours=simulated, form=form)
+        result = irregular(one, waves, speed, hours=simulated, form=form)  # type: ignore[arg-type]
         found["simulation"] = Found(result, process_time() - begun)
     if as_json:
         show_json(facts(one, waves, speed, found))
@@ -201,7 +201,7 @@ def facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, Found]) -> dict
             method: {
                 "status": SeaStatus(int(at["status"])).name.lower(),
                 "processor_time": cost,
-                "roll_error": METHODS[method][1],  # type: ignore[index]
+                "roll_error": METHODS[method][1],
                 **{
                     name: at[name].values.tolist()
                     for name in at.data_vars
@@ -221,7 +221,7 @@ def facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, Found]) -> dict
 def _simulated_facts(found: Found) -> dict[str, Any]:
     """Numbers of a simulation, without those of each block, and what it rests on."""
     at = found.result
-    numbers = {name: at[name].values.tolist() for name in at.data_vars if not at[name].dims}
+    numbers = {str(name): at[name].values.tolist() for name in at.data_vars if not at[name].dims}
     return {
         "processor_time": found.cost,
         **numbers,
