@@ -203,6 +203,15 @@ def test_without_memory_a_beam_sea_is_warned_of():
     np.testing.assert_allclose(found["roll_rms"] / closed["roll_rms"], 1 - 0.18, rtol=0.03)
 
 
+@STEEP
+def test_a_fit_does_not_run_away_beyond_its_samples():
+    """A fit that is near in its band but has a hundredth of the yaw inertia beyond it ends every block in its run-up."""
+    found = qt.irregular(qt.ship("wigley"), qt.Sea(hs=2, tp=8, heading=60, spreading=10), "10kn", seed=1)
+    closed = qt.sea_response(qt.ship("wigley"), qt.Sea(hs=2, tp=8, heading=60, spreading=10), "10kn", method="closure")
+    np.testing.assert_allclose(found["roll_rms"], closed["roll_rms"], rtol=0.05)
+    assert int((found["failure_cause"] == 3).sum()) == 0
+
+
 def pair(passive, alpha=0.5, other=0.9):
     """Two transfer functions with closed form: s/(s^2 + 2 a s + w0^2), and one whose real part is below 0 at low frequency."""
     w = np.linspace(0.05, 3.0, 80)

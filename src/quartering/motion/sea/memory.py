@@ -19,8 +19,9 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 ORDERS: Final = (4, 6, 8, 10)
-_POINTS: Final = 80
+_POINTS, _BEYOND, _LITTLE = 80, 12, 0.03
 _TOP: Final = 2.5
+_NEAR = (0.6, 1.7)
 _VELOCITIES: Final = [0, 2, 3]
 MISFIT: Final = 0.03
 """Root mean square misfit of an entry, as a share of how it changes with frequency, that a fit may have [1]."""
@@ -37,11 +38,14 @@ class Memory:
     fit : RationalFit     of i w M - B over v, p, r, as forces
     misfit : float        largest of the entries, see `MISFIT`
     passive : bool        do the fractions take energy at every frequency?
+    sound : bool          is the inertia at infinite frequency near that at the highest sampled? Else a march may run away
+                          by what the fit does beyond the samples
     """
 
     fit: RationalFit
     misfit: float
     passive: bool
+    sound: bool
 
     @property
     def inertia(self) -> Floats:
@@ -100,16 +104,17 @@ def memory_of(equations: SeaEquations, energy: Floats) -> Memory | None:
     for vanishing in (True, False):
         for order in ORDERS:
             one = _judged(frequency, scaled, order, vanishing, scale, equations.roll_frequency)
-            if one.misfit < MISFIT and (one.passive or not vanishing):
+            if one.sound and one.misfit < MISFIT and (one.passive or not vanishing):
                 return one
             found.append(one)
-    return min(found, key=lambda one: one.misfit)
+    return min((one for one in found if one.sound), key=lambda one: one.misfit, default=None)
 
 
 def _samples(equations: SeaEquations, energy: Floats) -> tuple[Floats, Complex]:
     """Frequencies (f,) across those that hold all but 1e-4 of the energy, and i w M - B at them (f, 3, 3).
 
-    Not beyond 2.5 times that of roll: there inertia rules the motion, and a fit that serves both serves neither.
+    Beyond 2.5 times that of roll inertia rules the motion, and a fit that serves both serves neither: a few samples there, of
+    little weight, hold the inertia at infinite frequency in place.
     """
     order = np.argsort(equations.frequency)
     w = equations.frequency[order]
@@ -117,7 +122,7 @@ def _samples(equations: SeaEquations, energy: Floats) -> tuple[Floats, Complex]:
     high = w[min(int(np.searchsorted(share, 1.0 - 1e-4)), w.size - 1)]
     low = max(w[0], 0.02 * high)
     top = max(min(high, _TOP * equations.roll_frequency), 2.0 * equations.roll_frequency)
-    wanted = np.geomspace(low, top, _POINTS)
+    wanted = np.append(np.geomspace(low, top, _POINTS), np.geomspace(top, max(w[-1], top), _BEYOND))
     at = order[np.unique(np.searchsorted(w, wanted).clip(0, w.size - 1))]
     frequency, first = np.unique(equations.frequency[at], return_index=True)
     at = at[first]
@@ -129,12 +134,22 @@ def _judged(
     frequency: Floats, scaled: Complex, order: int, vanishing: bool, scale: Floats, roll_frequency: float
 ) -> Memory:
     """A fit, the frequencies above that of roll counting less: there the motion is ruled by inertia."""
-    weight = np.minimum(1.0, 1.5 * roll_frequency / frequency)
+    top = max(_TOP * roll_frequency, float(frequency[0]))
+    weight = np.where(frequency <= top, np.minimum(1.0, 1.5 * roll_frequency / frequency), _LITTLE)
     fit = rational_fit(frequency, scaled, order, vanishing=vanishing, weight=weight)
     wrong = weight[:, None, None] * np.abs(fit.value(frequency) - scaled)
-    misfit = float((np.sqrt(np.mean(wrong**2, axis=0)) / change_with_frequency(frequency, scaled)).max())
+    wrong = wrong[frequency <= top]
+    misfit = float(
+        (
+            np.sqrt(np.mean(wrong**2, axis=0))
+            / change_with_frequency(frequency[frequency <= top], scaled[frequency <= top])
+        ).max()
+    )
     wide = np.concatenate([np.zeros(1), np.geomspace(0.05, 20.0, 200) * frequency.max()])
     passive = bool(fit.least_damping(wide) > PASSIVE)
     by = np.multiply.outer(scale, scale)
     whole = RationalFit(fit.constant * by, fit.slope * by, fit.dynamics, fit.drive, fit.output * by)
-    return Memory(whole, misfit, passive)
+    last = scaled[-1].imag / frequency[-1]
+    ratio = np.linalg.eigvals(np.linalg.solve(last, fit.slope))
+    sound = bool((ratio.real > _NEAR[0]).all() and (ratio.real < _NEAR[1]).all())
+    return Memory(whole, misfit, passive, sound)
