@@ -45,7 +45,6 @@ if TYPE_CHECKING:
     from quartering.motion.steady.motion import Motion, steady_motion
     from quartering.motion.surf_riding import surf_riding_thresholds
     from quartering.motion.transient.basin import basin
-    from quartering.motion.transient.irregular import irregular
     from quartering.motion.transient.simulate import simulate
     from quartering.references import cite
     from quartering.stability.hill import hill_exponents
@@ -68,6 +67,7 @@ if TYPE_CHECKING:
     from quartering.study.parametric_roll import parametric_roll
     from quartering.study.responses import responses
     from quartering.study.seas.response import sea_response
+    from quartering.study.seas.simulation import irregular
     from quartering.study.solve import solve
 
 _HOMES = {
@@ -105,7 +105,7 @@ _HOMES = {
     "basin": "motion.transient.basin",
     "Model": "motion.equations.system",
     "equations": "motion.of_ship",
-    "irregular": "motion.transient.irregular",
+    "irregular": "study.seas.simulation",
     "simulate": "motion.transient.simulate",
     "Motion": "motion.steady.motion",
     "steady_motion": "motion.steady.motion",

@@ -44,6 +44,19 @@ _ARGUMENTS = (
 
 ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
     "signed_frequency": Option("frequency", "frequency", "encounter frequency of either sign", usual="0.6 rad/s"),
+    "simulated_hours": Option("hours", "ratio", "to simulate, at the least", low=0, above=True, high=1e7, usual=32.0),
+    "felt_limit": Option(
+        "acceleration_limit", "ratio", "lateral acceleration of a failure [m/s2]", low=0, above=True, usual=9.81
+    ),
+    "until": Option(
+        "until",
+        "ratio",
+        "relative standard error of roll at which a simulation stops",
+        low=0,
+        above=True,
+        high=1,
+        usual=0.01,
+    ),
     "wave_frequency": Option("frequency", "frequency", "of a wave, or of motion", low=0, above=True, usual="0.6 rad/s"),
 }
-"""Arguments of public functions by name; two more are called "frequency" and have another range."""
+"""Arguments of public functions by name; some names have another range elsewhere, or are too common to be options."""

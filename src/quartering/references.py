@@ -108,6 +108,11 @@ REFERENCES: Final[dict[str, str]] = {
     "Rice44": "Rice, S. O. (1944). Mathematical analysis of random noise. Bell System Technical Journal 23, 24.",
     "Vanmarcke75": "Vanmarcke, E. H. (1975). On the distribution of the first-passage time for normal stationary random "
     "processes. Journal of Applied Mechanics 42.",
+    "Tucker84": "Tucker, M. J., Challenor, P. G., Carter, D. J. T. (1984). Numerical simulation of a random sea: a common "
+    "error and its effect upon wave group statistics. Applied Ocean Research 6.",
+    "Gustavsen99": "Gustavsen, B., Semlyen, A. (1999). Rational approximation of frequency domain responses by vector fitting. "
+    "IEEE Transactions on Power Delivery 14.",
+    "Coles01": "Coles, S. (2001). An Introduction to Statistical Modeling of Extreme Values. Springer.",
     "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
     "Numerische Mathematik 58.",
 }

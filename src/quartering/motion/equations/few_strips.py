@@ -50,12 +50,35 @@ def gauss_of_stations(x: Floats, c: Floats, depth: Floats, points: int = POINTS)
     (True, 3)
     """
     held = c > 0
-    if np.count_nonzero(held) <= points:
-        return x[held], c[held], depth[held]
-    places, weights = x[held], c[held]
-    middle, half = 0.5 * (places[0] + places[-1]), 0.5 * float(np.ptp(places))
-    scaled = (places - middle) / half
-    vectors = [np.sqrt(weights / weights.sum())]
+    nodes, weights, values = gauss_rule(x[held], c[held], points)
+    return nodes, weights, values @ depth[held]
+
+
+def gauss_rule(x: Floats, c: Floats, points: int) -> tuple[Floats, Floats, Floats]:
+    """Gauss' rule of a sum over stations of weight above zero, and the map that carries any function over to its points.
+
+    Parameters
+    ----------
+    x, c : (s,) float    as of `gauss_of_stations`, c above 0
+    points : int         m
+
+    Returns
+    -------
+    x, c : (m,) float
+    map : (m, s) float    from values at the stations to those of the polynomial of degree m - 1 that comes nearest to them
+
+    Examples
+    --------
+    >>> stations = np.linspace(-1.0, 1.0, 21)
+    >>> x, _, values = gauss_rule(stations, np.full(21, 0.1), 3)
+    >>> bool(np.allclose(values @ stations**2, x**2))
+    True
+    """
+    if x.size <= points:
+        return x, c, np.eye(x.size)
+    middle, half = 0.5 * (x[0] + x[-1]), 0.5 * float(np.ptp(x))
+    scaled = (x - middle) / half
+    vectors = [np.sqrt(c / c.sum())]
     diagonal, beside = np.zeros(points), np.zeros(points - 1)
     for k in range(points):
         ahead = scaled * vectors[k]
@@ -66,5 +89,5 @@ def gauss_of_stations(x: Floats, c: Floats, depth: Floats, points: int = POINTS)
             beside[k] = np.linalg.norm(ahead)
             vectors.append(ahead / beside[k])
     nodes, at_nodes = np.linalg.eigh(np.diag(diagonal) + np.diag(beside, 1) + np.diag(beside, -1))
-    fitted = (np.array(vectors) @ (vectors[0] * depth[held])) @ at_nodes / at_nodes[0]
-    return middle + half * nodes, weights.sum() * at_nodes[0] ** 2, fitted
+    values = (at_nodes / at_nodes[0]).T @ np.array(vectors) * vectors[0]
+    return middle + half * nodes, c.sum() * at_nodes[0] ** 2, values

@@ -131,14 +131,19 @@ def gains_of(terms: Terms, at: Statistics, held: bool) -> Gains:
     for j, state in enumerate(terms.extra):
         mean[4 + j] = mean[state] if state >= 0 else 0.0
     gain, force, drag_force, by_strip = np.zeros((3, m)), np.zeros(3), np.zeros(3), np.zeros(z)
-    coefficients = terms.coefficients
-    if terms.matched is not None:
-        share, scale = terms.matched
-        coefficients = coefficients + share * (scale / _matched_velocity(terms, at.variance, scale) - 1.0)
+    coefficients = coefficients_at(terms, at.variance)
     averages(terms.powers, terms.modulus, coefficients, terms.knots, terms.cubics, mean, at.c, gain, force)
     if terms.matched is None:
         drag_averages(terms.forms, terms.drag, mean[_TAKEN], at.variance, by_strip, drag_force)
     return Gains(gain, by_strip, force + drag_force)
+
+
+def coefficients_at(terms: Terms, variance: Floats) -> Floats:
+    """Coefficients (3, t) of the products, cubic drag matched at variances (z,) of the strips' velocity [m2/s2]."""
+    if terms.matched is None:
+        return terms.coefficients
+    share, scale = terms.matched
+    return np.asarray(terms.coefficients + share * (scale / _matched_velocity(terms, variance, scale) - 1.0))
 
 
 def _matched_velocity(terms: Terms, variance: Floats, scale: float) -> float:

@@ -147,6 +147,22 @@ def roll_mode_of(inertia: Floats, linear: Floats) -> tuple[float, float, float]:
     return float(abs(values[k])), float(-values.real[k] / abs(values[k])), float(others.min(initial=np.inf))
 
 
+def angle_of_largest_arm(equations: SeaEquations) -> float:
+    """Heel of the largest righting moment, 90 deg at most [rad]: beyond it a larger roll meets a smaller moment."""
+    phi = np.linspace(0.0, 0.5 * np.pi, 901)
+    terms = equations.terms
+    moment = equations.at_roll[1][1, 1] * phi
+    alone = (np.delete(terms.powers, 1, axis=1) == 0).all(axis=1) & np.isin(terms.modulus, (0, 2))
+    for t in np.flatnonzero(alone):
+        moment = moment + terms.coefficients[1, t] * phi ** (terms.powers[t, 1] + (terms.modulus[t] == 2))
+    if terms.knots.size:
+        b = np.searchsorted(terms.knots, phi, side="right") - 1
+        x = phi - terms.knots[b]
+        moment = moment + (terms.cubics[b] * x[:, None] ** np.arange(4)).sum(axis=1)
+    falls = np.flatnonzero(np.diff(-moment) < 0)
+    return float(phi[falls[0]] if falls.size else phi[-1])
+
+
 def free_roll_of(ship: Ship | Model, speed: float) -> tuple[float, float]:
     """Natural frequency [rad/s] and damping ratio of small free roll, all linear terms in.
 

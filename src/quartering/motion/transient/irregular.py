@@ -3,13 +3,14 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.compiled import kernel
-from quartering.conventions import STATE, InputError
+from quartering.conventions import STATE, InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.told import number, numbers
 from quartering.motion.equations.rates import WIDTH
@@ -113,6 +114,11 @@ def irregular(
     InputError        a model with water in motion and none given, or the reverse; shapes that do not fit together, numbers
                       that are not finite, a step, duration or limit not above 0
 
+    Warns
+    -----
+    RangeWarning      equally spaced frequencies whose groups of waves repeat within the duration: extremes are then too low and
+                      scatter too little; a `Sea` in place of arrays has random amplitudes
+
     Notes
     -----
     Fourth-order Runge-Kutta with a fixed step. The excitation at the steps is one matrix product for all realisations, that
@@ -145,6 +151,14 @@ def irregular(
         raise InputError(
             f"step = {step:g} s and duration = {duration:g} s; the step is at most the duration; try 0.2 s"
         )
+    period = repeat_period(w)
+    if period < duration:
+        warnings.warn(
+            f"frequency: {w.size} equally spaced components repeat their groups of waves every {period:.4g} s, and the duration"
+            f" is {duration:.4g} s: the largest rolls are too small and scatter too little; give a quartering.Sea instead",
+            RangeWarning,
+            stacklevel=4,
+        )
     known = _known_inputs(model, w.size, water)
     count, steps = phases.shape[0], round(duration / step)
     rows = -(-count // WIDTH)
@@ -168,6 +182,22 @@ def irregular(
     result = _dataset(model, states, peak, square, capsize, count, steps * step, step)
     reason = model.capsize_limit.reason if limit is None else "given"
     return result.assign_attrs(capsize_angle=float(np.degrees(angle_of_capsize)), capsize_reason=reason)
+
+
+def repeat_period(frequency: Floats) -> float:
+    """Time after which the groups of waves of equally spaced frequencies repeat [s]; infinite of others, and of two or one.
+
+    Examples
+    --------
+    >>> round(repeat_period(np.linspace(0.2, 1.2, 50)), 1)
+    307.9
+    """
+    gaps = np.diff(np.unique(frequency))
+    gaps = gaps[gaps > 1e-9]
+    if gaps.size < 2:
+        return np.inf
+    parts = gaps / gaps.min()
+    return float(2.0 * np.pi / gaps.min()) if np.abs(parts - np.round(parts)).max() < 1e-6 else np.inf
 
 
 def _known_inputs(model: Model, components: int, water: ArrayLike | None) -> NDArray[np.complex128]:

@@ -33,13 +33,15 @@ class Alike(NamedTuple):
 
     Parameters
     ----------
-    matrix : (3 or 4, c) float    rows sway, roll, yaw, and the rudder's where it lags; c a multiple of 4
-    columns : (c,) int            where the program has them
-    program, parts                of the `System`
+    matrix : (g, 4) float    what is not zero, four at a time; a row has as many groups as it needs, filled up with zeros
+    columns : (g, 4) int     where the program has their columns
+    row : (g,) int           row of the right-hand side, those of one row together
+    program, parts           of the `System`
     """
 
     matrix: Floats
     columns: NDArray[np.int64]
+    row: NDArray[np.int64]
     program: Program
     parts: Parts
 
@@ -63,41 +65,49 @@ def alike(system: System) -> Alike:
     --------
     >>> from quartering.motion.equations.system import Model
     >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_ppp": -0.2, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    >>> alike(model.system).columns.tolist()  # the state, p^3 in column 5, and three to fill up
-    [0, 1, 2, 3, 5, 0, 0, 0]
+    >>> alike(model.system).columns.tolist(), alike(model.system).row.tolist()  # p^3 of roll is in column 5
+    ([[0, 0, 0, 0], [1, 5, 0, 0], [3, 0, 0, 0]], [0, 1, 2])
     """
     program = system.program
     rows, states = system.linear.shape[1:]
-    used = states + program.products.size
-    matrix = np.zeros((rows, -(-used // _GROUP) * _GROUP))
-    matrix[:, :states] = system.linear[0]
-    matrix[:3, states:used] = system.coefficients[0]
-    columns = np.zeros(matrix.shape[1], dtype=np.int64)
-    columns[:states], columns[states:used] = np.arange(states), program.products
-    return Alike(matrix, columns, program, Parts(*(array[:1] for array in system.parts)))
+    whole = np.zeros((rows, states + program.products.size))
+    whole[:, :states] = system.linear[0]
+    whole[:3, states:] = system.coefficients[0]
+    columns = np.concatenate([np.arange(states), program.products])
+    groups, of = [], []
+    for k in range(rows):
+        held = np.flatnonzero(whole[k])
+        for first in range(0, held.size, _GROUP):
+            part = held[first : first + _GROUP]
+            fill_up = _GROUP - part.size
+            groups.append((np.pad(whole[k, part], (0, fill_up)), np.pad(columns[part], (0, fill_up))))
+            of.append(k)
+    matrix = np.array([one for one, _ in groups]).reshape(-1, _GROUP)
+    at = np.array([one for _, one in groups], dtype=np.int64).reshape(-1, _GROUP)
+    parts = Parts(*(array[:1] for array in system.parts))
+    return Alike(matrix, at, np.array(of, dtype=np.int64), program, parts)
 
 
 @abreast
 def room_to_march(equations):
-    """What `step_sum` works in: lanes, columns and rates, and the sum of four rates."""
+    """What `step_sum` works in: lanes, columns and rates, the sum of four rates, and the first of them."""
     lanes = row_of_lanes(equations.parts, WIDTH)
     fill(0, 1.0, equations.parts, lanes)
     columns, rate, _, sums = room_for(equations.program, lanes)
-    return lanes, columns, rate, sums, np.zeros((equations.program.states, WIDTH))
+    return lanes, columns, rate, sums, np.zeros((equations.program.states, WIDTH)), np.zeros(rate.shape)
 
 
 @abreast
 def _rates(equations, lanes, c, s, columns, sums, rate):
-    """Add to ``rate`` (3 or 4, W) what the state and the known inputs in ``columns`` do; the products are made here."""
+    """Add to ``rate`` (k, W) what the state and the known inputs in ``columns`` do; the products are made here."""
     matrix, at, program = equations.matrix, equations.columns, equations.program
     multiply(program.links, 0, program.values, columns)
-    for k in range(matrix.shape[0]):
-        for g in range(0, matrix.shape[1], _GROUP):
-            m0, m1, m2, m3 = matrix[k, g], matrix[k, g + 1], matrix[k, g + 2], matrix[k, g + 3]
-            c0, c1, c2, c3 = at[g], at[g + 1], at[g + 2], at[g + 3]
-            for l in range(WIDTH):
-                first = m0 * columns[c0, l] + m1 * columns[c1, l]
-                rate[k, l] += first + (m2 * columns[c2, l] + m3 * columns[c3, l])
+    for g in range(matrix.shape[0]):
+        k, m0, m1, m2, m3 = equations.row[g], matrix[g, 0], matrix[g, 1], matrix[g, 2], matrix[g, 3]
+        c0, c1, c2, c3 = at[g, 0], at[g, 1], at[g, 2], at[g, 3]
+        for l in range(WIDTH):
+            first = m0 * columns[c0, l] + m1 * columns[c1, l]
+            rate[k, l] += first + (m2 * columns[c2, l] + m3 * columns[c3, l])
     add_strips_and_table(program, lanes, c, s, columns, sums, rate)
 
 
@@ -118,7 +128,9 @@ def _hold(series, lanes):
 
 @abreast
 def step_sum(equations, h, excitation, series, waves, y, room):
-    """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last of ``room``.
+    """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last but one of ``room``.
+
+    The last takes the accelerations at the beginning of the step.
 
     Parameters
     ----------
@@ -130,7 +142,7 @@ def step_sum(equations, h, excitation, series, waves, y, room):
     -----
     The state after the step is ``y + h/6`` times the sum.  Source: [H71] eq. (3), the classical fourth-order method.
     """
-    lanes, columns, rate, sums, total = room
+    lanes, columns, rate, sums, total, first = room
     program = equations.program
     states = program.states
     for s in range(states):
@@ -145,6 +157,10 @@ def step_sum(equations, h, excitation, series, waves, y, room):
             _hold(series[at], lanes)
         enter_inputs(program, lanes, waves[at], columns)
         _rates(equations, lanes, waves[at, 1], waves[at, 2], columns, sums, rate)
+        if j == 0:
+            for k in range(rate.shape[0]):
+                for l in range(WIDTH):
+                    first[k, l] = rate[k, l]
         weight, ahead = (1.0 if j == 0 or j == 3 else 2.0), (0.5 * h if j < 2 else h)
         # a state that follows another first, while that one is still the stage's
         for s in range(states):

@@ -90,7 +90,7 @@ def sea_dataset(
             "flag_meanings": " ".join(one.name.lower() for one in flags),
         },
     )
-    data |= _pile_up(given["roll_frequency"], cells.speed)
+    data |= pile_up_lines(given["roll_frequency"], cells.speed)
     return xr.Dataset(data, _coordinates(seas, sizes, shape), _attributes(ship, seas, cells, given, answers))
 
 
@@ -128,7 +128,7 @@ def _row(found: Answer, hours: float) -> dict[str, Any]:
 _STILL_KNOWN: Final = ("overtaken", "near_zero", "cut_off", "passes", "roll_of_each")
 
 
-def _pile_up(roll_frequency: float, speed: float) -> dict[str, xr.Variable]:
+def pile_up_lines(roll_frequency: float, speed: float) -> dict[str, xr.Variable]:
     """The two lines U cos mu = g/(4 w2) and g/(8 w2), and the heading each has at the speed."""
     line = GRAVITY / (np.array([4.0, 8.0]) * roll_frequency)
     with np.errstate(divide="ignore"):

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.righting.limit import CapsizeLimit
 from quartering.hull.ship import Ship
 from quartering.hull.told import number, numbers
 from quartering.hydro.capsize import capsize_limit
@@ -33,7 +34,7 @@ Floats = NDArray[np.float64]
 Method = Literal["linear", "closure"]
 NEAR: Final = 0.1
 """Encounter frequency, in natural roll frequencies, below which a wave pushes the ship as a steady force does [1]."""
-_LEAST_DAMPING: Final = 0.01
+LEAST_DAMPING: Final = 0.01
 """Damping ratio that the cells resolve at least [1]."""
 MOST_NEAR: Final = 0.2
 """Share of the energy there above which a ship is in the regime of surf-riding and broaching [1]."""
@@ -147,10 +148,10 @@ def sea_response(
     turned, shape = _turned(
         seas, None if heading is None else numbers(of, "heading", heading), not isinstance(sea, Sea)
     )
-    at = _place(ship, place)
+    at = place_of(ship, place)
     roll_frequency, damping = free_roll_of(ship, U)
-    cells = wave_cells(turned, U, roll_frequency, max(damping, _LEAST_DAMPING))
-    equations = _equations(ship, cells, force, form)
+    cells = wave_cells(turned, U, roll_frequency, max(damping, LEAST_DAMPING))
+    equations = sea_equations(ship, cells, force, form)
     by_linear = linear_response(equations) if method == "linear" else None
     ready = None if by_linear is None else products(by_linear, equations.frequency, U, at)
 
@@ -193,7 +194,7 @@ def _turned(seas: list[Sea], heading: Floats | None, several: bool) -> tuple[lis
     return [one.turned_to(float(mu)) for one in seas for mu in towards], shape
 
 
-def _place(ship: Ship | Model, place: Any) -> tuple[float, float]:
+def place_of(ship: Ship | Model, place: Any) -> tuple[float, float]:
     """Point of the lateral acceleration from G: forward, down [m]."""
     if isinstance(ship, Model):
         x, up = (0.0, 0.0) if place is None else (number(None, "reference_x", one) for one in place)
@@ -207,7 +208,8 @@ def _place(ship: Ship | Model, place: Any) -> tuple[float, float]:
     return x - hydrostatics(ship.hull).lcb, ship.loading.kg - height
 
 
-def _equations(ship: Ship | Model, cells: Cells, force: Force | None, form: Form) -> SeaEquations:
+def sea_equations(ship: Ship | Model, cells: Cells, force: Force | None, form: Form) -> SeaEquations:
+    """Equations over cells of a ship, or of a model with its force."""
     if isinstance(ship, Model):
         if force is None:
             raise InputError(
@@ -220,6 +222,14 @@ def _equations(ship: Ship | Model, cells: Cells, force: Force | None, form: Form
     return equations_of_ship(ship, cells, form)
 
 
+def shares_of(cells: Cells, sea: Sea, roll_frequency: float) -> tuple[float, float, float]:
+    """Shares of the wave energy that the ship overtakes, that is near encounter frequency 0, and that is beyond the cut."""
+    energy, omega = cells.energy(sea), cells.omega
+    total = float(energy.sum())
+    near = np.abs(omega) < NEAR * roll_frequency
+    return float(energy[omega < 0].sum()) / total, float(energy[near].sum()) / total, 1.0 - total / sea.moment(0)
+
+
 def _answer(
     equations: SeaEquations,
     sea: Sea,
@@ -229,14 +239,7 @@ def _answer(
     roll_frequency: float,
 ) -> Answer:
     energy = equations.cells.energy(sea)
-    total = float(energy.sum())
-    omega = equations.cells.omega
-    whole = sea.moment(0)
-    shares = (
-        float(energy[omega < 0].sum()) / total,
-        float(energy[np.abs(omega) < NEAR * roll_frequency].sum()) / total,
-        1.0 - total / whole,
-    )
+    shares = shares_of(equations.cells, sea, roll_frequency)
     if by_linear is not None and ready is not None:
         found = [linear_solution(equations, energy, by_linear)]
         moments = moments_of(energy @ ready)
@@ -263,26 +266,30 @@ def _status(found: Answer, ship: Ship | Model, hours: float) -> SeaStatus:
         return SeaStatus.SURF_RIDING
     if found.exponents.real[0] > 0:
         return SeaStatus.UNSTABLE
-    limit = _limit(ship)
+    limit = limit_of(ship).angle
     if found.rolls[0] * found.moments.roll_largest(hours)[1] > limit:
         return SeaStatus.PAST_CAPSIZE_LIMIT
     return SeaStatus.ANSWERED
 
 
-def _limit(ship: Ship | Model) -> float:
-    if isinstance(ship, Model):
-        return ship.capsize_limit.angle
-    return capsize_limit(ship).angle
+def limit_of(ship: Ship | Model) -> CapsizeLimit:
+    """Roll angle that counts as a capsize."""
+    return ship.capsize_limit if isinstance(ship, Model) else capsize_limit(ship)
 
 
-def _warn(seas: Sequence[Sea], answers: Sequence[Answer], status: Sequence[SeaStatus]) -> None:
+def warn_of_steepness(seas: Sequence[Sea]) -> None:
+    """Warn of the steepest of seas where linear waves are doubtful."""
     steep = max(seas, key=lambda one: one.steepness)
     if steep.steepness > STEEP_SEA:
         warnings.warn(
             f"sea of {steep.words}: steepness {steep.steepness:.3g}, above {STEEP_SEA:g}: linear waves are doubtful",
             RangeWarning,
-            stacklevel=4,
+            stacklevel=5,
         )
+
+
+def _warn(seas: Sequence[Sea], answers: Sequence[Answer], status: Sequence[SeaStatus]) -> None:
+    warn_of_steepness(seas)
     near = [found.shares[1] for found, one in zip(answers, status, strict=True) if one == SeaStatus.SURF_RIDING]
     if near:
         warnings.warn(

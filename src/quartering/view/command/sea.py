@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from time import process_time
 from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple
@@ -10,6 +11,7 @@ import typer
 
 from quartering.arguments import ARGUMENTS
 from quartering.options import Refused, line_of
+from quartering.units import NO_SHIP
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Heading, ShipName, Speed
 from quartering.view.console.printed import table
@@ -54,6 +56,7 @@ def sea(
     spreading: Annotated[
         str, typer.Option(help="Spreading: s of cos^2s of half the angle, cos2, or none for a long-crested sea.")
     ] = "none",
+    hours: Annotated[str, typer.Option(help="Hours to simulate, 32 at a time: 1000; 0 for no simulation.")] = "32",
     form: FormName = "stf",
 ) -> Answer:
     """Judge a ship in an irregular sea: roll, largest roll of three hours and stability, by every method there is."""
@@ -63,13 +66,15 @@ def sea(
     mu, u = typed_value("heading", heading, one.sizes), typed_value("speed", speed, one.sizes)
     waves = _sea(one, mu, {"hs": hs, "tp": tp, "tz": tz, "gamma": gamma}, spectrum, spreading)
     chosen: Form = form  # type: ignore[assignment]  # sea_response refuses an unknown one
-    found = _answers(one, waves, u, chosen)
+    found = _answers(one, waves, u, chosen, _hours(hours))
 
     def lines() -> Iterator[Table | str]:
         best = found["closure"].result
         yield _sentence(one, waves, u, best)
         yield _table(found)
         yield from _remarks(best)
+        if "simulation" in found:
+            yield from _of_simulation(found["simulation"].result)
         yield ship_notes(one)
 
     words = f"--heading {heading} --speed {speed} --wave-period {waves.tp:.3g}s --wave-height {waves.hs:.3g}"
@@ -87,9 +92,10 @@ class Found(NamedTuple):
     cost: float
 
 
-def _answers(one: Ship, waves: Sea, speed: float, form: Form) -> dict[str, Found]:
-    """The answer of each method."""
+def _answers(one: Ship, waves: Sea, speed: float, form: Form, hours: float) -> dict[str, Found]:
+    """The answer of each method; of the simulation where it has hours."""
     from quartering.study.seas.response import sea_response
+    from quartering.study.seas.simulation import irregular
 
     found: dict[str, Found] = {}
     for method in METHODS:
@@ -97,7 +103,32 @@ def _answers(one: Ship, waves: Sea, speed: float, form: Form) -> dict[str, Found
         begun = process_time()
         result = sea_response(one, waves, speed, method=method, form=form)  # type: ignore[arg-type]
         found[method] = Found(result, process_time() - begun)
+    if hours > 0:
+        irregular(one, waves, speed, form=form)  # compiled: not its cost
+        begun = process_time()
+        result = irregular(one, waves, speed, hours=hours, form=form)
+        found["simulation"] = Found(result, process_time() - begun)
     return found
+
+
+def _hours(text: str) -> float:
+    """Hours to simulate; 0 for none."""
+    return 0.0 if text.strip() in ("0", "none") else value(text, ARGUMENTS["simulated_hours"], NO_SHIP, "--hours")
+
+
+def _of_simulation(result: xr.Dataset) -> list[str]:
+    """What only a simulation tells: failures, their rate, and what it rests on."""
+    k, exposure = int(result["failures"]), float(result["exposure"])
+    limit = result.attrs["roll_limit"]
+    felt = result.attrs["acceleration_limit"]
+    other = f" or {felt:g} m/s2" if isinstance(felt, float) else ""
+    return [
+        f"Simulation of {exposure:.4g} h (seed {result.attrs['seed']}): {k} failures (roll of {limit:.3g} deg{other}), rate"
+        f" {float(result['failure_rate']):.2g} 1/s, 95 % interval {float(result['rate_lower']):.2g} to"
+        f" {float(result['rate_upper']):.2g} 1/s.",
+        f"It has {result.attrs['strips']} strips of drag and {result.attrs['memory']}; by the closure that changes"
+        f" {result.attrs['closure_change']}.",
+    ]
 
 
 def _sea(one: Ship, heading: float, typed: Mapping[str, str | None], spectrum: str, spreading: str) -> Sea:
@@ -160,19 +191,20 @@ _ROWS: Final = (
 
 
 def _table(found: Mapping[str, Found]) -> Table:
-    rows = [(words, *(_number(found[method].result[name]) for method in METHODS)) for words, name in _ROWS]
-    rows.append(("processor time [s]", *(f"{found[method].cost:.2g}" for method in METHODS)))
-    rows.append(("error of roll RMS found in twelve seas", *(error for _, error in METHODS.values())))
+    rows = [(words, *(_number(one.result, name) for one in found.values())) for words, name in _ROWS]
+    rows.append(("processor time [s]", *(f"{one.cost:.2g}" for one in found.values())))
+    errors, names = [error for _, error in METHODS.values()], [words for words, _ in METHODS.values()]
+    if "simulation" in found:
+        at = found["simulation"].result
+        errors.append(f"{float(at['roll_rms_error'] / at['roll_rms']):.1%} standard error")
+        names.append(f"simulation, {float(at['exposure']):.4g} h")
+    rows.append(("error of roll RMS; of the first two as found in twelve seas", *errors))
     hours = found["closure"].result.attrs["hours"]
-    return table(
-        f"Response; largest of {hours:g} h", ("quantity", *(words for words, _ in METHODS.values())), rows, right=(1, 2)
-    )
+    return table(f"Response; largest of {hours:g} h", ("quantity", *names), rows, right=tuple(range(1, len(names) + 1)))
 
 
-def _number(one: xr.DataArray) -> str:
-    import numpy as np
-
-    return f"{float(one):.3g}" if np.isfinite(float(one)) else "-"
+def _number(of: xr.Dataset, name: str) -> str:
+    return f"{float(of[name]):.3g}" if name in of and math.isfinite(float(of[name])) else "-"
 
 
 def _remarks(best: xr.Dataset) -> list[str]:
@@ -218,8 +250,21 @@ def _facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, Found]) -> dic
                 },
             }
             for method, (at, cost) in found.items()
+            if method in METHODS
         },
+        **({"simulation": _simulated_facts(found["simulation"])} if "simulation" in found else {}),
         **{name: float(best[name]) for name in ("overtaken", "near_zero", "cut_off")},
         "pile_up": dict(zip(best["line"].values.tolist(), best["pile_up"].values.tolist(), strict=True)),
         "pile_up_heading": dict(zip(best["line"].values.tolist(), best["pile_up_heading"].values.tolist(), strict=True)),
     }  # fmt: skip
+
+
+def _simulated_facts(found: Found) -> dict[str, Any]:
+    """Numbers of a simulation, without those of each block, and what it rests on."""
+    at = found.result
+    numbers = {str(name): at[name].values.tolist() for name in at.data_vars if not at[name].dims}
+    return {
+        "processor_time": found.cost,
+        **numbers,
+        **{name: at.attrs[name] for name in ("seed", "hours", "step", "memory")},
+    }

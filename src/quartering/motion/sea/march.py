@@ -1,0 +1,149 @@
+"""Motion in time of a row of records of a sea, with its sums, its largest values and its failures."""
+
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
+# Lateral acceleration as an accelerometer feels it at a point (x forward, z down, from G), the deck's own gravity in it:
+#
+#     f = v' + U r + x r' - z p' - g phi
+#
+# at the beginning of each step, where Runge-Kutta has the accelerations. Largest values are sought between the steps too: where
+# the roll rate changes sign, roll is that of the cubic through both ends where the secant of the rate is zero; the acceleration
+# is that at the vertex of the parabola through three steps.
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from quartering.compiled import abreast, kernel
+from quartering.conventions import GRAVITY
+from quartering.motion.equations.rates import WIDTH
+from quartering.motion.transient.rk4 import room_to_march, step_sum
+
+SUMS: Final = 16
+"""Of each record: ten products of v, phi, p, r, their four sums, the lateral acceleration squared, and steps counted."""
+NONE, ROLL, ACCELERATION, RUN_UP = 0, 1, 2, 3
+"""How a record ended: without a failure, by roll, by lateral acceleration, or by roll before it counted."""
+_CHECK = 32
+
+
+@kernel
+def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_limit, sums, largest, time, cause):
+    """Runge-Kutta steps of one row of records from rest, until all have failed or ``steps`` are done.
+
+    Parameters
+    ----------
+    equations : Alike
+    forcing : (2 steps + 1, 3 + e + z, W) float32    accelerations, known inputs and water at every half step
+    steps, first, h                                  steps to do, the first that counts, and their length [s]
+    speed, x, z                                      U, and the point of the lateral acceleration from G
+    roll_limit, felt_limit                           of a failure [rad], [m/s2]
+    sums : (16, W)                                   see `SUMS`; of what counts
+    largest : (2, W)                                 |phi| [rad] and |f| [m/s2]
+    time, cause : (W,)                               of the failure since the first step that counts [s]; ``steps`` without
+    """
+    kinds = forcing.shape[1]
+    room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
+    waves = np.zeros((3, equations.parts.inputs.shape[2]))
+    waves[:, 0], waves[:, 1] = 1.0, 1.0  # a series stands where the mean of an input and the cosine of the water would
+    program, total, rate = equations.program, room[4], room[5]
+    mean = equations.parts.mean[0]
+    y, before = np.zeros((program.states, WIDTH)), np.zeros((2, WIDTH))
+    felt, going = np.zeros((4, WIDTH)), np.ones(WIDTH)  # three steps of the acceleration, and its size between them
+    roll, turning = program.displacements[1], program.velocities[1]
+    _take(forcing[0], mean, given[0])
+    for n in range(steps):
+        _take(forcing[2 * n + 1], mean, given[1])
+        _take(forcing[2 * n + 2], mean, given[2])
+        step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
+        _feel(program, rate, y, speed, x, z, felt)
+        _peak(felt)
+        if n >= first:
+            _count(program, y, felt, going, sums, largest)
+        before[0], before[1] = y[roll], y[turning]
+        _advance(h / 6.0, total, going, y)
+        alive = False
+        for l in range(WIDTH):
+            if going[l] == 0.0:
+                continue
+            size = abs(y[roll, l])
+            if before[1, l] * y[turning, l] < 0.0:
+                size = max(size, _between(before[0, l], y[roll, l], h * before[1, l], h * y[turning, l]))
+            failed = not size <= roll_limit
+            pushed = n >= first and felt[3, l] > felt_limit
+            if n >= first:
+                largest[0, l] = max(largest[0, l], size)
+            if failed or pushed:
+                going[l] = 0.0
+                y[:, l] = 0.0
+                time[l] = (n - first) * h if pushed else (n + 1 - first) * h
+                cause[l] = ACCELERATION if pushed else ROLL
+                if n < first:
+                    time[l], cause[l] = 0.0, RUN_UP
+            else:
+                alive = True
+        for k in range(kinds):
+            for l in range(WIDTH):
+                given[0, k, l] = given[2, k, l]
+        if n % _CHECK == 0 and not alive:
+            return
+
+
+@abreast
+def _take(series, mean, given):
+    """Known inputs of one time in double precision, the steady acceleration added."""
+    for k in range(series.shape[0]):
+        more = mean[k] if k < 3 else 0.0
+        for l in range(series.shape[1]):
+            given[k, l] = series[k, l] + more
+
+
+@abreast
+def _feel(program, rate, y, speed, x, z, felt):
+    roll, yaw = program.displacements[1], program.velocities[2]
+    for l in range(felt.shape[1]):
+        felt[0, l], felt[1, l] = felt[1, l], felt[2, l]
+        felt[2, l] = rate[0, l] + speed * y[yaw, l] + x * rate[2, l] - z * rate[1, l] - GRAVITY * y[roll, l]
+
+
+@abreast
+def _peak(felt):
+    """Size of the acceleration now, or at the vertex of the parabola where the step before is the largest of three."""
+    for l in range(felt.shape[1]):
+        a, b, c = felt[0, l], felt[1, l], felt[2, l]
+        turns = (b - a) * (b - c) > 0.0
+        more = (c - a) * (c - a) / (8.0 * (2.0 * b - a - c)) if turns else 0.0
+        felt[3, l] = max(abs(c), abs(b + more))
+
+
+@abreast
+def _count(program, y, felt, going, sums, largest):
+    place = (program.velocities[0], program.displacements[1], program.velocities[1], program.velocities[2])
+    k = 0
+    for a in range(4):
+        for b in range(a, 4):
+            for l in range(going.size):
+                sums[k, l] += going[l] * y[place[a], l] * y[place[b], l]
+            k += 1
+    for a in range(4):
+        for l in range(going.size):
+            sums[10 + a, l] += going[l] * y[place[a], l]
+    for l in range(going.size):
+        sums[14, l] += going[l] * felt[2, l] * felt[2, l]
+        sums[15, l] += going[l]
+        largest[1, l] = max(largest[1, l], going[l] * felt[3, l])
+
+
+@abreast
+def _advance(by, total, going, y):
+    for s in range(y.shape[0]):
+        for l in range(y.shape[1]):
+            y[s, l] += going[l] * by * total[s, l]
+
+
+@abreast
+def _between(a, b, left, right):
+    """|value| of the cubic with ends a, b and slopes left, right of opposite sign over 0..1, where their secant is 0."""
+    t = left / (left - right)
+    s = 1.0 - t
+    return abs(s * s * ((1.0 + 2.0 * t) * a + t * left) + t * t * ((1.0 + 2.0 * s) * b - s * right))

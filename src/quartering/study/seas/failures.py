@@ -1,0 +1,109 @@
+"""Rates of failures: exact intervals of a count, and a test of whether the waiting times are exponential."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.stats import chi2, kstest
+
+from quartering.conventions import InputError
+
+
+class Rate(NamedTuple):
+    """Failures in an exposure: the rate, and the ends of its interval [1/s].
+
+    Parameters
+    ----------
+    rate, lower, upper : float
+    """
+
+    rate: float
+    lower: float
+    upper: float
+
+
+def failure_rate(failures: int, exposure: float, confidence: float = 0.95) -> Rate:
+    """Rate of failures with the exact interval of a Poisson count.
+
+    Parameters
+    ----------
+    failures : int       k
+    exposure : float     time until failure or end, summed [s]
+    confidence : float   of the two-sided interval
+
+    Returns
+    -------
+    Rate                 NaN, 0 and infinite where there is no exposure
+
+    Notes
+    -----
+    chi2 quantiles of 2 k and 2 k + 2 degrees of freedom over twice the exposure.  Source: closed form (Garwood).
+
+    Examples
+    --------
+    >>> [round(one, 4) for one in failure_rate(0, 1.0)]
+    [0.0, 0.0, 3.6889]
+    """
+    if not exposure > 0:
+        return Rate(np.nan, 0.0, np.inf)
+    tail = 0.5 * (1.0 - confidence)
+    lower = float(chi2.ppf(tail, 2 * failures)) if failures else 0.0
+    return Rate(
+        failures / exposure, lower / (2.0 * exposure), float(chi2.ppf(1.0 - tail, 2 * failures + 2)) / (2.0 * exposure)
+    )
+
+
+def waiting_times_p(times: ArrayLike, block: float, rate: float) -> float:
+    """Probability of waiting times as far from exponential ones as these, by Kolmogorov and Smirnov's test.
+
+    Parameters
+    ----------
+    times : (k,) float    of the failures since the begin of their blocks [s]
+    block : float         length of a block, beyond which none is seen [s]
+    rate : float          [1/s]
+
+    Returns
+    -------
+    float                 NaN of fewer than five failures
+
+    Notes
+    -----
+    u = (1 - e^(-r t))/(1 - e^(-r T)) is then uniform.
+
+    Examples
+    --------
+    >>> waiting_times_p([1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7], 1800.0, 1e-4) < 0.01
+    True
+    """
+    t = np.asarray(times, dtype=float)
+    if t.size < 5 or not rate > 0:
+        return float("nan")
+    return float(kstest(np.expm1(-rate * t) / np.expm1(-rate * block), "uniform").pvalue)
+
+
+def hours_without_failure(rate: float, confidence: float = 0.95) -> float:
+    """Hours without a failure after which the upper end of the interval is below a rate.
+
+    Parameters
+    ----------
+    rate : float          [1/s]
+    confidence : float    of the two-sided interval
+
+    Returns
+    -------
+    float                 [h]
+
+    Raises
+    ------
+    InputError            a rate that is not above 0
+
+    Examples
+    --------
+    >>> round(hours_without_failure(1e-6))
+    1025
+    """
+    if not rate > 0:
+        raise InputError(f"rate = {rate} 1/s; it is above 0; try 1e-6")
+    return failure_rate(0, 1.0, confidence).upper / rate / 3600.0
