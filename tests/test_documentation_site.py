@@ -48,11 +48,11 @@ def test_the_main_results_are_found_where_they_are_implemented():
 
     where = {(claim.place, f"{claim.module}.{claim.name}") for claim in claims(PACKAGE)}
     for place, name in (
-        ("A-11", "motion.struble.modified_struble"),
+        ("A-11", "motion.steady.struble.modified_struble"),
         ("13", "stability.first_order.first_order"),
         ("8", "stability.floquet.floquet"),
         ("B-4", "loads.froude_krylov.froude_krylov"),
-        ("C-5", "motion.duffing.duffing_amplitudes"),
+        ("C-5", "study.paper.duffing_formulas.duffing_amplitudes"),
     ):
         assert (place, f"quartering.{name}") in where
 

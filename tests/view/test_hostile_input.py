@@ -76,7 +76,7 @@ COMMANDS = [
     (["polar", "wigley", "--headings", "0:180:1000000"], "up to 100,000"),
     (["polar", "wigley", "--harmonics", "201"], "up to 199"),
     (["branch", "wigley", *CONDITION, "--over", "gm", "--limits", "1:1e6"], "below the keel"),
-    (["basin", "wigley", *CONDITION, "--periods", "100000000"], "1 to 10,000 periods"),
+    (["basin", "wigley", *CONDITION, "--periods", "100000000"], "give 1 to 10,000"),
     (["basin", "wigley", *CONDITION, "--wave-heights", "0:2:5000"], "give up to 200"),
     (["forces", "wigley", "--wave-lengths", "1L:2L:99999"], "take fewer wave lengths"),
     (["duffing", "--force", "1e300"], "up to 1e+06"),
