@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations.steering import RUDDER
+from quartering.motion.equations.steering import HEADING, RUDDER
 from quartering.motion.equations.system import Floats, System
 from quartering.stability.first_order import Detail, FirstOrder, first_order
 from quartering.stability.floquet import Floquet, fastest_rate, floquet
@@ -67,9 +67,44 @@ def assess(
     phasors, along = variation_along(system, u, orders)
     first = 1 if orders[0] == 0 else 0
     indices = first_order(system, phasors, u[:, :, first] - 1j * u[:, :, first + 1], detail)
-    trace = system.linear[:, 3, RUDDER] if system.states > RUDDER else np.zeros(system.count)
-    trace = trace + phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
     rate = fastest_rate(phasors, indices.mean_jacobian)
-    multipliers = floquet(system, u, orders, rate, trace, accuracy, variation=(phasors, along), detail=detail)
+    multipliers = floquet(
+        system, u, orders, rate, _trace(system, phasors), accuracy, variation=(phasors, along), detail=detail
+    )
     calm = linear_exponents(system)
     return Assessment(indices, multipliers, kinds(multipliers, calm), calm)
+
+
+def leading_growth(system: System, u: Floats, orders: tuple[int, ...], accuracy: float = 1e-6) -> Floats:
+    """Real part of the leading Floquet exponent of many motions, and nothing else of `assess`.
+
+    Parameters
+    ----------
+    system, u, orders, accuracy    as in `assess`
+
+    Returns
+    -------
+    (n,) float                     as `assess` with detail="map" has it, to its accuracy; NaN where there is none [1/s]
+
+    Examples
+    --------
+    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.steady.motion import steady_motions
+    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
+    >>> system = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0)).system
+    >>> u, orders, *_ = steady_motions(system)
+    >>> leading_growth(system, u, orders).round(4).tolist()
+    [-0.05]
+    """
+    if system.states > HEADING:  # an autopilot: the steps are chosen by the eigenvalues of the mean
+        return assess(system, u, orders, accuracy, detail="map").floquet.growth
+    phasors, along = variation_along(system, u, orders)
+    rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
+    trace = _trace(system, phasors)
+    return floquet(system, u, orders, rate, trace, accuracy, variation=(phasors, along), detail="map").growth
+
+
+def _trace(system: System, phasors: NDArray[np.complex128]) -> Floats:
+    """Mean trace (n,) of the variational matrix [1/s]."""
+    rudder = system.linear[:, 3, RUDDER] if system.states > RUDDER else np.zeros(system.count)
+    return np.asarray(rudder + phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real)

@@ -22,8 +22,18 @@ Phasors = NDArray[np.complex128]
 Bools = NDArray[np.bool_]
 
 
+Found = dict[tuple[object, ...], tuple[Phasors, Floats, Bools]]
+"""Wave forces of some conditions, by the hull in the water and what else they follow from."""
+
+
 def systems(
-    ships: Sequence[Ship], wavenumber: Floats, speed: Floats, heading: Floats, form: Form = "stf"
+    ships: Sequence[Ship],
+    wavenumber: Floats,
+    speed: Floats,
+    heading: Floats,
+    form: Form = "stf",
+    *,
+    known: Found | None = None,
 ) -> Iterator[ShipSystem]:
     """Equations per metre of wave amplitude, as `ship_system` gives them, for each loading in turn.
 
@@ -33,6 +43,7 @@ def systems(
     wavenumber : (m,) float     k > 0 [1/m]
     speed, heading : (m,)       [m/s, deg]
     form : str                  of the diffraction force
+    known : optional            forces found by earlier calls for the same conditions, to which those of this one are added
 
     Yields
     ------
@@ -51,7 +62,7 @@ def systems(
     >>> [at.slow.tolist() for at in systems(two, np.array([0.05]), np.array([5.0]), np.array([30.0]))]
     [[False], [False]]
     """
-    known: dict[tuple[object, ...], tuple[Phasors, Floats, Bools]] = {}
+    known = {} if known is None else known
     for ship in ships:
         moves = form == "stf"
         kg = None if moves else ship.loading.kg

@@ -70,6 +70,9 @@ def _stacked(arrays: list[NDArray[np.float64]], name: str) -> NDArray[np.float64
     shape = np.max([array.shape[1:] for array in arrays], axis=0).astype(int)
     filled = []
     for array in arrays:
+        if array.shape[1:] == tuple(shape):
+            filled.append(array)
+            continue
         more = [(0, 0), *((0, int(to - own)) for to, own in zip(shape, array.shape[1:], strict=True))]
         table = name in ("knots", "cubics") and array.shape[1] > 0
         filled.append(np.pad(array, more, mode="edge") if table else np.pad(array, more))

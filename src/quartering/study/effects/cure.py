@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from quartering.conventions import InputError, in_unit, written
 from quartering.doors import takes
@@ -20,21 +19,15 @@ from quartering.motion.equations.system import Floats
 from quartering.names import term
 from quartering.options import quoted, unknown
 from quartering.stability.kind import Kind
+from quartering.study.effects.nearest import INSIDE, Asked, Search, nearest, rounded
 from quartering.study.effects.trials import Trials
 from quartering.study.loadings import LOADING_AXES, own_value
 
 CURES = ("roll_damping", "gm", "gyradius_roll", "speed", "wave_height", "K_ppp", "K_prr")
 """Values tried when none are named: loading, condition, and the coefficients the paper finds decisive (as multipliers)."""
 
-_REACH, _STEPS = 5.0, 33
-_INSIDE = 1e-6
-"""How far below minus the margin the exponent is at a cure [1/s]: beyond what a verdict's error may turn."""
-
-_SECTIONS, _ROUNDS = 63, 3
-"""Of a bracket, and how often: a row of 64 conditions takes as long as one of 16."""
-_SMOOTH, _SECANTS, _FARTHEST = 0.02, 4, 0.05
-"""Change of the exponent between two neighbours that is no jump [1/s]; steps of the secant, and the longest (of log factor)."""
-_NUDGES = (1e-4, 1e-3, 1e-2)
+_PIECE = 128
+"""Conditions judged at once: of more the search pauses between."""
 
 
 @dataclass(frozen=True)
@@ -62,13 +55,11 @@ class Cure:
     @property
     def rounded(self) -> float:
         """The value needed as the sentence gives it: three digits, a coefficient's factor to a hundredth, never short of it."""
-        digits = 2 if self._factor else 2 - math.floor(math.log10(abs(self.needed)))
-        away = math.ceil if self.needed > self.now else math.floor
-        return round(away(self.needed * 10.0**digits) * 10.0**-digits, digits)
+        return rounded(self.needed, self.now, _decimals(self.parameter, self.needed))
 
     @property
     def _factor(self) -> bool:
-        return "_" in self.parameter and self.parameter[0] in "YKN"
+        return _is_factor(self.parameter)
 
     @property
     def sentence(self) -> str:
@@ -173,20 +164,59 @@ def seek(
     speed, heading = condition(ship, speed, heading)
     margin, form, parameters = number(ship, "margin", margin), checked_form(form), _names(parameters)
 
-    trials, found = Trials(ship, wave, float(speed), float(heading), harmonics, form), list[Cure]()
-    yield found
+    trials = Trials(ship, wave, float(speed), float(heading), harmonics, form)
+    yield []
     exponent, kind = trials.as_it_is()
-    done = exponent < -margin or kind == Kind.COURSE_IN_CALM_WATER
-    for name in () if done else parameters:
-        now, unit = _present(ship, wave, float(speed), name)
-        if now == 0.0:  # nothing to multiply: roll damping by a component method is no fraction of critical
-            continue
-        needed = None
-        for needed in _nearest(trials, name, margin):  # noqa: B007
-            yield found
-        if needed is not None:
-            found = sorted([*found, Cure(name, now, now * needed, unit)], key=_size)
-            yield found
+    if exponent < -margin or kind == Kind.COURSE_IN_CALM_WATER:
+        return
+    present = {name: _present(ship, wave, float(speed), name) for name in parameters}
+    # nothing to multiply: roll damping by a component method is no fraction of critical
+    tried = {name: now for name, (now, _) in present.items() if now != 0.0}
+    searches = {name: _search(trials, name, now, exponent, -margin - INSIDE) for name, now in tried.items()}
+    for factors in _side_by_side(trials, searches):
+        found = [Cure(name, tried[name], tried[name] * factor, present[name][1]) for name, factor in factors.items()]
+        yield sorted(found, key=_size)
+
+
+def _search(trials: Trials, name: str, now: float, present: float, target: float) -> Search:
+    """The search for a cure by one parameter."""
+
+    def told(factor: float, units: int) -> float:
+        return rounded(now * factor, now, _decimals(name, now * factor), units) / now
+
+    return nearest(lambda low, high: trials.span(name, low, high), trials.reach(name), present, target, told)
+
+
+def _side_by_side(trials: Trials, searches: Mapping[str, Search]) -> Iterator[dict[str, float]]:
+    """Factors found so far, while the searches go on together: what all of them ask is judged at once, in pieces."""
+    found: dict[str, float] = {}
+    answers: dict[str, Floats | None] = dict.fromkeys(searches)
+    while answers:
+        asked: dict[str, Asked] = {}
+        for name, answer in answers.items():
+            try:
+                asked[name] = next(searches[name]) if answer is None else searches[name].send(answer)
+            except StopIteration as end:
+                if end.value is not None:
+                    found[name] = end.value
+        yield found
+        answers = {}
+        for settled in (False, True):
+            for wanted in _pieces({name: one.factors for name, one in asked.items() if one.settled is settled}):
+                answers |= trials.exponents(wanted, settled)
+                yield found
+
+
+def _pieces(wanted: Mapping[str, Floats]) -> Iterator[dict[str, Floats]]:
+    """What is asked of several parameters in turn, parted where it is more than is judged at once."""
+    piece: dict[str, Floats] = {}
+    for name, factors in wanted.items():
+        if piece and sum(map(len, piece.values())) + len(factors) > _PIECE:
+            yield piece
+            piece = {}
+        piece[name] = factors
+    if piece:
+        yield piece
 
 
 def _names(parameters: Sequence[str]) -> tuple[str, ...]:
@@ -206,6 +236,15 @@ def _names(parameters: Sequence[str]) -> tuple[str, ...]:
     return tuple(map(str, parameters))
 
 
+def _is_factor(name: str) -> bool:
+    return "_" in name and name[0] in "YKN"
+
+
+def _decimals(name: str, value: float) -> int:
+    """Decimals a value is told with: a coefficient's factor to a hundredth, others to three digits."""
+    return 2 if _is_factor(name) else 2 - math.floor(math.log10(abs(value)))
+
+
 def _size(cure: Cure) -> float:
     return float(abs(np.log(abs(cure.needed / cure.now))))
 
@@ -217,79 +256,3 @@ def _present(ship: Ship, wave: Wave, speed: float, name: str) -> tuple[float, st
     if name == "wave_height":
         return wave.height, "m"
     return own_value(ship, name), "m" if name in LOADING_AXES and name != "roll_damping" else "1"
-
-
-def _nearest(trials: Trials, name: str, margin: float) -> Iterator[float | None]:
-    """Factor nearest to 1 (in ratio) with which the motion is stable: the last of what comes; None where there is none."""
-    ladder = np.geomspace(1.0, _REACH, _STEPS)
-    up, down = (side[: trials.reach(name, side)] for side in (ladder, 1.0 / ladder))
-    low, high = trials.span(name, float(down[-1]), float(up[-1]))
-    yield None
-    factors = np.concatenate([down[(down >= low) & (down < 1.0)][::-1], up[(up <= high) & (up > 1.0)]])
-    if not factors.size:
-        return
-    stable = trials.exponents(name, factors) < -margin - _INSIDE
-    yield None
-    for near, far in _brackets(factors, stable):
-        crossing = _crossing(trials, name, margin, near, far)
-        yield None
-        if crossing is not None:
-            yield crossing
-            return
-    yield None
-
-
-def _brackets(factors: Floats, stable: NDArray[np.bool_]) -> list[tuple[float, float]]:
-    """The last factor on either side of 1 that leaves the motion unstable and the first that does not, the nearer first."""
-    found = []
-    for side in (np.flatnonzero(factors < 1.0)[::-1], np.flatnonzero(factors > 1.0)):
-        first = np.flatnonzero(stable[side])
-        if first.size:
-            before = 1.0 if first[0] == 0 else float(factors[side[first[0] - 1]])
-            found.append((before, float(factors[side[first[0]]])))
-    return sorted(found, key=lambda pair: abs(math.log(pair[1])))
-
-
-def _crossing(trials: Trials, name: str, margin: float, unstable: float, stable: float) -> float | None:
-    """Factor between two at which the exponent is just below minus the margin, by the ship itself; None where it is nowhere.
-
-    One row of factors between the two, then the secant; at a jump of the exponent, where a motion appears or vanishes, a row
-    between two of them again.
-    """
-    target, slope = -margin - _INSIDE, math.nan
-    factor = stable
-    for _ in range(_ROUNDS):
-        factors = np.geomspace(unstable, stable, _SECTIONS + 1)
-        growth = trials.exponents(name, factors)
-        inside = growth < -margin - _INSIDE
-        if not inside.any():
-            return None
-        first = max(1, int(inside.argmax()))
-        unstable, stable = float(factors[first - 1]), float(factors[first])
-        rise, apart = growth[first] - growth[first - 1], math.log(stable / unstable)
-        factor, slope = stable, rise / apart
-        if math.isfinite(rise) and abs(rise) < _SMOOTH:
-            factor = stable * math.exp(min(1.0, max((target - growth[first]) / rise, -1.0)) * apart)
-            break
-    return _by_the_ship(trials, name, margin, factor, slope, math.copysign(1.0, stable - unstable))
-
-
-def _by_the_ship(trials: Trials, name: str, margin: float, factor: float, slope: float, away: float) -> float | None:
-    """A factor near an interpolated one at which the ship itself is stable with the margin: by the secant, or beyond it."""
-    target, good = -margin - _INSIDE, None
-    for _ in range(_SECANTS):
-        growth = float(trials.settled(name, np.array([factor]))[0])
-        if growth < -margin - 0.5 * _INSIDE:
-            good = factor
-            if growth > -margin - 2.0 * _INSIDE:
-                return good
-        if not math.isfinite(growth) or not slope or abs(step := (target - growth) / slope) > _FARTHEST:
-            break
-        factor *= math.exp(step)
-    if good is not None:
-        return good
-    for nudge in _NUDGES:  # the equations were interpolated, or the exponent jumps here
-        beyond = factor * (1.0 + nudge * away)
-        if trials.settled(name, np.array([beyond]))[0] < -margin - 0.5 * _INSIDE:
-            return beyond
-    return None
