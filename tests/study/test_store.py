@@ -245,6 +245,9 @@ def test_a_file_the_ship_refers_to_counts_with_its_content(key, tmp_path):
         begin(1.01)
 
 
+STUDY = "quartering.study."
+
+
 def test_every_file_a_block_is_computed_by_counts(monkeypatch):
     """The rooms to the left count whole; of this room, what `conditions` imports of it, and what that imports."""
     counted = []
@@ -254,9 +257,9 @@ def test_every_file_a_block_is_computed_by_counts(monkeypatch):
     while waiting:
         name = waiting.pop()
         reached.add(name)
-        tree = ast.parse((Path(store_file.__file__).parent / f"{name}.py").read_text())
+        tree = ast.parse((Path(qt.__file__).parent / "study" / f"{name}.py").read_text())
         modules = [node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)]
-        own = {module.rpartition(".")[2] for module in modules if module.startswith("quartering.study.")}
+        own = {module.removeprefix(STUDY).replace(".", "/") for module in modules if module.startswith(STUDY)}
         waiting += own - reached
     assert {"hull", "hydro", "loads", "motion", "stability", *(f"study/{name}.py" for name in reached)} == set(counted)
 
