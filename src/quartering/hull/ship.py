@@ -106,6 +106,7 @@ class Ship(ShownInNotebooks):
 
         Examples
         --------
+        >>> from quartering.hull.file.read import ship
         >>> stiff = ship("series60-cb60").with_(gm=1.2, gyradius_roll="0.38 B", factors={"K_p": 0.5})
         >>> stiff.loading.gm, round(stiff.loading.gyradius_roll, 4), stiff.multipliers["K_p"]
         (1.2, 6.1773, 0.5)
@@ -134,6 +135,7 @@ class Ship(ShownInNotebooks):
 
         Examples
         --------
+        >>> from quartering.hull.file.read import ship
         >>> box = ship("box").with_(openings="40 deg")
         >>> box.value("openings"), box.value("gyradius_pitch"), box.value("draught"), box.value("windage")
         (40.0, 25.0, 5.0, None)

@@ -53,7 +53,7 @@ def hydrodynamics(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> ds = hydrodynamics(ship("wigley"), [0.6], speed=5.0)
     >>> ds.added_mass.dims, bool(ds.added_mass[0, 0, 0] > 0)
     (('frequency', 'mode', 'mode_of_motion'), True)
@@ -159,7 +159,7 @@ def hydrodynamics6(
 
     Examples
     --------
-    >>> from quartering.hull.ship import ship
+    >>> from quartering.hull.file.read import ship
     >>> ds = hydrodynamics6(ship("wigley"), [0.6, -0.6], speed=5.0)
     >>> ds.added_mass.shape, bool((ds.damping[0] == ds.damping[1]).all())
     ((2, 6, 6), True)
