@@ -36,6 +36,9 @@ FEWEST_FAILURES, FEWEST_HEIGHTS, MOST_DECADES = 30, 3, 2.0
 """Failures at each wave height, heights, and decades below the least rate counted: beyond, an extrapolation is refused."""
 _SHARE_ABOVE: Final = 0.2
 _DRAWS: Final = 2000
+_IMPOSSIBLE: Final = (
+    1e9  # loss where a value cannot be of the distribution; finite, since a simplex of infinities has no size
+)
 _LEAST_SHAPE, _MOST_SHAPE = -0.9, 0.9
 
 
@@ -121,7 +124,7 @@ def _gev(half_hours: Floats, hours: float, confidence: float) -> Level:
         z = (values - location) / scale
         t = 1.0 + shape * z
         if t.min() <= 0:
-            return math.inf
+            return _IMPOSSIBLE
         y = np.log(t) / shape if abs(shape) > 1e-8 else z
         return float(values.size * math.log(scale) + ((1.0 + shape) * y + np.exp(-y)).sum())
 
@@ -140,7 +143,7 @@ def _gpd(half_hours: Floats, hours: float, confidence: float) -> Level:
         own = (level - threshold) / _power(math.log(times), shape)  # the scale that gives the level
         t = 1.0 + shape * excess / own if own > 0 else np.zeros(1)
         if t.min() <= 0:
-            return math.inf
+            return _IMPOSSIBLE
         y = np.log(t) / shape if abs(shape) > 1e-8 else excess / own
         # the free scale has nothing to do here; holding it keeps one way for both tails
         return float(excess.size * math.log(own) + ((1.0 + shape) * y).sum()) + (math.log(scale)) ** 2
@@ -163,7 +166,7 @@ def _profiled(loss: Callable[[float, float, float], float], start: float, scale:
 
     def bounded(level: float, log_scale: float, shape: float) -> float:
         if not _LEAST_SHAPE < shape < _MOST_SHAPE or not abs(log_scale) < 20:
-            return math.inf
+            return _IMPOSSIBLE
         return loss(level, scale * math.exp(log_scale), shape)
 
     best = minimize(lambda p: bounded(start + scale * p[0], p[1], p[2]), [0.0, 0.0, -0.05], method="Nelder-Mead",
