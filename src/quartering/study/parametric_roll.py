@@ -192,9 +192,8 @@ def _at_rest(ship: Ship, wave: Wave, heading: float) -> dict[str, Any]:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", RangeWarning)  # said once, of the motion
         gm = gm_in_waves(ship, wave, heading, POSITIONS)["gm"].to_numpy()
-    harmonics = np.fft.rfft(gm) / POSITIONS
-    found = {"gm_mean_quasistatic": float(harmonics[0].real), "gm_first_quasistatic": float(2 * abs(harmonics[1]))}
-    return found | {"gm_rest": gm}
+    mean, first = _harmonics(gm)
+    return {"gm_mean_quasistatic": mean, "gm_first_quasistatic": first, "gm_rest": gm}
 
 
 def _along(one: Course, orbits: Orbits, zeta: float) -> dict[str, Any]:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
 
 from quartering.hull.lines.section import Floats
 
@@ -64,6 +63,8 @@ def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Cur
 
 def _slopes(s: Floats, point: Floats) -> Floats:
     """Slopes at ``point`` (n, 2) over ``s`` (n,) of the monotone cubics that run from knuckle to knuckle."""
+    from scipy.interpolate import PchipInterpolator  # takes a second to load, which a list of ships need not wait for
+
     slope = np.zeros_like(point)
     knuckles = np.flatnonzero(np.diff(s) <= 0.0) + 1  # an interval of no length
     for run in np.split(np.arange(s.size), knuckles):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from importlib.metadata import version
 from typing import Any, Final
 
 import numpy as np
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, STATE
 from quartering.hull.ship import Ship
 from quartering.motion.sea.march import ACCELERATION, NONE, ROLL, RUN_UP
+from quartering.study.dataset import made_by
 from quartering.study.seas.blocks import BLOCK, ROLL_SQUARED, Blocks, Tally
 from quartering.study.seas.dataset import pile_up_lines
 from quartering.study.seas.failures import failure_rate, waiting_times_p
@@ -63,7 +63,7 @@ def simulated_dataset(tally: Tally, known: Mapping[str, Any]) -> xr.Dataset:
         "heading_convention": HEADING_CONVENTION,
         "reference_point": REFERENCE_POINT,
         "references": "H71, STF70, Tucker84",
-        "source": f"quartering {version('quartering')}",
+        "source": made_by(),
         "ship": ship.name if isinstance(ship, Ship) else str(ship.source.get("ship", "a model given by numbers")),
     }
     return xr.Dataset(data, coords, attributes)
