@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -15,6 +14,7 @@ from quartering.loads.forces import form_words
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
 from quartering.motion.equations.system import Model
+from quartering.study.dataset import made_by
 
 if TYPE_CHECKING:
     from quartering.study.seas.response import Answer, SeaStatus
@@ -91,7 +91,8 @@ def sea_dataset(
         },
     )
     data |= pile_up_lines(given["roll_frequency"], cells.speed)
-    return xr.Dataset(data, _coordinates(seas, sizes, shape), _attributes(ship, seas, cells, given, answers))
+    coordinates = sea_coordinates(seas, sizes, shape) | {"mode": list(MODES)}
+    return xr.Dataset(data, coordinates, _attributes(ship, seas, cells, given, answers))
 
 
 def _row(found: Answer, hours: float) -> dict[str, Any]:
@@ -145,10 +146,10 @@ def pile_up_lines(roll_frequency: float, speed: float) -> dict[str, xr.Variable]
     }
 
 
-def _coordinates(seas: Sequence[Sea], sizes: Mapping[str, int], shape: Mapping[str, Any]) -> dict[str, Any]:
-    coords: dict[str, Any] = {
-        "state": list(STATE), "state_2": list(STATE), "mode": list(MODES), "line": ["synchronous", "parametric"],
-    }  # fmt: skip
+def sea_coordinates(seas: Sequence[Sea], sizes: Mapping[str, int], shape: Mapping[str, Any]) -> dict[str, Any]:
+    """Coordinates of every dataset of seas: states, danger lines, and what each sea is."""
+    states = list(STATE)
+    coords: dict[str, Any] = {"state": states, "state_2": states, "line": ["synchronous", "parametric"]}
     each = sizes.get("heading", 1)
     firsts = seas[::each]
     where = ("sea",) if "sea" in sizes else ()
@@ -203,7 +204,7 @@ def _attributes(
         "heading_convention": HEADING_CONVENTION,
         "reference_point": REFERENCE_POINT,
         "references": "H71, STF70, Kazakov54, Vanmarcke75, Rice44",
-        "source": f"quartering {version('quartering')}",
+        "source": made_by(),
     }
     if isinstance(ship, Model):
         return known | {"ship": str(ship.source.get("ship", "a model given by numbers"))}

@@ -10,12 +10,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, STATE
+from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT
 from quartering.hull.ship import Ship
 from quartering.motion.sea.march import ACCELERATION, NONE, ROLL, RUN_UP
 from quartering.study.dataset import made_by
 from quartering.study.seas.blocks import BLOCK, ROLL_SQUARED, Blocks, Tally
-from quartering.study.seas.dataset import pile_up_lines
+from quartering.study.seas.dataset import MEANINGS, pile_up_lines, sea_coordinates
 from quartering.study.seas.failures import failure_rate, waiting_times_p
 
 Floats = NDArray[np.float64]
@@ -29,26 +29,10 @@ _FELT_SQUARED: Final = 14
 def simulated_dataset(tally: Tally, known: Mapping[str, Any]) -> xr.Dataset:
     """Dataset of a simulation; see `irregular`."""
     data = _second_moments(tally) | _largest(tally.blocks) | _failures(tally)
-    about = ("overtaken", "near_zero", "cut_off")
-    words = (
-        "share of the wave energy that the ship overtakes",
-        "share of the wave energy within a tenth of the roll frequency about encounter frequency 0",
-        "share of the wave energy beyond the cut, which does not act; nothing is scaled to make up for it",
-    )
-    for name, value, meaning in zip(about, known["shares"], words, strict=True):
-        data[name] = xr.Variable((), value, {"units": "1", "long_name": meaning})
+    for name, value in zip(("overtaken", "near_zero", "cut_off"), known["shares"], strict=True):
+        data[name] = _meant(name, value)
     data |= pile_up_lines(known["roll_frequency"], known["speed"])
     sea, ship = known["sea"], known["ship"]
-    units = (("hs", "m", "significant wave height"), ("tp", "s", "period of the peak"), ("tz", "s", "mean period"))
-    coords: dict[str, Any] = {
-        "state": list(STATE),
-        "state_2": list(STATE),
-        "line": ["synchronous", "parametric"],
-        "heading": xr.Variable((), sea.heading, {"units": "deg", "long_name": f"heading: {HEADING_CONVENTION}"}),
-    }
-    coords |= {
-        name: xr.Variable((), getattr(sea, name), {"units": unit, "long_name": words}) for name, unit, words in units
-    }
     attributes = {
         "title": "Simulation in an irregular sea",
         "method": "simulation",
@@ -66,7 +50,17 @@ def simulated_dataset(tally: Tally, known: Mapping[str, Any]) -> xr.Dataset:
         "source": made_by(),
         "ship": ship.name if isinstance(ship, Ship) else str(ship.source.get("ship", "a model given by numbers")),
     }
-    return xr.Dataset(data, coords, attributes)
+    return xr.Dataset(data, sea_coordinates([sea], {}, {}), attributes)
+
+
+def _meant(name: str, value: Any) -> xr.Variable:
+    """A variable that a response to a sea has too, with the same unit and meaning."""
+    unit, meaning, dims = MEANINGS[name]
+    return xr.Variable(dims, value, {"units": unit, "long_name": meaning})
+
+
+def _error_of(dims: tuple[str, ...], value: Any, unit: str, words: str = "its standard error") -> xr.Variable:
+    return xr.Variable(dims, value, {"units": unit, "long_name": words})
 
 
 def _second_moments(tally: Tally) -> dict[str, xr.Variable]:
@@ -83,24 +77,16 @@ def _second_moments(tally: Tally) -> dict[str, xr.Variable]:
     degrees = math.degrees(1.0)
     mean_error = tally.mean(11)[1]
     squared_error = tally.mean(ROLL_SQUARED)[1]
-    rows = {
-        "covariance": (("state", "state_2"), c, "SI", "covariance of v [m/s], phi [rad], p, r [rad/s]"),
-        "covariance_error": (("state", "state_2"), error, "SI", "its standard error, measured between blocks"),
-        "roll_rms": ((), degrees * roll, "deg", "root mean square roll about its mean"),
-        "roll_rms_error": ((), _half(degrees * squared_error, roll), "deg", "its standard error"),
-        "roll_mean": ((), degrees * means[1], "deg", "mean roll"),
-        "roll_mean_error": ((), degrees * mean_error, "deg", "its standard error"),
-        "lateral_acceleration_rms": (
-            (),
-            felt_rms,
-            "m s-2",
-            "root mean square lateral acceleration at the place, gravity of the heeled deck in it",
-        ),
-        "lateral_acceleration_rms_error": ((), _half(felt_error, felt_rms), "m s-2", "its standard error"),
-    }
+    between = "its standard error, measured between blocks"
     return {
-        name: xr.Variable(dims, value, {"units": unit, "long_name": words})
-        for name, (dims, value, unit, words) in rows.items()
+        "covariance": _meant("covariance", c),
+        "covariance_error": _error_of(("state", "state_2"), error, "SI", between),
+        "roll_rms": _meant("roll_rms", degrees * roll),
+        "roll_rms_error": _error_of((), _half(degrees * squared_error, roll), "deg"),
+        "roll_mean": _meant("roll_mean", degrees * means[1]),
+        "roll_mean_error": _error_of((), degrees * mean_error, "deg"),
+        "lateral_acceleration_rms": _meant("lateral_acceleration_rms", felt_rms),
+        "lateral_acceleration_rms_error": _error_of((), _half(felt_error, felt_rms), "m s-2"),
     }
 
 

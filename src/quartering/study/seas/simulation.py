@@ -6,7 +6,6 @@ import math
 import os
 import warnings
 from dataclasses import dataclass, replace
-from numbers import Integral
 from pathlib import Path
 from typing import Any, Final, overload
 
@@ -18,7 +17,7 @@ from quartering.conventions import InputError, RangeWarning
 from quartering.digest import fingerprint, source_digest
 from quartering.doors import takes
 from quartering.hull.ship import Ship
-from quartering.hull.told import number
+from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.cells import Cells, wave_cells
 from quartering.loads.sea.sea import Sea
@@ -237,9 +236,9 @@ def _in_a_sea(
         limits=(roll, _felt_limit(ship, place, acceleration_limit)),
         reason=reason,
         step=None if step is None else number(None, "step", step),
-        strips=None if strips is None else _count("strips", strips, 1),
+        strips=None if strips is None else count("strips", strips, 1, 6),
         memory=_yes_or_no("memory", memory),
-        seed=_count("seed", seed, 0),
+        seed=count("seed", seed, 0, 6),
         form=form,
         force=force,
     )
@@ -253,12 +252,6 @@ def _in_a_sea(
     result = simulated_dataset(tally, _known(asked, ready))
     _warn(asked, ready, tally, result)
     return result
-
-
-def _count(name: str, given: Any, least: int) -> int:
-    if isinstance(given, bool) or not isinstance(given, Integral) or given < least:
-        raise InputError(f"{name} = {quoted(given)}; it is a whole number, {least} or above; try {max(least, 6)}")
-    return int(given)
 
 
 def _yes_or_no(name: str, given: Any) -> bool:
