@@ -17,7 +17,7 @@ from quartering.loads.validity import warn_of_conditions, warn_outside_database
 from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import OnTheWay, Status
 from quartering.motion.steady.missed import missed_roll
-from quartering.motion.steady.motion import roll_peaks, steady_motions
+from quartering.motion.steady.motion import roll_peaks, steady_motions, within_limits
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
@@ -182,8 +182,7 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
     largest = np.degrees(roll_peaks(u, orders))
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
     status = np.where(np.repeat(equations.outside, height.shape[1]), Status.OUTSIDE_DATABASE, status)
-    status = np.where(largest > limit, Status.BEYOND_CAPSIZE_LIMIT, status).astype(np.int8)
-    u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
+    u, status = within_limits(u, status, largest, limit)
     result = assess(system, u, orders, ACCURACY, detail="map")
     f = result.first_order
     beside = beside_motions(system, result, u, orders, np.radians(largest), float(np.radians(limit)))

@@ -19,8 +19,8 @@ _LIGHTEST_WAVE_FROM_SIDE = 0.1
 
 def resonance_fields(
     wave_length: ArrayLike, speed: float, heading: ArrayLike, roll_frequency: float
-) -> dict[str, Floats]:
-    """How far the encounter frequency is from n2, from 2 n2, and from zero, at which the ship keeps pace with the wave.
+) -> dict[str, tuple[Floats, float]]:
+    """Encounter frequency beside n2, 2 n2, and zero, at which the ship keeps pace with the wave.
 
     Parameters
     ----------
@@ -30,18 +30,19 @@ def resonance_fields(
 
     Returns
     -------
-    dict of str to (...) float            "resonance": abs(omega) - n2; "twice": abs(omega) - 2 n2; "pace": omega [rad/s]
+    dict of str to ((...) float, float)   a field and the level its line is drawn at: "resonance": abs(omega), n2; "twice":
+                                          abs(omega), 2 n2; "pace": omega, 0 [rad/s]
 
     Examples
     --------
     >>> at = resonance_fields(2 * np.pi * GRAVITY / 0.6**2, 0.0, 90.0, 0.6)
-    >>> {name: round(float(gap), 12) for name, gap in at.items()}
-    {'resonance': 0.0, 'twice': -0.6, 'pace': 0.6}
+    >>> {name: (round(float(field), 12), level) for name, (field, level) in at.items()}
+    {'resonance': (0.6, 0.6), 'twice': (0.6, 1.2), 'pace': (0.6, 0.0)}
     """
     sigma = np.sqrt(GRAVITY * (2 * np.pi / np.asarray(wave_length, dtype=float)))
     omega = np.asarray(encounter_frequency(sigma, speed, np.asarray(heading, dtype=float)))
     size = np.abs(omega)
-    return {"resonance": size - roll_frequency, "twice": size - 2 * roll_frequency, "pace": omega}
+    return {"resonance": (size, roll_frequency), "twice": (size, 2 * roll_frequency), "pace": (omega, 0.0)}
 
 
 def resonant_headings(ds: xr.Dataset) -> list[float]:

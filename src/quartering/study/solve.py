@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from quartering.conventions import MODES, InputError
 from quartering.motion.equations.batch import joined
 from quartering.motion.equations.system import Floats, Model
-from quartering.motion.status import Status
 from quartering.motion.steady.harmonic import checked_harmonics, orders_for
-from quartering.motion.steady.motion import Start, roll_peaks, steady_motions
+from quartering.motion.steady.motion import Start, roll_peaks, steady_motions, within_limits
 from quartering.options import quoted
 from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
@@ -125,12 +124,10 @@ def _solved(models: list[Model], harmonics: int, stability: bool, start: Start) 
     system = joined([one.system for one in models])
     u, orders, status, residual = steady_motions(system, harmonics, start=start)
     peak = roll_peaks(u, orders)
-    limits = np.array([one.capsize_limit.radians for one in models])
-    status = np.where((peak > limits) & (status <= Status.CONVERGED_BY_FOLLOWING), Status.BEYOND_CAPSIZE_LIMIT, status)
-    u = np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u)
+    u, status = within_limits(u, status, peak, np.array([one.capsize_limit.radians for one in models]))
     known = np.isfinite(u).all(axis=(1, 2))
     found = _harmonics(u, orders) | {
-        "roll_peak": np.where(known, np.degrees(peak), np.nan), "status": status.astype(np.int8), "residual": residual,
+        "roll_peak": np.where(known, np.degrees(peak), np.nan), "status": status, "residual": residual,
     }  # fmt: skip
     if not stability:
         return found

@@ -350,6 +350,14 @@ def within_limit(model: Model, motion: Motion) -> Motion:
     return replace(motion, cos=nothing, sin=nothing, status=Status.BEYOND_CAPSIZE_LIMIT)
 
 
+def within_limits(
+    u: Floats, status: NDArray[np.int8], largest: Floats, limit: Floats | float
+) -> tuple[Floats, NDArray[np.int8]]:
+    """Motions (n, 3, b) of a batch and their status: none where the largest roll is past the limit, or no motion was found."""
+    status = np.where(largest > limit, Status.BEYOND_CAPSIZE_LIMIT, status).astype(np.int8)
+    return np.where((status > Status.CONVERGED_BY_FOLLOWING)[:, None, None], np.nan, u), status
+
+
 def advice(motion: Motion, limit: CapsizeLimit) -> str:
     """What the status of a motion says and what to try, with the capsize limit it passes where it passes one."""
     return motion.status.advice if motion.status is not Status.BEYOND_CAPSIZE_LIMIT else capsize_advice(limit)

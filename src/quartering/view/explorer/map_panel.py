@@ -161,14 +161,14 @@ def resonance_lines(length: float, speed: float, roll_frequency: float) -> dict[
     ratio = np.linspace(RATIOS[0] - 0.05, RATIOS[-1] + 0.05, 200)
     heading = np.linspace(0.0, 180.0, 181)
     fields = resonance_fields(ratio * length, speed, heading[:, None], roll_frequency)
-    return {name: _crossings(field, heading, ratio) for name, field in fields.items()}
+    return {name: _crossings(field, level, heading, ratio) for name, (field, level) in fields.items()}
 
 
-def _crossings(field: np.ndarray, heading: np.ndarray, ratio: np.ndarray) -> list[list[list[float]]]:
-    """Contour at zero of a field over heading and ratio, thinned."""
+def _crossings(field: np.ndarray, level: float, heading: np.ndarray, ratio: np.ndarray) -> list[list[list[float]]]:
+    """Contour at a level of a field over heading and ratio, thinned."""
     from contourpy import contour_generator
 
-    pieces = contour_generator(heading, ratio, field.T).lines(0.0)
+    pieces = contour_generator(heading, ratio, field.T).lines(level)
     return [_thinned(np.asarray(piece)).round(3).tolist() for piece in pieces if len(piece) > 1]
 
 

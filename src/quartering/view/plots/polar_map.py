@@ -175,9 +175,8 @@ def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None
     theta, lengths = np.linspace(theta[0], theta[-1], 181), np.linspace(r[0] or r[1] / 10, r[-1], 120)
     n2, wave_length = float(ds.attrs["natural_roll_frequency"]), lengths[:, None] * float(ds.attrs["ship_length"])
     fields = resonance_fields(wave_length, float(ds["speed"]), np.degrees(theta), n2)
-    lines = (("resonance", n2, "-", "white"), ("twice", 2 * n2, "--", "white"), ("pace", 0.0, ":", PACE_INK))
-    for name, level, dash, colour in lines:
-        field = fields[name] + level  # |omega|, so that a line's level is the frequency it stands for
+    for name, dash, colour in (("resonance", "-", "white"), ("twice", "--", "white"), ("pace", ":", PACE_INK)):
+        field, level = fields[name]
         if field.min() < level < field.max() and (name != "pace" or _overtakes(ds)):
             drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
             drawn.set(path_effects=_OUTLINE)
