@@ -13,7 +13,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Final, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -36,6 +36,7 @@ FEWEST_FAILURES, FEWEST_HEIGHTS, MOST_DECADES = 30, 3, 2.0
 """Failures at each wave height, heights, and decades below the least rate counted: beyond, an extrapolation is refused."""
 _SHARE_ABOVE: Final = 0.2
 _DRAWS: Final = 2000
+_FIRST_SHAPE: Final = -0.05
 _IMPOSSIBLE: Final = (
     1e9  # loss where a value cannot be of the distribution; finite, since a simplex of infinities has no size
 )
@@ -116,10 +117,11 @@ def largest_roll(found: xr.Dataset, hours: float, tail: Tail = "gev", confidence
 def _gev(half_hours: Floats, hours: float, confidence: float) -> Level:
     values = half_hours[: half_hours.size // 6 * 6].reshape(-1, 6).max(axis=1)
     _enough(values.size, "largest values of 3 h")
-    blocks = max(hours / 3.0, 1.0)
+    blocks, spread = max(hours / 3.0, 1.0), values.std() * math.sqrt(6.0) / math.pi
 
-    def loss(level: float, scale: float, shape: float) -> float:
+    def loss(level: float, shape: float, log_scale: float) -> float:
         # level x: n (1 + k (x - m)/s)^(-1/k) = 1
+        scale = spread * math.exp(log_scale)
         location = level - scale * _power(math.log(blocks), shape)
         z = (values - location) / scale
         t = 1.0 + shape * z
@@ -128,9 +130,8 @@ def _gev(half_hours: Floats, hours: float, confidence: float) -> Level:
         y = np.log(t) / shape if abs(shape) > 1e-8 else z
         return float(values.size * math.log(scale) + ((1.0 + shape) * y + np.exp(-y)).sum())
 
-    scale = values.std() * math.sqrt(6.0) / math.pi
-    start = values.mean() - 0.577 * scale + scale * math.log(blocks)
-    return _profiled(loss, start, scale, confidence)
+    start = values.mean() - 0.577 * spread + spread * math.log(blocks)
+    return _profiled(loss, start, spread, [_FIRST_SHAPE, 0.0], confidence)
 
 
 def _gpd(half_hours: Floats, hours: float, confidence: float) -> Level:
@@ -139,16 +140,15 @@ def _gpd(half_hours: Floats, hours: float, confidence: float) -> Level:
     _enough(excess.size, "excesses")
     times = max(2.0 * hours * excess.size / half_hours.size, 1.0 + 1e-9)
 
-    def loss(level: float, scale: float, shape: float) -> float:
+    def loss(level: float, shape: float) -> float:
         own = (level - threshold) / _power(math.log(times), shape)  # the scale that gives the level
         t = 1.0 + shape * excess / own if own > 0 else np.zeros(1)
         if t.min() <= 0:
             return _IMPOSSIBLE
         y = np.log(t) / shape if abs(shape) > 1e-8 else excess / own
-        # the free scale has nothing to do here; holding it keeps one way for both tails
-        return float(excess.size * math.log(own) + ((1.0 + shape) * y).sum()) + (math.log(scale)) ** 2
+        return float(excess.size * math.log(own) + ((1.0 + shape) * y).sum())
 
-    return _profiled(loss, threshold + excess.mean() * math.log(times), 1.0, confidence)
+    return _profiled(loss, threshold + excess.mean() * math.log(times), 1.0, [_FIRST_SHAPE], confidence)
 
 
 def _power(log: float, shape: float) -> float:
@@ -161,21 +161,23 @@ def _enough(count: int, words: str) -> None:
         raise InputError(f"{count} {words}; a tail needs {FEWEST_LARGEST} at least: simulate more hours")
 
 
-def _profiled(loss: Callable[[float, float, float], float], start: float, scale: float, confidence: float) -> Level:
-    """Most likely level, and where the likelihood of others has fallen by half of chi2."""
+def _profiled(
+    loss: Callable[..., float], start: float, scale: float, others: Sequence[float], confidence: float
+) -> Level:
+    """Most likely level, and where the likelihood of others has fallen by half of chi2; `loss` of it, the shape, and more."""
 
-    def bounded(level: float, log_scale: float, shape: float) -> float:
-        if not _LEAST_SHAPE < shape < _MOST_SHAPE or not abs(log_scale) < 20:
+    def bounded(level: float, shape: float, *more: float) -> float:
+        if not _LEAST_SHAPE < shape < _MOST_SHAPE or not all(abs(one) < 20 for one in more):
             return _IMPOSSIBLE
-        return loss(level, scale * math.exp(log_scale), shape)
+        return loss(level, shape, *more)
 
-    best = minimize(lambda p: bounded(start + scale * p[0], p[1], p[2]), [0.0, 0.0, -0.05], method="Nelder-Mead",
+    best = minimize(lambda p: bounded(start + scale * p[0], *p[1:]), [0.0, *others], method="Nelder-Mead",
                     options={"xatol": 1e-5, "fatol": 1e-8, "maxiter": 4000})  # fmt: skip
     value, inner = start + scale * best.x[0], np.array(best.x[1:])
     allowed = best.fun + 0.5 * float(chi2.ppf(confidence, 1))
 
     def beyond(level: float) -> float:
-        found = minimize(lambda p: bounded(level, p[0], p[1]), inner, method="Nelder-Mead",
+        found = minimize(lambda p: bounded(level, *p), inner, method="Nelder-Mead",
                          options={"xatol": 1e-4, "fatol": 1e-6})  # fmt: skip
         return min(float(found.fun), 1e6) - allowed
 
@@ -185,7 +187,7 @@ def _profiled(loss: Callable[[float, float, float], float], start: float, scale:
         while beyond(value + sign * step) < 0 and step < 1e3 * scale:
             step *= 1.6
         ends.append(brentq(lambda x: beyond(value + sign * x), 0.0, step, xtol=1e-3 * step))  # noqa: B023
-    return Level(float(value), float(value - ends[0]), float(value + ends[1]), float(best.x[2]))
+    return Level(float(value), float(value - ends[0]), float(value + ends[1]), float(best.x[1]))
 
 
 class RateAt(NamedTuple):
