@@ -47,7 +47,7 @@ def parametric_picture(ds: xr.Dataset) -> Figure:
     ax.set_xlabel("speed [m/s]")
     ax.set_ylabel("wave height [m]")
     sea = "head" if ds.attrs["heading"] == 180.0 else "following"
-    ax.legend(handles=handles, loc="upper left", frameon=True, framealpha=0.9)
+    ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, frameon=False)
     style.title(
         made,
         f"{ds.attrs['ship']}: parametric roll in {sea} seas of {ds.attrs['wave_length']:.4g} m\n{ds.attrs['loading']}",
