@@ -38,8 +38,6 @@ NOT_KEPT = (
 def announce_compilation() -> None:
     """Say that kernels will be compiled, when they are not in the cache, and have a second process compile some; once.
 
-    Notes
-    -----
     A warning of the logger "quartering", which stands on stderr unless logging is set up otherwise.  Worker processes of
     `multiprocessing` keep quiet: there may be many.
     """

@@ -62,8 +62,6 @@ def _halve(x, norm, halvings):
 def exponential(x, square, cube, part, norm, halvings, out):
     """out = exp(x) by its series to x^8 after halving x, and squaring as often; x is lost.
 
-    Notes
-    -----
     Source: closed form; below a norm of 1/2 what the series leaves out is below 6e-9.
     """
     most = _halve(x, norm, halvings)

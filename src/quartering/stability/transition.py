@@ -24,8 +24,6 @@ _OCTAVE = 8
 def even_steps(steps: NDArray[np.int64]) -> NDArray[np.int64]:
     """Numbers of steps raised to one of eight an octave, so that many conditions take equally many.
 
-    Examples
-    --------
     >>> even_steps(np.array([100, 101, 500])).tolist()
     [108, 108, 512]
     """
@@ -135,33 +133,15 @@ def transition_matrices(
 ) -> Floats:
     """State transition matrices of the variational equations, from phase zero over part of a cycle.
 
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    span : float              fraction of the period: 1 for the monodromy matrix, 0.5 for its symmetric root
-    steps : (n,) int          Runge-Kutta steps over the span
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`
+    orders: their harmonics
+    span: fraction of the period: 1 for the monodromy matrix, 0.5 for its symmetric root
+    steps (n,): Runge-Kutta steps over the span
+    Returns (n, s, s): state order (v, phi, p, r), with an autopilot psi and, with a lag, delta
 
-    Returns
-    -------
-    (n, s, s) float           state order (v, phi, p, r), with an autopilot psi and, with a lag, delta
-
-    Notes
-    -----
     Fourth-order Runge-Kutta; the error falls with the fourth power of the number of steps, with drag |q| q with the square at
     worst.  Source: [H71] eq. (8), as a first-order system.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> from quartering.motion.steady.motion import steady_motions
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
-    >>> u, orders, *_ = steady_motions(system)
-    >>> phi = transition_matrices(system, u, orders, 1.0, np.array([200]))[0]
-    >>> bool(np.isclose(phi[0, 0], np.exp(-2 * np.pi)))
-    True
     """
     transition = np.empty((system.count, system.states, system.states))
     moving = np.ascontiguousarray(turning(system.linear, u, orders))

@@ -35,18 +35,9 @@ class ShipEntry(NamedTuple):
 def available_ships() -> list[ShipEntry]:
     """Built-in ships, sorted by name.
 
-    Returns
-    -------
-    list of ShipEntry    name and one-line description
+    Returns name and one-line description
 
-    Notes
-    -----
     Source: the files of ``hull/library``; each names where its lines come from.
-
-    Examples
-    --------
-    >>> [entry.name for entry in available_ships()][:2]
-    ['box', 'coaster-90m']
     """
     found = []
     for path in sorted(LIBRARY.glob("*.yaml")):

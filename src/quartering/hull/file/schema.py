@@ -131,22 +131,10 @@ def loading_keys() -> list[str]:
 def checked_keys(where: str, data: Any, lines: Lines | None = None) -> ShipKeys:
     """The content of a ship file with its keys and types checked.
 
-    Parameters
-    ----------
-    where : str        file named in the message
-    data : Any         what the YAML holds
-    lines : mapping    the line of each key, for messages
+    where: file named in the message
+    data: what the YAML holds
+    lines: the line of each key, for messages
 
-    Returns
-    -------
-    ShipKeys
-
-    Raises
-    ------
-    InputError    the first thing that is wrong: line, key, what was given, what is allowed, what to try
-
-    Examples
-    --------
     >>> checked_keys("my.yaml", {"base": "box", "length": "120 m"}).value("length")
     '120 m'
     """
@@ -274,13 +262,7 @@ def _keys_at(location: list[Any]) -> list[str]:
 
 
 def ship_schema() -> str:
-    """JSON schema of the ship file, as shipped for editors.
-
-    Examples
-    --------
-    >>> sorted(json.loads(ship_schema())["properties"]["rudder"]["properties"])
-    ['area', 'aspect']
-    """
+    """JSON schema of the ship file, as shipped for editors."""
     schema = ShipKeys.model_json_schema()
     properties = {key: value for key, value in schema["properties"].items() if key != "told"}
     loading: dict[str, Any] = {}

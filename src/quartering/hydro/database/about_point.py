@@ -42,22 +42,11 @@ class Placed(NamedTuple):
 def placed(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[float, float]) -> Placed:
     """A file's database about a point, the surface there as the reference of the phases.
 
-    Parameters
-    ----------
-    raw : RawDatabase
-    point : (x, z)            wanted, in the file's axes [m]
-    moments_about : (x, z)    point of the file's moments, in its axes [m]
+    point (x, z): wanted, in the file's axes [m]
+    moments_about (x, z): point of the file's moments, in its axes [m]
 
-    Returns
-    -------
-    Placed
-
-    Notes
-    -----
     Source: [Abkowitz64], rigid-body kinematics; [Ancellin19], [WAMIT] conventions.
 
-    Examples
-    --------
     >>> one = np.eye(3)[None]
     >>> raw = RawDatabase(np.ones(1), np.zeros(0), one, one, {}, 1025.0, 9.81)
     >>> placed(raw, (0.0, 2.0), (0.0, 0.0)).added_mass[0, 1].tolist()  # the force acts 2 m below the point
@@ -83,22 +72,13 @@ def placed(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[fl
 def incident(wavenumber: Floats, x: float, direction: Floats) -> NDArray[np.complex128]:
     """Factor (f, h) on a phasor per unit elevation at the file's origin: the elevation at x becomes i.
 
-    Parameters
-    ----------
-    wavenumber : (f,) float    k [1/m]
-    x : float                  in the file's axes [m]
-    direction : (h,) float     the wave runs towards, from x to y of the file [deg]
+    wavenumber (f,): k [1/m]
+    x: in the file's axes [m]
+    direction (h,): the wave runs towards, from x to y of the file [deg]
+    Returns (f, h)
 
-    Returns
-    -------
-    (f, h) complex
-
-    Notes
-    -----
     Source: [Ancellin19], [WAMIT] conventions.
 
-    Examples
-    --------
     >>> complex(incident(np.ones(1), 0.0, np.zeros(1))[0, 0])
     1j
     """

@@ -43,21 +43,8 @@ class OwnDatabase(NamedTuple):
 def own_database(database: Database, density: float) -> OwnDatabase:
     """Read a ship's own database, once for a content.
 
-    Parameters
-    ----------
-    database : Database
-    density : float       of the ship's water; all of the file goes with it [kg/m3]
+    density: of the ship's water; all of the file goes with it [kg/m3]
 
-    Returns
-    -------
-    OwnDatabase
-
-    Raises
-    ------
-    InputError    what the readers refuse, a file that has changed since the ship was read, or fewer than four frequencies
-
-    Notes
-    -----
     Source: [Ancellin19], [WAMIT].  Valid: zero speed, deep water, one body symmetric port and starboard.
     """
     raw = _raw(database, density)
@@ -90,28 +77,11 @@ def _raw(database: Database, density: float) -> RawDatabase:
 def database_source(ship: Ship) -> Hydrodynamics:
     """Hydrodynamics of a ship from its own database.
 
-    Parameters
-    ----------
-    ship : Ship       with a database
+    ship: with a database
+    Returns at zero speed, between the frequencies and headings of the file; forces in sway, roll, yaw
 
-    Returns
-    -------
-    Hydrodynamics     at zero speed, between the frequencies and headings of the file; forces in sway, roll, yaw
-
-    Raises
-    ------
-    InputError        no database, or what `own_database` refuses
-
-    Warns
-    -----
-    RangeWarning      once for a database and hull, when its added mass is first used: what `soundness` and `likeness` find
-
-    Notes
-    -----
     Source: [STF70] integrals over the length; the database's matrices are those integrals without strips.
 
-    Examples
-    --------
     See `quartering.hydro.source.of_ship.source_of`.
     """
     database, density = ship.database, ship.loading.density

@@ -44,21 +44,10 @@ class Heave(NamedTuple):
 def heave_sections(strips: Strips, table: SectionTable) -> Heave:
     """Added mass and damping in heave at the frequencies of a table.
 
-    Parameters
-    ----------
-    strips : Strips         the table was made from
-    table : SectionTable
+    strips: the table was made from
 
-    Returns
-    -------
-    Heave
-
-    Notes
-    -----
     Source: [Ursell49], [Tasai61] on [Lewis29] forms; [Frank67] on a section's own contour.  Valid: as `radiation_table`.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.immersed import strips
     >>> from quartering.hull.lines.hull import box_hull
     >>> from quartering.hydro.strip.table import radiation_table
@@ -105,22 +94,12 @@ class HeaveTable:
 def heave_table(hull: Hull, density: float) -> HeaveTable:
     """Heave coefficients and potentials of a hull's sections at the standard frequencies, kept on disk.
 
-    Parameters
-    ----------
-    hull : Hull        at its draught
-    density : float    of the water [kg/m3]
+    hull: at its draught
+    density: of the water [kg/m3]
 
-    Returns
-    -------
-    HeaveTable
-
-    Notes
-    -----
     Close-fit coefficients are those of twice as many panels as the contour has points.
     Source: [Frank67], or [Tasai61] on [Lewis29] forms, by the hull's choice.  Valid: as `radiation_table`.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.hull import box_hull
     >>> table = heave_table(box_hull(100.0, 20.0, 5.0, 10.0), 1025.0)
     >>> bool(table.b.min() > -1e-6 * table.b.max())

@@ -229,8 +229,6 @@ def forces(program, lanes, c, s, columns, sums, force):
 
     ``c, s``: cosine and sine of the wave's phase, for the water at the strips.
 
-    Notes
-    -----
     Source: [H71] eq. (3).
     """
     width = columns.shape[1]
@@ -280,8 +278,6 @@ def add_strips_and_table(program, lanes, c, s, columns, sums, force):
 def slopes(program, lanes, c, s, columns, sums, jacobian):
     """Derivatives (k, s, W) of the right-hand sides by the state; arguments as of `forces`.
 
-    Notes
-    -----
     Source: [H71] eq. (8).
     """
     width = columns.shape[1]

@@ -31,16 +31,13 @@ _CHECK = 32
 def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_limit, sums, largest, time, cause):
     """Runge-Kutta steps of one row of records from rest, until all have failed or ``steps`` are done.
 
-    Parameters
-    ----------
-    equations : Alike
-    forcing : (2 steps + 1, 3 + e + z, W) float32    accelerations, known inputs and water at every half step
-    steps, first, h                                  steps to do, the first that counts, and their length [s]
-    speed, x, z                                      U, and the point of the lateral acceleration from G
-    roll_limit, felt_limit                           of a failure [rad], [m/s2]
-    sums : (16, W)                                   see `SUMS`; of what counts
-    largest : (2, W)                                 |phi| [rad] and |f| [m/s2]
-    time, cause : (W,)                               of the failure since the first step that counts [s]; ``steps`` without
+    forcing (2 steps + 1, 3 + e + z, W): accelerations, known inputs and water at every half step
+    steps to do, the first that counts, and their length [s]
+    U, and the point of the lateral acceleration from G
+    of a failure [rad], [m/s2]
+    sums (16, W): see `SUMS`; of what counts
+    largest (2, W): |phi| [rad] and |f| [m/s2]
+    time, cause (W,): of the failure since the first step that counts [s]; ``steps`` without
     """
     kinds = forcing.shape[1]
     room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))

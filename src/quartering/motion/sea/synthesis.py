@@ -65,17 +65,9 @@ class Record:
 def record_of(cells: Cells, sea: Sea, channels: Complex, duration: float, interval: float) -> Record:
     """What records of a sea are made of.
 
-    Parameters
-    ----------
-    cells : Cells
-    sea : Sea
-    channels : (c, m) complex    per metre in each cell, phasors of e^{i |omega| t}; the first three are forces
-    duration : float             of a record at the least [s]
-    interval : float             between samples [s]
-
-    Returns
-    -------
-    Record
+    channels (c, m): per metre in each cell, phasors of e^{i |omega| t}; the first three are forces
+    duration: of a record at the least [s]
+    interval: between samples [s]
     """
     samples = int(next_fast_len(math.ceil(duration / interval), real=True))
     spacing = 2.0 * math.pi / (samples * interval)
@@ -136,16 +128,10 @@ def _roots(spectra: Complex) -> NDArray[np.complex64]:
 def series_of(record: Record, entropy: int, condition: int, first: int) -> Single:
     """A row of records, each from a seed of its own.
 
-    Parameters
-    ----------
-    record : Record
-    entropy : int      the user's seed
-    condition : int    number of the condition the records are of
-    first : int        number of the first of the `WIDTH` records
-
-    Returns
-    -------
-    (n, m, W) float32
+    entropy: the user's seed
+    condition: number of the condition the records are of
+    first: number of the first of the `WIDTH` records
+    Returns (n, m, W)
     """
     bins, m, _ = record.roots.shape
     draws = np.empty((WIDTH, bins, m, 2), dtype=np.float32)

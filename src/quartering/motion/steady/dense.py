@@ -16,8 +16,6 @@ from quartering.compiled import abreast, inner
 def lu_factor(a, pivots):
     """Factor the square matrix ``a`` in place; returns the sign of its determinant, 0 when it is singular.
 
-    Notes
-    -----
     Source: closed form (Gaussian elimination with partial pivoting).
     """
     n = a.shape[0]
@@ -50,8 +48,6 @@ def lu_factor(a, pivots):
 def lu_solve(a, pivots, b):
     """Solve in place for one right-hand side ``b``, with ``a`` and ``pivots`` from `lu_factor`.
 
-    Notes
-    -----
     Source: closed form (forward and back substitution).
     """
     n = a.shape[0]
@@ -71,8 +67,6 @@ def lu_solve(a, pivots, b):
 def factor_abreast(a, pivots, inverse, sign):
     """Factor the matrices ``a`` (m, m, W) in place; ``sign`` (W,) is that of each determinant, 0 where it is singular.
 
-    Notes
-    -----
     Source: closed form (Gaussian elimination with partial pivoting), conditions abreast.
     """
     m, width = a.shape[0], a.shape[2]
@@ -107,8 +101,6 @@ def factor_abreast(a, pivots, inverse, sign):
 def solve_abreast(a, pivots, inverse, b):
     """Solve in place for right-hand sides minus ``b`` (m, W) with what `factor_abreast` left.
 
-    Notes
-    -----
     Source: closed form (forward and back substitution), conditions abreast.
     """
     m, width = a.shape[0], a.shape[2]

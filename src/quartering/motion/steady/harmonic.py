@@ -97,32 +97,11 @@ def _solve(first, last, program, parts, tables, given_start, from_rest, u, waiti
 def orders_for(system: System, harmonics: int) -> tuple[int, ...]:
     """Harmonics that a motion of a system can hold up to a given order.
 
-    Parameters
-    ----------
-    system : System
-    harmonics : int    highest harmonic wanted, 1, 3, 5, ..
+    harmonics: highest harmonic wanted, 1, 3, 5, ..
+    Returns odd ones alone when the system is symmetric; else the mean and all
 
-    Returns
-    -------
-    tuple of int    odd ones alone when the system is symmetric; else the mean and all
-
-    Raises
-    ------
-    InputError    what `checked_harmonics` refuses
-
-    Notes
-    -----
     Source: [H71] eq. (3) is unchanged by (y, t) -> (-y, t + T/2), so a motion that continues from the linear one has odd
     harmonics only; a steady force or an even term breaks this.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> orders_for(Model(np.eye(3), terms, 1.0, (0, 1, 0), (0, 0, 0)).system, 5)
-    (1, 3, 5)
-    >>> orders_for(Model(np.eye(3), terms, 1.0, (0, 1, 0), (0, 0, 0), force_mean=(0, 0.1, 0)).system, 3)
-    (0, 1, 2, 3)
     """
     checked_harmonics(harmonics)
     return tuple(range(1, harmonics + 1, 2)) if system.symmetric else tuple(range(harmonics + 1))
@@ -131,20 +110,8 @@ def orders_for(system: System, harmonics: int) -> tuple[int, ...]:
 def checked_harmonics(harmonics: int) -> int:
     """A highest harmonic, refused when it is none.
 
-    Parameters
-    ----------
-    harmonics : int
+    Returns the same
 
-    Returns
-    -------
-    int    the same
-
-    Raises
-    ------
-    InputError    not a whole number, even, not positive, or above `MOST_HARMONICS`
-
-    Examples
-    --------
     >>> checked_harmonics(9)
     9
     """
@@ -162,34 +129,18 @@ def harmonic_balance(
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by harmonic balance.
 
-    Parameters
-    ----------
-    system : System                   n conditions
-    orders : tuple of int             harmonics kept (see `orders_for`)
-    start : (n, 3, b), optional       start of Newton's method; by default the linear solution
-    from_rest : bool                  take the motion that raising the wave from nothing leads to: it is looked for wherever
-                                      Newton's method ends beyond a fold, or at roll a tenth off the linear solution's
+    system: n conditions
+    orders: harmonics kept (see `orders_for`)
+    start (n, 3, b): start of Newton's method; by default the linear solution
+    from_rest: take the motion that raising the wave from nothing leads to: it is looked for wherever Newton's method
+        ends beyond a fold, or at roll a tenth off the linear solution's
+    Returns u (n, 3, b): coefficients of sway [m], roll, yaw [rad]: cos and sin of each harmonic in turn; in front of
+        them, when 0 is among the orders, mean sway velocity, heel and yaw rate; NaN where none found; status (n,):
+        `Status`; residual (n,): largest imbalance relative to the excitation
 
-    Returns
-    -------
-    u : (n, 3, b) float       coefficients of sway [m], roll, yaw [rad]: cos and sin of each harmonic in turn; in front of
-                              them, when 0 is among the orders, mean sway velocity, heel and yaw rate; NaN where none found
-    status : (n,) int8        `Status`
-    residual : (n,) float     largest imbalance relative to the excitation
-
-    Notes
-    -----
     Source: [H71] eqs. (A-10), (A-11) (one harmonic), [Krack19].  Several motions may exist: this is the one reached by
     damped Newton from the linear solution or, failing that, by raising the wave from nothing along the branch of
     motions, through its folds.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> u, status, _ = harmonic_balance(Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system, (1,))
-    >>> bool(np.allclose(u[0, 1], [0.0, 0.1])), int(status[0])
-    (True, 0)
     """
     return _solved(system, orders, start, from_rest, abreast=system.plain and 2 * len(orders) <= _MOST_ABREAST)
 
@@ -199,16 +150,9 @@ def solve_with_care(
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by damped steps and following alone, without the fast attempt.
 
-    Parameters
-    ----------
-    system, orders, start, from_rest    as in `harmonic_balance`
+    as in `harmonic_balance`
+    Returns as from `harmonic_balance`, which is this but for speed
 
-    Returns
-    -------
-    u, status, residual                 as from `harmonic_balance`, which is this but for speed
-
-    Notes
-    -----
     Source: [Krack19].
     """
     return _solved(system, orders, start, from_rest, abreast=False)
@@ -217,17 +161,10 @@ def solve_with_care(
 def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tuple[Floats, NDArray[np.int8]]:
     """Periodic motions that Newton's full steps reach from many starts, of which some may fail.
 
-    Parameters
-    ----------
-    system, orders            as in `harmonic_balance`
-    start : (n, 3, b) float   of Newton's method
+    as in `harmonic_balance`
+    start (n, 3, b): of Newton's method
+    Returns as from `harmonic_balance`, without the damped steps; where it cannot solve abreast, the same
 
-    Returns
-    -------
-    u, status                 as from `harmonic_balance`, without the damped steps; where it cannot solve abreast, the same
-
-    Notes
-    -----
     Source: [Krack19].
     """
     plain = system.plain and 2 * len(orders) <= _MOST_ABREAST

@@ -73,23 +73,14 @@ def _first_step_with_autopilot(first, last, program, parts, tables, u, out):
 def missed_roll(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
     """Estimate of what the next harmonics change of roll.
 
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`; NaN where there is none
-    orders : tuple of int     harmonics of them
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`; NaN where there is none
+    orders: harmonics of them
+    Returns (n,): largest change of the roll angle over a cycle, as a share of the roll amplitude; NaN where there is no
+        motion, and beyond the most harmonics that there are
 
-    Returns
-    -------
-    (n,) float                largest change of the roll angle over a cycle, as a share of the roll amplitude; NaN where there
-                              is no motion, and beyond the most harmonics that there are
-
-    Notes
-    -----
     Newton's first step in a set with the next two harmonics.  Source: [Krack19].
 
-    Examples
-    --------
     >>> from quartering.motion.equations.system import Model
     >>> from quartering.motion.steady.harmonic import harmonic_balance
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_phiphiphi": 0.1, "K_p": -0.1, "N_r": -1.0}

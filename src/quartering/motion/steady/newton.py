@@ -41,8 +41,6 @@ def gather_motions(begin, last, u, row):
 def states(program, factors, value, rate, u, w, columns):
     """States of the motions ``u`` (3, b, W) where the harmonics have the values and rates (b,), into the first columns.
 
-    Notes
-    -----
     The mean's column holds mean displacements, and mean velocities of modes whose displacement the equations do not hold.
     Source: [H71] eq. (A-3), for any set of harmonics.
     """
@@ -98,8 +96,6 @@ def _inertia_and_waves(factors, lanes, u, residual):
 def balance_abreast(program, tables, lanes, u, residual, room):
     """Residuals (3 b, W) of the balance equations, as `balance.balance` has them for one condition.
 
-    Notes
-    -----
     Row (k, c) is projection c of acceleration minus right-hand side.  Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
     values, _, factors, weights, waves = tables
@@ -171,8 +167,6 @@ def derivative_abreast(program, tables, lanes, u, matrix, column, room):
 def linear_response(linear, l, w, x, y, z, answer):
     """Phasors of sway, roll, yaw under accelerations (x, y, z) at frequency ``w`` without the products; Cramer's rule.
 
-    Notes
-    -----
     ``answer`` is what an autopilot does to (sway, roll, yaw) per unit of yaw, as `steering.feedback`.
     Source: [H71] eq. (3), linear part.
     """
@@ -194,8 +188,6 @@ def linear_response(linear, l, w, x, y, z, answer):
 def steady_response(linear, l, x, y, z):
     """Mean sway velocity, heel and yaw rate under steady accelerations (x, y, z), and the sign of their determinant.
 
-    Notes
-    -----
     Source: [H71] eq. (3), linear part; Cramer's rule.
     """
     a, b, c = -linear[0, 0, l], -linear[0, 1, l], -linear[0, 3, l]
@@ -325,17 +317,13 @@ def _altered(linear_motion, u, l):
 def in_step(first, last, program, parts, tables, given_start, from_rest, start, waiting, error):
     """Motions of conditions first..last that full Newton steps find, with ``waiting`` set.
 
-    Parameters
-    ----------
-    program, parts, tables    of a `System`, and of a `Basis` with the wave's harmonics
-    given_start : bool        begin at ``start``, not at the linear motion
-    from_rest : bool          leave a condition whose motion lies beyond a fold, mark one with roll not near the linear one's
-    start : (n, 3, b)         in and, where found, out
-    waiting : (n,) int8       `WAITING` where a motion is wanted; out: `FOUND`, or `FOUND_ALTERED` where ``from_rest`` asks
-    error : (n,)              out: largest imbalance relative to the excitation
+    of a `System`, and of a `Basis` with the wave's harmonics
+    given_start: begin at ``start``, not at the linear motion
+    from_rest: leave a condition whose motion lies beyond a fold, mark one with roll not near the linear one's
+    start (n, 3, b): in and, where found, out
+    waiting (n,): `WAITING` where a motion is wanted; out: `FOUND`, or `FOUND_ALTERED` where ``from_rest`` asks
+    error (n,): out: largest imbalance relative to the excitation
 
-    Notes
-    -----
     Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
     factors = tables[2]

@@ -124,29 +124,14 @@ def _march(first, last, program, parts, waves, cycles, limit, states, times):
 def capsizes_before(system: System, limit: Floats, width: int = ABREAST) -> Floats:
     """When ships capsize that meet their wave upright, and such whose wave is raised in three steps.
 
-    Parameters
-    ----------
-    system : System       n conditions, all numbers finite
-    limit : (n,) float    roll angle that counts as a capsize [rad]
-    width : int           conditions abreast; with one width no condition feels its neighbours to the last digit
+    system: n conditions, all numbers finite
+    limit (n,): roll angle that counts as a capsize [rad]
+    width: conditions abreast; with one width no condition feels its neighbours to the last digit
+    Returns (n, 2): time from the beginning: at rest in the whole wave, ten periods; at rest in a third of it, then two
+        thirds and the whole, ten periods each; NaN where the ship does not capsize [s]
 
-    Returns
-    -------
-    (n, 2) float          time from the beginning: at rest in the whole wave, ten periods; at rest in a third of it, then two
-                          thirds and the whole, ten periods each; NaN where the ship does not capsize [s]
-
-    Notes
-    -----
     The first thirty periods of a wave, not all time: what capsizes later is not told.
     Source: [H71] eq. (3), the classical fourth-order method; [Thompson89] for the use.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "K_phiphiphi": 1.0, "N_r": -1.0}
-    >>> model = Model(np.eye(3), terms, 0.85, (0, 0.4, 0), (0, 0, 0))
-    >>> capsizes_before(model.system, np.ones(1)).round(1).tolist()
-    [[5.0, 17.1]]
     """
     times = np.full((system.count, 2), np.nan)
     steps = _steps(system)

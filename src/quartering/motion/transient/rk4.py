@@ -49,24 +49,7 @@ class Alike(NamedTuple):
 def alike(system: System) -> Alike:
     """The equations of a system's first condition.
 
-    Parameters
-    ----------
-    system : System
-
-    Returns
-    -------
-    Alike
-
-    Notes
-    -----
     Source: [H71] eq. (3); no approximation, only the order of multiplications.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_ppp": -0.2, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    >>> alike(model.system).columns.tolist(), alike(model.system).row.tolist()  # p^3 of roll is in column 5
-    ([[0, 0, 0, 0], [1, 5, 0, 0], [3, 0, 0, 0]], [0, 1, 2])
     """
     program = system.program
     rows, states = system.linear.shape[1:]
@@ -132,14 +115,10 @@ def step_sum(equations, h, excitation, series, waves, y, room):
 
     The last takes the accelerations at the beginning of the step.
 
-    Parameters
-    ----------
-    excitation : (3, 3, W)    accelerations at the beginning, the middle and the end of the step
-    series : (3, e + z, W)    known inputs and water at the strips at these times; (3, 0, W) where they follow the wave
-    waves : (3, h)            1 and the wave's cosines and sines at these times; 1, 1, 0 with a series
+    excitation (3, 3, W): accelerations at the beginning, the middle and the end of the step
+    series (3, e + z, W): known inputs and water at the strips at these times; (3, 0, W) where they follow the wave
+    waves (3, h): 1 and the wave's cosines and sines at these times; 1, 1, 0 with a series
 
-    Notes
-    -----
     The state after the step is ``y + h/6`` times the sum.  Source: [H71] eq. (3), the classical fourth-order method.
     """
     lanes, columns, rate, sums, total, first = room

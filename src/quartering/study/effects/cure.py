@@ -139,24 +139,11 @@ def seek(
 ) -> Iterator[list[Cure]]:
     """The search of `cures` in small steps, for whoever has others to serve meanwhile.
 
-    Parameters
-    ----------
-    ship, wave, speed, heading, parameters, margin, harmonics, form    as in `cures`
+    as in `cures`
+    Yields found so far, after each step of the search
 
-    Yields
-    ------
-    list of Cure    found so far, after each step of the search
-
-    Raises
-    ------
-    InputError      as `cures`
-
-    Notes
-    -----
     Source: [H71] Figs. 20-22 (what restores stability).
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> list(seek(ship("wigley"), Wave(100.0, 0.5), 3.0, 90.0))
     [[]]

@@ -37,38 +37,17 @@ def uncertain(
 ) -> xr.Dataset:
     """Probability that each condition is unstable when coefficients and loading are known only so well.
 
-    Parameters
-    ----------
-    grid : Grid
-    spread : mapping of str to float or str    relative standard deviation by name: {"K_ppp": "20%", "gm": 0.05}
-    draws : int                                in all; a multiple of 8, best 8 times a power of two
-    seed : int                                 of the draws: the same seed gives the same result
-    cluster : str, optional                    as in `sweep`
-    progress : function(done, total), optional
+    spread: relative standard deviation by name: {"K_ppp": "20%", "gm": 0.05}
+    draws: in all; a multiple of 8, best 8 times a power of two
+    seed: of the draws: the same seed gives the same result
+    cluster: as in `sweep`
+    Returns dims of the grid: probability_unstable, its sampling error probability_error, and probability_no_answer
+        (shares of all draws, so that stable is what is left) [1]
 
-    Returns
-    -------
-    xarray.Dataset    dims of the grid: probability_unstable, its sampling error probability_error, and probability_no_answer
-                      (shares of all draws, so that stable is what is left) [1]
-
-    Raises
-    ------
-    InputError        no name, a spread that is not between 0 and 100 %, too few draws, an unknown name, a draw no ship can have
-
-    Notes
-    -----
     Each value is multiplied by exp(s z), z standard normal, s^2 = ln(1 + spread^2): a lognormal factor with median 1 that
     cannot change a sign.  The z are scrambled Sobol points in 8 independent scramblings; the error is the standard error of
     their mean, and not below 1/(draws + 2), what a count of none or all leaves open.
     Source: [Owen97] randomised quasi-Monte Carlo.  Valid: independent errors; loading values as in `sweep`.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.grid import grid
-    >>> one = grid(ship("wigley"), 5.0, [60.0], 100.0, 1.0)
-    >>> float(uncertain(one, {"K_p": "20%"}, draws=16)["probability_unstable"].squeeze())
-    0.0
     """
     names, sigma = _checked(spread)
     if draws < 2 * REPEATS or draws % REPEATS:

@@ -96,41 +96,16 @@ def vary(
 
 
 def varied(ds: xr.Dataset) -> list[str]:
-    """Names of the parameters a dataset of `vary` is over.
-
-    Parameters
-    ----------
-    ds : Dataset
-
-    Returns
-    -------
-    list of str
-
-    Examples
-    --------
-    >>> varied(xr.Dataset({"roll": ("gm", [1.0, 2.0])}))
-    ['gm']
-    """
+    """Names of the parameters a dataset of `vary` is over."""
     return [str(name) for name in ds["roll"].dims]
 
 
 def refined_flips(at: Callable[[Floats], Ints], values: Floats, kinds: ArrayLike) -> list[tuple[float, int, int]]:
     """Where the verdict passes between stable, unstable and no answer.
 
-    Parameters
-    ----------
-    at : function        of ascending values, gives their verdicts
-    values : (n,) float  ascending or descending
-    kinds : (n,) int     verdicts there
-
-    Returns
-    -------
-    list of (value, verdict before, verdict after)
-
-    Examples
-    --------
-    >>> [(round(v, 2), a, b) for v, a, b in refined_flips(lambda x: (x > 0.3).astype(np.int8), np.arange(3.0), [0, 1, 1])]
-    [(0.3, 0, 1)]
+    at: of ascending values, gives their verdicts
+    values (n,): ascending or descending
+    kinds (n,): verdicts there
     """
     found = []
     known = np.asarray(kinds)

@@ -48,12 +48,7 @@ class Scene(NamedTuple):
 
 
 def scene(state: State, known: Known) -> Scene:
-    """Ship, wave and speed of a state.
-
-    Raises
-    ------
-    InputError    a loading that cannot float upright, a wave that breaks
-    """
+    """Ship, wave and speed of a state."""
     own = known.ship
     changes = {name: number(own, name, value) for name in LOADING if (value := getattr(state, name)) is not None}
     length = own.hull.length

@@ -46,11 +46,8 @@ _TAKEN = {"verdict": "GET, POST", "polar": "POST", "docs": "GET", "openapi.json"
 def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
     """Add the service to a server.
 
-    Parameters
-    ----------
-    server : FastAPI
-    fleet : Fleet      ships that can be asked for
-    turns : Turns      all calls together are one client of it, so that they never crowd out the people on the pages
+    fleet: ships that can be asked for
+    turns: all calls together are one client of it, so that they never crowd out the people on the pages
     """
     routes = APIRouter(prefix="/api", tags=["api"])
     under_way, searches, once = [0], [0], [Depends(_once)]

@@ -30,12 +30,9 @@ _ICON = (
 def explorer(fleet: Fleet, ship: str | None = None, host: str = LOOPBACK[0], names: Sequence[str] = ()) -> ASGIApp:
     """The application, its kernels compiled or loaded before the first visitor comes.
 
-    Parameters
-    ----------
-    fleet : Fleet
-    ship : str or None          key of the ship a page opens with
-    host : str                  listened on
-    names : sequence of str     further names the server goes by
+    ship: key of the ship a page opens with
+    host: listened on
+    names: further names the server goes by
     """
     MultiPartParser.spool_max_size = LARGEST_BODY  # an upload stays in memory
     turns = Turns()

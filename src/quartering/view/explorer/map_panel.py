@@ -152,8 +152,6 @@ def palette() -> tuple[str, ...]:
 def resonance_lines(length: float, speed: float, roll_frequency: float) -> dict[str, list[list[list[float]]]]:
     """Lines (heading [deg], wave length over L) on which the encounter frequency is n2, 2 n2 and zero, as pieces.
 
-    Examples
-    --------
     >>> at_rest = resonance_lines(100.0, 0.0, 0.6)
     >>> round(at_rest["resonance"][0][0][1], 3), at_rest["pace"]
     (1.712, [])

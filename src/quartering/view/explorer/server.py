@@ -20,16 +20,10 @@ _LONGEST_MESSAGE = 1_000_000
 def run_explorer(ship: str | None, host: str, port: int, browser: bool, names: Sequence[str] = ()) -> None:
     """Serve the explorer until Ctrl-C.
 
-    Parameters
-    ----------
-    ship : str or None    built-in ship or ship file to open with
-    host, port            to listen on
-    browser : bool        open the page in the system's browser
-    names                 further names the server goes by, where it is reached by others than its host's
-
-    Raises
-    ------
-    InputError            NiceGUI is not installed, no such ship, the port is taken
+    ship: built-in ship or ship file to open with
+    to listen on
+    browser: open the page in the system's browser
+    further names the server goes by, where it is reached by others than its host's
     """
     if importlib.util.find_spec("nicegui") is None:
         raise InputError("the explorer needs NiceGUI, which is not installed; try: pip install 'quartering[app]'")

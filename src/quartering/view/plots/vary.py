@@ -20,13 +20,8 @@ HATCH = "////"
 def vary_picture(ds: xr.Dataset) -> Figure:
     """Draw the dataset of `quartering.vary`.
 
-    Parameters
-    ----------
-    ds : Dataset    over one or two parameters
-
-    Returns
-    -------
-    Figure          curves for one parameter, maps for two
+    ds: over one or two parameters
+    Returns curves for one parameter, maps for two
     """
     names = varied(ds)
     made = style.figure(10.5, 6.6 if len(names) == 1 else 5.2)
