@@ -100,7 +100,7 @@ def _seeds_beside(
 ) -> Iterator[tuple[int, tuple[int, ...], list[Floats]]]:
     """One-harmonic motions of conditions that have others than the known one: which condition, harmonics, motions.
 
-    From a grid of starts each, as far as 1.1 times the limit, all conditions abreast.
+    From a grid of starts each, as far as 1.1 times the limit, all conditions in one batch.
     """
     low, first = orders_for(system, 1), 1 if orders[0] == 0 else 0
     column, width = (1, 3) if low[0] == 0 else (0, 2)

@@ -13,7 +13,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.cache import remembered
+from quartering.cache import cached
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.hydrostatics import hydrostatics
@@ -109,7 +109,7 @@ def _solution(hull: Hull, mesh: Mesh) -> Mapping[str, NDArray[Any]]:
     half, omega = _half(hull, mesh.panels), np.append(0.0, _frequencies(hull, mesh))
     content = (half.vertices, half.quads, omega, mesh.headings)
     name = f"panels-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    return remembered(name, lambda: hull_solution(hull, half, omega, np.array(mesh.headings), WATER_DENSITY))
+    return cached(name, lambda: hull_solution(hull, half, omega, np.array(mesh.headings), WATER_DENSITY))
 
 
 @lru_cache(maxsize=8)

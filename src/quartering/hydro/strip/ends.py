@@ -28,7 +28,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from quartering.cache import remembered
+from quartering.cache import cached
 from quartering.conventions import GRAVITY
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.lines.hull import STEM_HALF_THICKNESS, Hull
@@ -73,7 +73,7 @@ def end_effect(hull: Hull) -> EndEffect:
     """
     grid = _opened(hull_grid(hull, *PANELS))
     name = f"ends-{fingerprint([source_digest('hull', 'hydro'), *grid])}"
-    return EndEffect(**remembered(name, lambda: _effect(grid)._asdict()))
+    return EndEffect(**cached(name, lambda: _effect(grid)._asdict()))
 
 
 def _opened(grid: Grid) -> Grid:

@@ -96,7 +96,7 @@ class System:
 
     @property
     def plain(self) -> bool:
-        """Is there nothing but (v, phi, p, r)? Then many conditions are solved abreast."""
+        """Is there nothing but (v, phi, p, r)? Then many conditions are solved in a batch."""
         return self.states == 4
 
     @property

@@ -35,7 +35,7 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 
 @kernel
 def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
-    """Runge-Kutta steps for rows first..last of realisations abreast.
+    """Runge-Kutta steps for rows first..last of realisations, a row being a batch.
 
     ``forcing`` (steps + 7, 3 + e + z, n) begins 3 steps before the first step: accelerations, known inputs, water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the

@@ -23,7 +23,7 @@ _OSCILLATES = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class Border:
+class Boundary:
     """What vanishes at one kind of change of stability, for motions of given harmonics.
 
     Parameters

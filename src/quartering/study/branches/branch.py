@@ -20,7 +20,7 @@ from quartering.motion.branches.switching import doubled, leaning, strength
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.steady.motion import peaks
 from quartering.motion.steady.subharmonic import columns
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 from quartering.study.branches.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.branches.family import Limits, family, parameter_attributes
 from quartering.study.dataset import amplitudes_named

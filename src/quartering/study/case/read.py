@@ -16,7 +16,7 @@ from pydantic import BaseModel, ValidationError
 from quartering.conventions import InputError
 from quartering.hull.changes import COEFFICIENTS, changed
 from quartering.hull.file.read import ship
-from quartering.hull.file.refusals import allowed, nearest_word, own_words
+from quartering.hull.file.refusals import allowed, nearest_word, user_words
 from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.ship import Ship
 from quartering.names import checked_values
@@ -123,7 +123,7 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
         return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
     if problem["type"] == "literal_error":
         return place.says(keys, f"{path[0]}: {quoted(problem['input'])} is given; {nearest_word(problem)}")
-    key, own = ", ".join(keys) or "case", own_words(problem)
+    key, own = ", ".join(keys) or "case", user_words(problem)
     if own is not None:
         return place.says(keys, f"{key}: {quoted(problem['input'])} is given; {own}")
     return place.says(keys, f"{key}: {quoted(problem['input'])} is given; allowed: {allowed(problem)}")

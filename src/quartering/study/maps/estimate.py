@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import InputError
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import FLAGS, RESULTS, evaluate_block
 from quartering.study.grid import Grid
 from quartering.study.resonance import missed_resonance

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import evaluate_block
 from quartering.study.grid import Grid
 from quartering.threads import alone, spread
