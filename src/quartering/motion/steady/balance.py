@@ -3,9 +3,9 @@
 The right-hand side is that of `rates`, evaluated at all instants of the cycle in a batch.
 
 A single condition is solved first as a row of one by `newton_batch`, as many are; this is the other algorithm, for those which
-that leaves: steps are damped, each takes a matrix of its own, the wave may act in part (`follow`), an autopilot may steer, and the
-harmonics may be so many that the matrices of a row would fill the memory. Conditions of a batch cannot damp, since each would
-take its own number of trials.
+that leaves: steps are damped, each takes a matrix of its own, the wave may act in part (`follow`), an autopilot may steer, and
+the harmonics may be so many that the matrices of a row would fill the memory. Conditions of a batch cannot damp, since each
+would take its own number of trials.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"

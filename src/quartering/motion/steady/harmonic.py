@@ -180,7 +180,8 @@ def _reached_otherwise(system: System, table: Basis, u: Floats) -> NDArray[np.bo
 
     Where the linear motion is large, Newton's method may come from it to a motion that stands beside the one from rest, on the
     same side of folds and even of the linear motion's own roll. To go up in thirds is cheap in a batch, the last third only
-    where the first two do not point at the motion; where that ends elsewhere, or loses the motion, the branch is to be followed.
+    where the first two do not point at the motion; where that ends elsewhere, or loses the motion, the branch is to
+    be followed.
     """
     v, before, lost = np.zeros_like(u), np.zeros_like(u), np.zeros(system.count, dtype=bool)
     for k, share in enumerate(_SHARES):
