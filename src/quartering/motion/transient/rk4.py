@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel
+from quartering._machine.compiled import batch_kernel
 from quartering.motion.equations.program import Program
 from quartering.motion.equations.rates import (
     WIDTH,

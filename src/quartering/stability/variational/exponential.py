@@ -3,7 +3,7 @@
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import batch_kernel
+from quartering._machine.compiled import batch_kernel
 
 ROW = 32
 """Conditions of a batch: their matrices stay in the processor's fastest memory."""

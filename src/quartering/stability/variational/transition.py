@@ -9,12 +9,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.rates import enter_inputs, fill_lane, note_equal_lanes, room_for, row_of_lanes, slopes
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.newton import states
-from quartering.threads import in_threads
 
 BATCH: Final = 32
 """Most conditions in a row: their matrices (s, s) stay near the processor."""
