@@ -245,7 +245,10 @@ def code_digest() -> str:
 
     Returns 16 hexadecimal digits, equal for equal installations
     """
-    own = (f"study/{name}.py" for name in ("conditions", "condition/beside", "loading_systems", "grid", "loadings", "case/values"))
+    own = (
+        f"study/{name}.py"
+        for name in ("conditions", "condition/beside", "loading_systems", "grid", "loadings", "case/values")
+    )
     return source_digest("hull", "hydro", "loads", "motion", "stability", *own)
 
 
