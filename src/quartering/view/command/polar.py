@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, NamedTuple
 
 import typer
@@ -12,10 +13,11 @@ from quartering.conventions import InputError
 from quartering.options import OPTIONS, line_of
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
-from quartering.view.console.files import File, picture_files, reserve_path, ship_stem
+from quartering.view.console.files import TABLES, File, is_table, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import map_table
 from quartering.view.console.typed_ship import typed_ship
 from quartering.view.console.typed_values import value, values
 
@@ -23,11 +25,11 @@ if TYPE_CHECKING:
     import numpy as np
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
     from quartering.loads.waves import Wave
+    from quartering.view.console.printed import Table
 
 MOST_CONDITIONS = 1_000_000
 """Largest map: about 1 GB of results."""
@@ -54,7 +56,8 @@ def polar(
     harmonics: Harmonics = 1,
     form: FormName = "stf",
     output: Annotated[
-        str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
+        str | None,
+        typer.Option("-o", "--output", help="Dataset to write (.nc), a .png goes beside it; or tables (.csv, .xlsx)."),
     ] = None,
     extend: Annotated[bool, typer.Option("--extend", help=f"{line_of(OPTIONS['extend']).partition(':')[0]}.")] = False,
 ) -> Answer:
@@ -66,8 +69,8 @@ def polar(
     from quartering.view.wording import edge_words, notes
 
     one = typed_ship(ship, changes)
-    data = reserve_path(f"{ship_stem(ship)}-polar.nc" if output is None else output, (".nc",))
-    picture = reserve_path(data.with_suffix(".png"), (".png",))
+    path = reserve_path(f"{ship_stem(ship)}-polar.nc" if output is None else output, (".nc", *TABLES))
+    picture = None if is_table(path) else reserve_path(path.with_suffix(".png"), (".png",))
     speeds = values(speed or ["0.15Fn,0.2Fn,0.25Fn"], OPTIONS["speed"], one.sizes, "--speed", 3)
     mu = values([headings], OPTIONS["heading"], one.sizes, "--headings", 37)
     waves = _waves(one, wave_lengths, steepness, wave_height)
@@ -94,11 +97,22 @@ def polar(
     step = f"quartering verdict {ship} {_worst_words(ds, summary)}{option_words(changes)}"
     return Answer(
         lines(),
-        lambda: _facts(ds, summary) | {"dataset": str(data), "picture": str(picture)},
-        [File(data, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))],
-        written=f"Wrote {data} and {picture}",
-        next_steps=[step, f"quartering report {data}"],
+        lambda: _facts(ds, summary) | _written(path, picture),
+        []
+        if picture is None
+        else [File(path, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))],
+        written=f"Wrote {path}" + ("" if picture is None else f" and {picture}"),
+        next_steps=[step, *([] if picture is None else [f"quartering report {path}"])],
+        output=path,
+        data=lambda: [map_table(ds)],
     )
+
+
+def _written(path: Path, picture: Path | None) -> dict[str, str | None]:
+    """The files, for programs."""
+    if picture is None:
+        return {"dataset": None, "picture": None, "table": str(path)}
+    return {"dataset": str(path), "picture": str(picture)}
 
 
 def _waves(one: Ship, lengths: str, steepness: str | None, height: str | None) -> list[Wave]:

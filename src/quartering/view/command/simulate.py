@@ -10,8 +10,9 @@ import typer
 
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, Heading, Picture, ShipName, Speed, WaveHeight, WaveLength
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, picture_files, reserve_path
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import Typed
 from quartering.view.console.typed_values import value
 
@@ -42,7 +43,7 @@ def simulate(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
-    path = reserve_path(output, PICTURES)
+    path = reserve_path(output, (*PICTURES, *TABLES))
     seconds = value(duration, "time", one.sizes, "--duration")
     heel = value(roll, "angle", one.sizes, "--roll")
     announce_compilation()
@@ -83,4 +84,6 @@ def simulate(
         picture_files(path, draw),
         remarks=[ship_notes(one)],
         next_steps=[f"quartering verdict {ship} {typed.words}{option_words(changes)}"],
+        output=path,
+        data=lambda: [data_table(trace, f"{one.name}: motion in time")],
     )

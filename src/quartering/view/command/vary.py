@@ -12,22 +12,24 @@ from quartering.options import OPTIONS
 from quartering.view.command._tornado import each_value_changed
 from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
-from quartering.view.console.files import PICTURES, reserve_path
+from quartering.view.console.arguments import Changes, FormName, Harmonics, PictureOrData, ShipName
+from quartering.view.console.files import PICTURES, TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import Typed, typed_ship
 from quartering.view.console.typed_values import value, values
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
+    from quartering.view.console.printed import Table
 
+MEASURES = ("roll", "sway", "yaw", "roll_peak", "k2", "index", "n2", "exponent", "verdict")
 _COUNTS = {1: 41, 2: 25}
 _ROWS = 9
 _RANGE = "from:to or from:to:count"
@@ -48,9 +50,7 @@ def vary(
     ] = None,
     harmonics: Harmonics = 1,
     form: FormName = "stf",
-    output: Annotated[
-        str | None, typer.Option("-o", "--output", help="Picture (.png, .svg, .pdf) or dataset (.nc) to write.")
-    ] = None,
+    output: PictureOrData = None,
 ) -> Answer:
     """What one or two values do to roll and stability, and where the verdict flips."""
     import numpy as np
@@ -69,7 +69,7 @@ def vary(
         key: text for key, text in ranges.items() if key not in KEEL_AXES and not (OPTIONS[key].axis and is_range(text))
     }
     as_is = typed_ship(ship, told)
-    path = reserve_path(output, (*PICTURES, ".nc"))
+    path = reserve_path(output, (*PICTURES, ".nc", *TABLES))
     one, left = _keeled(as_is, {key: text for key, text in ranges.items() if key not in told})
     fixed, parameters = _parameters(one, typed.condition, left, coefficient or [])
     announce_compilation()
@@ -99,6 +99,8 @@ def vary(
         lines(),
         lambda: _facts(ds) | {"written": None if path is None else str(path)},
         dataset_or_picture(path, ds, draw),
+        output=path,
+        data=lambda: [data_table(ds, str(ds.attrs["title"]), MEASURES, list(map(str, ds["verdict"].dims)))],
         next_steps=[
             f"quartering vary {ship}{words} --tornado 10% -o tornado.png",
             f"quartering polar {ship}{option_words(told)}",
@@ -209,14 +211,13 @@ def _facts(ds: xr.Dataset) -> dict[str, object]:
 
     names = varied(ds)
     kinds = np.vectorize(lambda kind: Kind(int(kind)).label, otypes=[object])(ds["verdict"].values)
-    measures = ("roll", "sway", "yaw", "roll_peak", "k2", "index", "n2", "exponent")
     facts: dict[str, object] = {key: ds.attrs[key] for key in ("ship", "loading", "steady_motion", "diffraction")}
     facts["condition"] = {key: float(ds[key]) for key in CONDITION_AXES if not ds[key].ndim}
     facts["parameters"] = {
         name: {"now": ds[name].attrs.get("own_value"), "unit": ds[name].attrs["units"], "values": ds[name].values}
         for name in names
     }
-    facts |= {key: ds[key].values for key in measures} | {"verdict": kinds, "estimated": estimated_names(ds)}
+    facts |= {key: ds[key].values for key in MEASURES[:-1]} | {"verdict": kinds, "estimated": estimated_names(ds)}
     if len(names) == 1:
         facts["flips"] = [
             {"value": float(v), "below": Kind(int(a)).label, "above": Kind(int(b)).label}
