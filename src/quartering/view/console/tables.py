@@ -29,18 +29,7 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
 
 
 def write_tables(path: Path, printed: Sequence[Table], data: Sequence[Table]) -> None:
-    """Write the tables of a command.
-
-    Parameters
-    ----------
-    path : Path               .csv or .xlsx
-    printed : sequence of Table
-    data : sequence of Table  one line a condition
-
-    Raises
-    ------
-    InputError                more rows than a sheet of Excel has
-    """
+    """Write the tables of a command: data has a line a condition."""
     if path.suffix.lower() == ".xlsx":
         _write_workbook(path, [*printed, *data])
         return
@@ -75,18 +64,9 @@ def cell_value(cell: str | float | None) -> str | float | None:
 
 
 def data_table(ds: xr.Dataset, title: str, names: Sequence[str] = (), along: Sequence[str] = ()) -> Table:
-    """A dataset as a table: a line for each place along its dimensions, a column for each variable, units in the head.
+    """A dataset as a table: a line a place along dimensions (of the first variable where none are named), a column a variable.
 
-    Parameters
-    ----------
-    ds : Dataset
-    title : str
-    names : sequence of str    variables to take, in this order; all where empty
-    along : sequence of str    dimensions of the lines, all of the first variable where empty; further ones become columns
-
-    Returns
-    -------
-    Table
+    Values along further dimensions are columns too.
     """
     taken = [name for name in names or map(str, ds.data_vars) if name in ds.data_vars]
     dims = [*(along or map(str, ds[taken[0]].dims))]
@@ -103,16 +83,7 @@ def data_table(ds: xr.Dataset, title: str, names: Sequence[str] = (), along: Seq
 
 
 def map_table(ds: xr.Dataset) -> Table:
-    """A map, or a part of a sweep, as a table: a line a condition.
-
-    Parameters
-    ----------
-    ds : Dataset    of `quartering.sweep` or `quartering.polar`
-
-    Returns
-    -------
-    Table
-    """
+    """A map, or a part of a sweep, as a table: a line a condition."""
     names = ("sway", "roll", "yaw", "roll_peak", "exponent", "verdict")
     return data_table(ds, f"{ds.attrs['title']}: conditions", names, list(map(str, ds["verdict"].dims)))
 
