@@ -84,7 +84,7 @@ def branch(
         held = {"speed": speed_words(u, one.hull.length), "heading": f"heading {mu:g} deg"}
         held |= {"wave_length": f"wave length {wave.length:.4g} m", "wave_height": f"wave height {wave.height:.3g} m"}
         title = f"{one.name}: " + ", ".join(words for key, words in held.items() if key != over)
-        return branch_picture(ds, over, title, ship_notes(one))
+        return branch_picture(ds, over, title, ship_notes(one), asked=_asked(typed, over))
 
     def facts() -> dict[str, object]:
         found = {"ship": one.name, "over": over, "curves": _curves(ds, over), "events": _events(ds, over)}
@@ -100,6 +100,13 @@ def branch(
         output=path,
         data=lambda: [data_table(ds, f"{one.name}: points of the curves", along=["point"])],
     )
+
+
+def _asked(typed: Typed, over: str) -> float | None:
+    """What was typed of the parameter that changes: where the condition stands on the curves."""
+    one = typed.read()[0]
+    text = (typed.condition | dict(typed.changes)).get(over)
+    return None if text is None else value(text, OPTIONS[over], one.sizes, OPTIONS[over].command)
 
 
 def _limits(one: Ship, wave: Wave, over: str, text: str | None) -> tuple[float, float] | None:

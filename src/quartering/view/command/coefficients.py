@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, ShipName, Speed, TableFile
 from quartering.view.console.files import TABLES, reserve_path
-from quartering.view.console.printed import table
+from quartering.view.console.printed import Table, table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import value
-
-if TYPE_CHECKING:
-    from quartering.view.console.printed import Table
 
 
 def coefficients(

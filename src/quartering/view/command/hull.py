@@ -13,7 +13,7 @@ from quartering.units import quantity
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, Picture, ShipName
 from quartering.view.console.files import PICTURES, TABLES, picture_files, reserve_path
-from quartering.view.console.printed import table
+from quartering.view.console.printed import Table, table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Ship
     from quartering.hydro.decay.free_roll import FreeDamping
     from quartering.loads.waves import Wave
-    from quartering.view.console.printed import Table
 
 _FROUDE_NUMBERS = (0.0, 0.15, 0.25)
 _NEUTRAL = 1e-9
@@ -84,7 +83,10 @@ def hull(
         picture_files(path, draw),
         next_steps=[f"quartering coefficients {again}", f"quartering polar {again}"],
         output=path,
-        data=lambda: [_arms(one, angles, arms, _arms_on(one, wave, mu, angles))],
+        data=lambda: [
+            *(part for part in lines() if isinstance(part, Table)),
+            _arms(one, angles, arms, _arms_on(one, wave, mu, angles)),
+        ],
     )
 
 

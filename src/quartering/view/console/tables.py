@@ -31,7 +31,7 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f]")
 def write_tables(path: Path, printed: Sequence[Table], data: Sequence[Table]) -> None:
     """Write the tables of a command: data has a line a condition."""
     if path.suffix.lower() == ".xlsx":
-        _write_workbook(path, [*printed, *data])
+        _write_workbook(path, [*printed, *(one for one in data if one not in printed)])
         return
     with open(path, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
@@ -121,14 +121,14 @@ def _write_workbook(path: Path, tables: Sequence[Table]) -> None:
     from openpyxl.cell import WriteOnlyCell
     from openpyxl.styles import Font
 
+    for one in tables:  # before a sheet is begun
+        if len(one.rows) + len(one.notes) + 2 > MOST_ROWS:
+            raise InputError(
+                f'"{one.title}" has {len(one.rows):,} rows; a sheet of Excel ends at {MOST_ROWS:,}; write a .csv, or a part'
+            )
     book = Workbook(write_only=True)
     used: set[str] = set()
     for one in tables:
-        rows = len(one.rows) + len(one.notes) + 2
-        if rows > MOST_ROWS:
-            raise InputError(
-                f'"{path.name}": {len(one.rows):,} rows; a sheet of Excel ends at {MOST_ROWS:,}; write a .csv, or a part of it'
-            )
         sheet = book.create_sheet(_sheet_name(one.title, used))
         sheet.freeze_panes = "A3"
 
