@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from quartering.conventions import InputError, headed, in_unit, written
 from quartering.options import OPTIONS
+from quartering.view.command._over_map import MAP_AXES, whole_map_varied
 from quartering.view.command._tornado import each_value_changed
 from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from quartering.view.console.printed import Table
 
 MEASURES = ("roll", "sway", "yaw", "roll_peak", "k2", "index", "n2", "exponent", "verdict")
-_COUNTS = {1: 41, 2: 25}
+_COUNTS, _COUNTS_OF_MAPS = {1: 41, 2: 25}, {1: 11, 2: 7}
 _ROWS = 9
 _RANGE = "from:to or from:to:count"
 
@@ -48,6 +49,12 @@ def vary(
     tornado: Annotated[
         str | None, typer.Option(help="10%: change every value by so much, one at a time, instead of a range.")
     ] = None,
+    whole_map: Annotated[
+        bool,
+        typer.Option(
+            "--over-map", help="Share of the whole map that is unstable, and its largest roll, over the values."
+        ),
+    ] = False,
     harmonics: Harmonics = 1,
     form: FormName = "stf",
     output: PictureOrData = None,
@@ -63,6 +70,8 @@ def vary(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, ranges)
     chosen: Form = form  # type: ignore[assignment]  # vary and tornado refuse an unknown one
+    if tornado is not None and whole_map:
+        raise InputError("--tornado and --over-map are two questions; leave one out")
     if tornado is not None:
         return each_value_changed(typed, coefficient or [], tornado, harmonics, chosen, output)
     told = {
@@ -71,7 +80,13 @@ def vary(
     as_is = typed_ship(ship, told)
     path = reserve_path(output, (*PICTURES, ".nc", *TABLES))
     one, left = _keeled(as_is, {key: text for key, text in ranges.items() if key not in told})
-    fixed, parameters = _parameters(one, typed.condition, left, coefficient or [])
+    of_map = MAP_AXES if whole_map else ()
+    fixed, parameters = _parameters(one, typed.condition, left, coefficient or [], of_map)
+    user_keels = one.bilge_keels is not None and one.bilge_keels == as_is.bilge_keels
+    # What is varied of the condition, or of keels fitted for the question, has no present value.
+    unfitted = [key for key in parameters if key in typed.condition or (key in KEEL_AXES and not user_keels)]
+    if whole_map:
+        return whole_map_varied(typed, one, told, parameters, unfitted, harmonics, chosen, path)
     announce_compilation()
     wave = Wave(fixed["wave_length"], fixed["wave_height"])
     with bar("conditions", int(np.prod([len(v) for v in parameters.values()]))) as progress:
@@ -79,10 +94,8 @@ def vary(
             one, wave, fixed["speed"], fixed["heading"], parameters,
             harmonics=harmonics, form=chosen, progress=progress,
         )  # fmt: skip
-    user_keels = one.bilge_keels is not None and one.bilge_keels == as_is.bilge_keels
-    for key in parameters:  # what is varied of the condition, or of keels fitted for the question, has no present value
-        if key in typed.condition or (key in KEEL_AXES and not user_keels):
-            del ds[key].attrs["user_value"]
+    for key in unfitted:
+        del ds[key].attrs["user_value"]
 
     def draw() -> Figure:
         from quartering.view.plots.vary import vary_picture
@@ -103,9 +116,16 @@ def vary(
         data=lambda: [data_table(ds, str(ds.attrs["title"]), MEASURES, list(map(str, ds["verdict"].dims)))],
         next_steps=[
             f"quartering vary {ship}{words} --tornado 10% -o tornado.png",
+            *_over_map_words(ship, told, left),
             f"quartering polar {ship}{option_words(told)}",
         ],
     )
+
+
+def _over_map_words(ship: str, told: Mapping[str, str], ranges: Mapping[str, str]) -> list[str]:
+    """The same ranges over the whole map, to type next; nothing where a coefficient or the condition is varied alone."""
+    words = "".join(f" {option(key)} {text}" for key, text in ranges.items())
+    return [f"quartering vary {ship}{words}{option_words(told)} --over-map -o over-map.png"] if words else []
 
 
 def _keeled(one: Ship, ranges: Mapping[str, str]) -> tuple[Ship, dict[str, str]]:
@@ -120,16 +140,24 @@ def _keeled(one: Ship, ranges: Mapping[str, str]) -> tuple[Ship, dict[str, str]]
 
 
 def _parameters(
-    one: Ship, typed: Mapping[str, str], ranges: Mapping[str, str], coefficients: Sequence[str]
+    one: Ship,
+    typed: Mapping[str, str],
+    ranges: Mapping[str, str],
+    coefficients: Sequence[str],
+    of_map: Collection[str] = (),
 ) -> tuple[dict[str, float], dict[str, list[float]]]:
-    """Condition, and values of what is varied; a condition that is varied stands at its first value."""
+    """Condition, and values of what is varied; a condition that is varied stands at its first value.
+
+    of_map: what of the condition a map is over, which is not varied
+    """
+    typed = {key: text for key, text in typed.items() if key not in of_map}
     factors = dict(_factor(text) for text in coefficients)
     texts = {key: text for key, text in typed.items() if is_range(text)} | dict(ranges) | factors
     if not texts:
         raise InputError(
             "nothing to vary: give one or two ranges, such as --gm 0.4:1.2 or --coefficient K_p=0.2:2, or --tornado 10%"
         )
-    count = _COUNTS.get(len(texts), 2)
+    count = (_COUNTS_OF_MAPS if of_map else _COUNTS).get(len(texts), 2)
     units = one.sizes
     parameters = {
         key: values([text], OPTIONS.get(key, "ratio"), units, option(key), count) for key, text in texts.items()
