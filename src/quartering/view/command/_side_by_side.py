@@ -129,7 +129,9 @@ def _warned(ships: Sequence[Ship], labels: Sequence[str], *, same_name: bool) ->
     """What the reader of a comparison should know: ships of one name, and of other sizes."""
     said = []
     if same_name:
-        said.append(f"Both are called {ships[0].name}; they are told apart by what was typed: {labels[0]}, {labels[1]}.")
+        said.append(
+            f"Both are called {ships[0].name}; they are told apart by what was typed: {labels[0]}, {labels[1]}."
+        )
     sizes = [(one.hull.length, one.hull.beam, one.hull.draught) for one in ships]
     if any(not math.isclose(a, b, rel_tol=_ALIKE) for a, b in zip(sizes[0][:2], sizes[1][:2], strict=True)):
         lengths = " and ".join(f"{length:.4g} x {beam:.4g} m" for length, beam, _ in sizes)
