@@ -11,7 +11,8 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.view.cli import app
 from quartering.view.command import simulate as simulate_command
-from quartering.view.plots.ship_in_wave import Scene, frames_shown, moves_of, pace_of
+from quartering.view.moves import moves_of, pace_of
+from quartering.view.plots.ship_in_wave import Scene, frames_shown
 from quartering.view.ship_shape import shape_of
 
 SHIP = qt.ship("wigley")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Final, NamedTuple, cast
+from typing import Any, Final, cast
 
 import matplotlib as mpl
 import numpy as np
@@ -17,6 +17,7 @@ from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave, encounter_frequency, heading_components
 from quartering.motion.equations.system import Model
+from quartering.view.moves import Moves, moves_of, pace_of
 from quartering.view.plots import style
 from quartering.view.ship_shape import shape_of
 from quartering.view.wording import ship_notes, speed_words
@@ -24,66 +25,11 @@ from quartering.view.wording import ship_notes, speed_words
 Floats = NDArray[np.float64]
 FRAMES_OF_A_PERIOD: Final = 24
 MOST_FRAMES: Final = 168
-_SHOWN_PERIOD = 3.0
-"""Seconds one wave period takes to watch."""
 _WATER, _SKY, _HULL = "#8fbbdd", "#f4f7fa", "#d9d2c5"
 _ALONG, _ACROSS = 1.5, 1.1
 """The view from above is so many ship lengths high and wide."""
 _GRID, _SHADES = (75, 55), 14
 """Points of the water seen from above; few shades keep a file small."""
-
-
-class Moves(NamedTuple):
-    """What moves, over time [s]: roll, yaw, pitch [rad], sway and heave (up) [m]."""
-
-    time: Floats
-    roll: Floats
-    sway: Floats
-    yaw: Floats
-    heave: Floats
-    pitch: Floats
-
-
-def moves_of(trace: xr.Dataset, period: float) -> Moves:
-    """The motion of `quartering.simulate` for a picture: drift off the course and to the side is left out.
-
-    period: of encounter [s], over which what drifts is averaged
-    """
-    known = np.isfinite(trace["roll"].values)
-    time = trace["time"].values[known]
-
-    def of(name: str) -> Floats:
-        return np.asarray(trace[name].values[known], dtype=float)
-
-    yaw = np.radians(
-        of("yaw") if "yaw" in trace else of("heading") if "heading" in trace else _summed(time, of("yaw_rate"))
-    )
-    still = np.zeros_like(time)
-    return Moves(
-        time,
-        np.radians(of("roll")),
-        _without_drift(time, _summed(time, of("sway_velocity")), period),
-        _without_drift(time, yaw, period),
-        -of("heave") if "heave" in trace else still,
-        np.radians(of("pitch")) if "pitch" in trace else still,
-    )
-
-
-def _summed(time: Floats, rate: Floats) -> Floats:
-    """Integral of a rate by the trapezoidal rule."""
-    return np.concatenate([[0.0], np.cumsum(0.5 * (rate[1:] + rate[:-1]) * np.diff(time))])
-
-
-def _without_drift(time: Floats, values: Floats, period: float) -> Floats:
-    """Values less their mean over a period round each."""
-    if time.size < 3:
-        return values - values.mean() if values.size else values
-    half = max(1, round(0.5 * period / (time[1] - time[0])))
-    if time.size <= 2 * half:
-        return values - np.linspace(values[0], values[-1], values.size)
-    total = np.concatenate([[0.0], np.cumsum(values)])
-    middle = np.clip(np.arange(values.size), half, values.size - 1 - half)
-    return values - (total[middle + half + 1] - total[middle - half]) / (2 * half + 1)
 
 
 class Scene:
@@ -247,15 +193,6 @@ def frames_shown(moves: Moves, period: float) -> tuple[NDArray[np.intp], float]:
     step = max(1, round(period / FRAMES_OF_A_PERIOD / (moves.time[1] - moves.time[0]))) if moves.time.size > 1 else 1
     chosen = np.arange(moves.time.size - 1, -1, -step)[::-1][-MOST_FRAMES:]
     return chosen, step * float(moves.time[1] - moves.time[0]) if moves.time.size > 1 else period
-
-
-def pace_of(period: float) -> float:
-    """How much faster than in nature the motion is shown: a wave period takes about three seconds to watch.
-
-    >>> pace_of(12.0), pace_of(3.1)
-    (4.0, 1.0)
-    """
-    return float(max(1, round(period / _SHOWN_PERIOD)))
 
 
 def write_gif(path: Path, frames: Iterator[NDArray[np.uint8]], seconds: float) -> None:
