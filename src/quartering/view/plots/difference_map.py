@@ -25,7 +25,7 @@ _LOOKS: Final = {
     Change.STABLE: ("course", {"facecolor": "none", "edgecolor": style.INK}, "becomes stable"),
     Change.UNKNOWN: ("no answer", {"facecolor": GREY, "edgecolor": GREY}, "no answer in one of them"),
 }
-_HATCHES = {Change.UNSTABLE: "/////", Change.STABLE: ".....", Change.UNKNOWN: None}
+_HATCHES = {Change.UNSTABLE: "/////", Change.STABLE: "...", Change.UNKNOWN: None}
 
 
 def difference_map(ds: xr.Dataset, length: float, title: str, note: str) -> Figure:

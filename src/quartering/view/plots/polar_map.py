@@ -36,7 +36,7 @@ HOW_TO_READ = "Bow up: waves come from the side of the cell, port on the left; r
 MIRRORED = " The right half mirrors the left."
 GREY, PACE_INK = "#b8b8b8", "#ff9d5c"
 COURSE_INK = "#ffb38a"
-HATCHES = {"unstable": "/////", "course": "....."}
+HATCHES = {"unstable": "/////", "course": "..."}
 """Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
 
 _NARROW = 4.0
@@ -178,12 +178,14 @@ def _region(outlines: Sequence[Floats]) -> Path:
 
 
 def _outlines(fine: Floats, r: Floats, cells: NDArray[np.bool_], slices: int) -> list[Floats]:
-    """Outlines (theta, r) of the marked cells (h, w)."""
+    """Outlines (theta, r) of the marked cells (h, w), those that follow one another on a heading in one."""
     made = []
-    for i, j in np.argwhere(cells):
+    for i, row in enumerate(cells):
         arc = fine[i * slices : (i + 1) * slices + 1]
-        inner, outer = np.stack([arc, np.full_like(arc, r[j])], 1), np.stack([arc, np.full_like(arc, r[j + 1])], 1)
-        made.append(np.concatenate([inner, outer[::-1]]))
+        edges_of_runs = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(np.int8), [0]])))
+        for first, last in edges_of_runs.reshape(-1, 2):
+            inner, outer = (np.stack([arc, np.full_like(arc, r[j])], 1) for j in (first, last))
+            made.append(np.concatenate([inner, outer[::-1]]))
     return made
 
 
