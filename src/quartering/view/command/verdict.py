@@ -14,21 +14,23 @@ from quartering.view.console.arguments import (
     Heading,
     ShipName,
     Speed,
+    TableFile,
     WaveHeight,
     WaveLength,
 )
+from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import Typed
 
 if TYPE_CHECKING:
     import numpy as np
-    from rich.table import Table
 
     from quartering.loads.forces import Form
     from quartering.stability.verdict import Verdict
     from quartering.study.condition.examine import Examined
     from quartering.study.effects.cure import Cure
+    from quartering.view.console.printed import Table
 
 
 def verdict(
@@ -40,6 +42,7 @@ def verdict(
     changes: Changes,
     harmonics: Harmonics = 1,
     form: FormName = "stf",
+    output: TableFile = None,
 ) -> Answer:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
     from quartering.stability.precompile import announce_compilation
@@ -47,6 +50,7 @@ def verdict(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
+    path = reserve_path(output, TABLES)
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     found = examine(one, wave, u, mu, harmonics, chosen)
@@ -55,6 +59,7 @@ def verdict(
     return Answer(
         _lines(found, cures),
         lambda: facts(found, cures),
+        output=path,
         next_steps=[
             f"quartering simulate {ship} {typed.words}{again} -o roll.png",
             f"quartering polar {ship} --speed {speed}{again}",
