@@ -6,6 +6,7 @@ import math
 import os
 import warnings
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Final, overload
 
@@ -30,7 +31,7 @@ from quartering.motion.sea.synthesis import record_of
 from quartering.motion.transient.irregular import irregular as irregular_by_components
 from quartering.motion.transient.rk4 import alike
 from quartering.options import quoted
-from quartering.study.seas.blocks import BLOCK, Plan, Tally, run_blocks
+from quartering.study.seas.blocks import BLOCK, Plan, Tally, error_below, run_blocks
 from quartering.study.seas.moments import moments_of, products
 from quartering.study.seas.response import (
     LEAST_DAMPING,
@@ -227,13 +228,13 @@ def _in_a_sea(
     store: str | os.PathLike[str] | None = None,
 ) -> xr.Dataset:
     of = ship if isinstance(ship, Ship) else None
-    roll, reason = _roll_limit(ship, limit)
+    roll, reason = roll_limit_of(ship, limit)
     asked = Asked(
         ship=ship,
         sea=sea if heading is None else sea.turned_to(number(of, "heading", heading)),
         speed=number(of, "speed", speed),
         place=place_of(ship, place),
-        limits=(roll, _felt_limit(ship, place, acceleration_limit)),
+        limits=(roll, felt_limit_of(ship, place, acceleration_limit)),
         reason=reason,
         step=None if step is None else number(None, "step", step),
         strips=None if strips is None else count("strips", strips, 1, 6),
@@ -248,8 +249,9 @@ def _in_a_sea(
     key = fingerprint(
         [source_digest("hull", "hydro", "loads", "motion"), ready.plan.condition, asked.seed, asked.limits, place]
     )
-    tally = run_blocks(ready.plan, duration, wanted, None if store is None else _file(store), key)
-    result = simulated_dataset(tally, _known(asked, ready))
+    enough = None if wanted is None else partial(error_below, share=wanted)
+    tally = run_blocks(ready.plan, duration, enough, None if store is None else _file(store), key)
+    result = simulated_dataset(tally, known_of(asked, ready))
     _warn(asked, ready, tally, result)
     return result
 
@@ -270,7 +272,7 @@ def _file(store: Any) -> Path:
     return file
 
 
-def _roll_limit(ship: Ship | Model, limit: float | str | None) -> tuple[float, str]:
+def roll_limit_of(ship: Ship | Model, limit: float | str | None) -> tuple[float, str]:
     """Roll of a failure [rad], and why that."""
     if limit is not None:
         return number(None, "limit", limit), "given"
@@ -280,7 +282,7 @@ def _roll_limit(ship: Ship | Model, limit: float | str | None) -> tuple[float, s
     return math.radians(FAILURE_ROLL), f"{FAILURE_ROLL:g} deg"
 
 
-def _felt_limit(ship: Ship | Model, place: Any, given: float | None) -> float:
+def felt_limit_of(ship: Ship | Model, place: Any, given: float | None) -> float:
     """Lateral acceleration of a failure [m/s2]; infinite where no place is known."""
     if given is not None:
         return number(None, "felt_limit", given)
@@ -389,7 +391,7 @@ def _condition(asked: Asked, step: float, first: int, strips: int) -> int:
     return int(fingerprint(parts)[:16], 16)
 
 
-def _known(asked: Asked, ready: Ready) -> dict[str, Any]:
+def known_of(asked: Asked, ready: Ready) -> dict[str, Any]:
     """What is to be said of a simulation beside its numbers."""
     felt, (x, z) = asked.limits[1], asked.place
     record = ready.plan.record
