@@ -60,6 +60,7 @@ if TYPE_CHECKING:
     from quartering.study.effects.vary import vary
     from quartering.study.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.maps.extension import edges_of_largest
+    from quartering.study.maps.guidance import guidance
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
@@ -120,6 +121,7 @@ _HOMES = {
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
     "gm_in_waves": "study.gm_in_waves",
+    "guidance": "study.maps.guidance",
     "righting_arm": "study.gm_in_waves",
     "paper_ship": "study.paper.model",
     "parametric_map": "study.parametric_map",
@@ -163,6 +165,7 @@ __all__ = [
     "encounter_frequency",
     "equations",
     "gm_in_waves",
+    "guidance",
     "hill_exponents",
     "hydrodynamics",
     "hydrodynamics6",

@@ -37,9 +37,6 @@ _ARGUMENTS = (
     Option("gamma", "ratio", "peak enhancement of a spectrum", low=1, high=20, usual=3.3),
     Option("sharpness", "ratio", "lambda of a wave system of Ochi and Hubble", low=0.5, above=True, high=50, usual=1.0),
     Option("hours", "ratio", "that largest motions are of", low=0, above=True, high=1e5, usual=3.0),
-    Option("safety_factor", "ratio", "on the mean largest motion of three hours, against the limit of a failure", low=1,
-           high=10, usual=2.0),
-    Option("rate_limit", "ratio", "rate of failures that guidance allows [1/s]", low=0, above=True, high=1, usual=1e-6),
     Option("course", "angle", "of a ship, clockwise from north", low=-360, high=360, usual="45 deg"),
     Option("reference_x", "length", "of a point, forward of midship", usual="0 m"),
     Option("reference_z", "length", "of a point, below the calm plane", usual="0 m"),
@@ -50,6 +47,17 @@ ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
     "simulated_hours": Option("hours", "ratio", "to simulate, at the least", low=0, above=True, high=1e7, usual=32.0),
     "felt_limit": Option(
         "acceleration_limit", "ratio", "lateral acceleration of a failure [m/s2]", low=0, above=True, usual=9.81
+    ),
+    "safety_factor": Option(
+        "threshold",
+        "ratio",
+        "factor on the mean largest motion of three hours, against the limit of a failure",
+        low=1,
+        high=10,
+        usual=2.0,
+    ),
+    "rate_limit": Option(
+        "threshold", "ratio", "rate of failures that is allowed [1/s]", low=0, above=True, high=1, usual=1e-6
     ),
     "until": Option(
         "until",

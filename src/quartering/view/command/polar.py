@@ -10,11 +10,13 @@ import typer
 
 from quartering.conventions import InputError
 from quartering.options import OPTIONS, line_of
+from quartering.view.command._sea_polar import Typed, sea_polar_answer
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
 from quartering.view.console.files import File, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
+from quartering.view.console.sea_options import SPREADING, told
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship
 from quartering.view.console.typed_values import value, values
@@ -34,6 +36,7 @@ MOST_CONDITIONS = 1_000_000
 
 _NEUTRAL = 1e-9
 _STEEPNESS = "1/50"
+_LENGTHS = "0.4L:2.3L:20"
 _FURTHER = "--{} .."
 _RINGS = 3
 """With fewer wave lengths than this the picture is lines over heading."""
@@ -44,7 +47,7 @@ def polar(
     changes: Changes,
     speed: Annotated[list[str] | None, typer.Option(help="Speeds: 5,7.5 [m/s], 15kn, 0.25Fn; repeatable.")] = None,
     headings: Annotated[str, typer.Option(help="Headings [deg]: from:to:count or a list.")] = "0:180:37",
-    wave_lengths: Annotated[str, typer.Option(help="Wave lengths: from:to:count or a list, m or L.")] = "0.4L:2.3L:20",
+    wave_lengths: Annotated[str, typer.Option(help="Wave lengths: from:to:count or a list, m or L.")] = _LENGTHS,
     steepness: Annotated[
         str | None, typer.Option(help="Wave height over wave length; 1/50 where nothing is given.")
     ] = None,
@@ -57,14 +60,33 @@ def polar(
         str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
     ] = None,
     extend: Annotated[bool, typer.Option("--extend", help=f"{line_of(OPTIONS['extend']).partition(':')[0]}.")] = False,
+    hs: Annotated[str | None, told("hs", "s: 4:8; makes a map over irregular seas, radius speed")] = None,
+    tp: Annotated[str | None, told("tp", "s: 8:14")] = None,
+    tz: Annotated[str | None, told("tz", "s, in place of --tp")] = None,
+    spectrum: Annotated[str, typer.Option(help="Spectrum: jonswap, bretschneider or pierson-moskowitz.")] = "jonswap",
+    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
+    spreading: Annotated[str, SPREADING] = "none",
+    judge: Annotated[
+        str, typer.Option(help="What is judged in seas: largest (motion of 3 h) or rate (of failures).")
+    ] = "largest",
+    threshold: Annotated[
+        str | None, typer.Option(help="Factor on the largest motion, 2, or rate of failures [1/s], 1e-6.")
+    ] = None,
+    hours: Annotated[str, typer.Option(help="Hours to simulate at most where the closure does not decide.")] = "0",
 ) -> Answer:
-    """Map of roll and stability over headings, wave lengths and speeds."""
+    """Map of roll and stability over headings, wave lengths and speeds; of seas, by --hs and --tp, over headings and speeds."""
     import numpy as np
 
     from quartering.stability.ahead import announce_compilation
     from quartering.study.maps.polar import polar as polar_map_of
     from quartering.view.wording import edge_words, notes
 
+    if hs is not None:
+        _refuse_waves(wave_lengths, steepness, wave_height, harmonics, extend)
+        seas = Typed(hs, tp, tz, spectrum, gamma, spreading, judge, threshold, hours)
+        return sea_polar_answer(ship, changes, speed, headings, seas, form, output)
+    if tp is not None or tz is not None:
+        raise InputError("--tp and --tz are of irregular seas; give --hs too, such as --hs 4:8")
     one = typed_ship(ship, changes)
     data = reserve_path(f"{ship_stem(ship)}-polar.nc" if output is None else output, (".nc",))
     picture = reserve_path(data.with_suffix(".png"), (".png",))
@@ -99,6 +121,20 @@ def polar(
         written=f"Wrote {data} and {picture}",
         next_steps=[step, f"quartering report {data}"],
     )
+
+
+def _refuse_waves(lengths: str, steepness: str | None, height: str | None, harmonics: int, extend: bool) -> None:
+    """Refuse what is of regular waves, beside a sea."""
+    given = {
+        "--wave-lengths": lengths != _LENGTHS,
+        "--steepness": steepness is not None,
+        "--wave-height": height is not None,
+        "--harmonics": harmonics != 1,
+        "--extend": extend,
+    }
+    for name, there in given.items():
+        if there:
+            raise InputError(f"{name} is of regular waves and --hs of irregular seas; leave out the one or the other")
 
 
 def _waves(one: Ship, lengths: str, steepness: str | None, height: str | None) -> list[Wave]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import matplotlib.patheffects as effects
@@ -34,8 +34,10 @@ HOW_TO_READ = "Bow up: waves come from the side of the cell, port on the left; r
 MIRRORED = " The right half mirrors the left."
 GREY, PACE_INK = "#b8b8b8", "#ff9d5c"
 COURSE_INK = "#ffb38a"
-HATCHES = {"unstable": "/////", "course": "....."}
-"""Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
+HATCHES = {"unstable": "/////", "course": ".....", "not recommended": "/////", "undecided": "....."}
+"""Hatch of cells unstable because of the wave, of those where the ship is course-unstable without waves, and of advice."""
+Mark = tuple[str, NDArray[np.bool_], Mapping[str, Any]]
+"""Name of a mark, the cells (h, w) that have it, and their look."""
 
 _NARROW = 4.0
 """Inches of width in which the title of a panel would meet the next one's."""
@@ -52,7 +54,7 @@ RING: dict[str, Any] = {
     "markeredgewidth": 1.2,
 }  # fmt: skip
 OUTLINE_OF_MARK = [effects.withStroke(linewidth=2.8, foreground="white")]
-_OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
+OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
 def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = None) -> Figure:
@@ -137,19 +139,26 @@ def draw_cells(
     ax: PolarAxes, theta: Floats, r: Floats, roll: Floats, kind: NDArray[np.int8], colours: Normalize
 ) -> Any:
     """Colour of every cell, grey where there is no answer, hatched where unstable."""
+    calm = kind == Kind.COURSE_IN_CALM_WATER
+    marks: tuple[Mark, ...] = (
+        ("no answer", kind == Kind.NO_ANSWER, {"facecolor": GREY, "edgecolor": GREY}),
+        ("unstable", (kind > Kind.STABLE) & ~calm, {"edgecolor": "white"}),
+        ("course", calm, {"edgecolor": COURSE_INK}),
+    )
+    return paint_cells(ax, theta, r, roll, colours, marks)
+
+
+def paint_cells(
+    ax: PolarAxes, theta: Floats, r: Floats, values: Floats, colours: Normalize, marks: Iterable[Mark]
+) -> Any:
+    """Colour of every cell (h, w) by its value, and the marked ones painted over or hatched, see `HATCHES`."""
     slices = max(1, int(np.ceil(np.degrees(np.abs(np.diff(theta)).max()) / FINEST_STEP - 1e-9)))
     fine = np.interp(np.arange((theta.size - 1) * slices + 1) / slices, np.arange(theta.size), theta)
-    wide = np.ma.masked_invalid(np.repeat(roll, slices, axis=0).T)
+    wide = np.ma.masked_invalid(np.repeat(values, slices, axis=0).T)
     mesh = ax.pcolormesh(fine, r, wide, cmap=style.SEQUENTIAL, norm=colours, rasterized=True)
-    calm = kind == Kind.COURSE_IN_CALM_WATER
-    marks = (
-        ("no answer", kind == Kind.NO_ANSWER, {"facecolor": GREY, "edgecolor": GREY}),
-        ("unstable", (kind > Kind.STABLE) & ~calm, {"facecolor": "none", "edgecolor": "white"}),
-        ("course", calm, {"facecolor": "none", "edgecolor": COURSE_INK}),
-    )
     for name, cells, look in marks:
         if cells.any():
-            marked = PolyCollection(_outlines(fine, r, cells, slices), linewidth=0.0, hatch=HATCHES.get(name), **look)
+            marked = PolyCollection(_outlines(fine, r, cells, slices), linewidth=0.0, hatch=HATCHES.get(name), **{"facecolor": "none", **look})
             marked.set_gid(name)
             ax.add_collection(marked, autolim=False)
     return mesh
@@ -174,7 +183,7 @@ def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None
         field, level = fields[name]
         if field.min() < level < field.max() and (name != "pace" or _overtakes(ds)):
             drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
-            drawn.set(path_effects=_OUTLINE)
+            drawn.set(path_effects=OUTLINE)
 
 
 def _marks(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
@@ -213,7 +222,7 @@ def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
     ax.set_rgrids(ticks, words, angle=202.5, color="white", fontsize=8)
     ax.grid(visible=True, color="white", alpha=0.25, linewidth=0.5)
     for label in ax.get_yticklabels():
-        label.set(path_effects=_OUTLINE, ha="center", va="center")
+        label.set(path_effects=OUTLINE, ha="center", va="center")
     names = {0: "0° following", 90: "90°\nbeam", 180: "180° head"}
     if mirrored:
         names[270] = "90°\nbeam"
@@ -247,7 +256,7 @@ def _title(ds: xr.Dataset) -> str:
 
 def _legend(ds: xr.Dataset) -> Sequence[Any]:
     """What lines and hatches mean, those that occur."""
-    dark = {"path_effects": _OUTLINE, "linewidth": 1.5}
+    dark = {"path_effects": OUTLINE, "linewidth": 1.5}
     n2 = float(ds.attrs["natural_roll_frequency"])
     verdict = np.asarray(ds["verdict"])
     calm = verdict == Kind.COURSE_IN_CALM_WATER
