@@ -14,10 +14,10 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.hull import Hull, at_draught, scaled, with_depth
 from quartering.hull.lines.sense import check_proportions
 from quartering.hull.loading import Loading, loaded_alike, reloaded
-from quartering.hull.own_database import DATABASE_IS, Database, database_of, database_of_keys
-from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.roll_period import gyradius_of_period
+from quartering.hull.user_database import DATABASE_IS, Database, database_of, database_of_keys
+from quartering.hull.user_measured import measured_source
 from quartering.names import term
 from quartering.options import (
     OPTIONS,

@@ -106,11 +106,11 @@ def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
         return ship
     first = {name: float(loadings[name][0]) for name in names}
     if ship.bilge_keels:  # a first breadth of 0 would take their length away with them
-        first |= {name: own_value(ship, name) for name in names if name in KEEL_AXES}
+        first |= {name: user_value(ship, name) for name in names if name in KEEL_AXES}
     return loaded(ship, first)
 
 
-def own_value(ship: Ship, name: str) -> float:
+def user_value(ship: Ship, name: str) -> float:
     """Present value of what a study may vary.
 
     name: one of `LOADING_AXES`, or a coefficient

@@ -30,7 +30,7 @@ _DEFAULTS = {
 }
 
 
-def own_entries(keys: ShipKeys) -> dict[str, Entry]:
+def user_entries(keys: ShipKeys) -> dict[str, Entry]:
     """Loading values a file gives itself."""
     told = {name: keys.told[name] for name in (*LOADING, "roll_period") if name in keys.told}
     check_twice({name: entry.value for name, entry in told.items()}, "")
@@ -42,7 +42,7 @@ def loading_entries(
 ) -> dict[str, Entry]:
     """Loading values of a file: its own, then those of its base (metres in proportion to the hull), then the usual.
 
-    own: of the file, from `own_entries`
+    own: of the file, from `user_entries`
     base_keys, base: keys of the base ship, and that ship
     hull: of the file
     """

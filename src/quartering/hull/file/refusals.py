@@ -48,7 +48,7 @@ def allowed(problem: Any) -> str:
     return say(problem.get("ctx", {})) if say else "a value of another kind"
 
 
-def own_words(problem: Any) -> str | None:
+def user_words(problem: Any) -> str | None:
     """What this project's own check said, or None where the library's check failed."""
     return str(problem["ctx"]["error"]) if problem["type"] == "value_error" else None
 

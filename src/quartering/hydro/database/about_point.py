@@ -21,7 +21,7 @@ HALF_TURN: Final = np.array([-1.0, 1.0, -1.0])
 """Sway, roll, yaw of file axes in ours."""
 
 
-class Placed(NamedTuple):
+class AboutPoint(NamedTuple):
     """A database about a point, in our axes.
 
     Parameters
@@ -39,7 +39,7 @@ class Placed(NamedTuple):
     forces: Mapping[str, NDArray[np.complex128]]
 
 
-def placed(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[float, float]) -> Placed:
+def moved_to_point(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[float, float]) -> AboutPoint:
     """A file's database about a point, the surface there as the reference of the phases.
 
     point (x, z): wanted, in the file's axes [m]
@@ -49,7 +49,7 @@ def placed(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[fl
 
     >>> one = np.eye(3)[None]
     >>> raw = RawDatabase(np.ones(1), np.zeros(0), one, one, {}, 1025.0, 9.81)
-    >>> placed(raw, (0.0, 2.0), (0.0, 0.0)).added_mass[0, 1].tolist()  # the force acts 2 m below the point
+    >>> moved_to_point(raw, (0.0, 2.0), (0.0, 0.0)).added_mass[0, 1].tolist()  # the force acts 2 m below the point
     [-2.0, 5.0, 0.0]
     """
     lever = moments_about[0] - point[0], point[1] - moments_about[1]
@@ -66,7 +66,7 @@ def placed(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[fl
             for name, force in raw.forces.items()
         }
     limits = {name: moved(limit) for name, limit in raw.limits.items()}
-    return Placed(moved(raw.added_mass), moved(raw.damping), limits, heading, forces)
+    return AboutPoint(moved(raw.added_mass), moved(raw.damping), limits, heading, forces)
 
 
 def incident(wavenumber: Floats, x: float, direction: Floats) -> NDArray[np.complex128]:

@@ -93,7 +93,7 @@ def _spikes(frequency: Floats, added: Floats) -> list[str]:
     ]
 
 
-def likeness(added_mass: Floats, of_strips: Floats, draught: float) -> list[str]:
+def strip_agreement(added_mass: Floats, of_strips: Floats, draught: float) -> list[str]:
     """What tells that a database is not of this ship, or not about the point said.
 
     added_mass, of_strips (3, 3): about midship at the calm plane, at one frequency, SI

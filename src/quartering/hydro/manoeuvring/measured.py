@@ -13,7 +13,7 @@ from pathlib import Path
 
 from quartering.conventions import InputError
 from quartering.hull.file.yaml_text import read_yaml
-from quartering.hull.own_measured import LIBRARY, MeasuredFile, available_sets, file_digest, measured_source
+from quartering.hull.user_measured import LIBRARY, MeasuredFile, available_sets, file_digest, measured_source
 from quartering.hydro.manoeuvring.lift import to_si
 from quartering.hydro.manoeuvring.measured_file import MeasuredSet, MeasuredTerm, assembled_set, taylor_factor
 from quartering.hydro.manoeuvring.term_transfer import moved_terms

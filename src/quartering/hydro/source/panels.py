@@ -13,9 +13,9 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.cache import remembered
+from quartering._machine.cache import cached
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.conventions import GRAVITY, WATER_DENSITY
-from quartering.digest import fingerprint, source_digest
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.bulb import bulb
 from quartering.hull.lines.hull import Hull
@@ -109,7 +109,7 @@ def _solution(hull: Hull, mesh: Mesh) -> Mapping[str, NDArray[Any]]:
     half, omega = _half(hull, mesh.panels), np.append(0.0, _frequencies(hull, mesh))
     content = (half.vertices, half.quads, omega, mesh.headings)
     name = f"panels-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    return remembered(name, lambda: hull_solution(hull, half, omega, np.array(mesh.headings), WATER_DENSITY))
+    return cached(name, lambda: hull_solution(hull, half, omega, np.array(mesh.headings), WATER_DENSITY))
 
 
 @lru_cache(maxsize=8)

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.cache import remembered
-from quartering.digest import fingerprint, source_digest
+from quartering._machine.cache import cached
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.immersed import strips
 from quartering.hull.lines.section import Floats
@@ -20,7 +20,7 @@ from quartering.hydro.section.closefit.coefficients import close_fit, close_fit_
 from quartering.hydro.section.lewis import added_mass_at_infinite_frequency, lewis_forms
 from quartering.hydro.section.multipole import CONTOUR_POINTS, radiation
 from quartering.hydro.section.wavemaker import Complexes
-from quartering.hydro.strip.table import REFINEMENT, SectionTable, default_frequencies, own_outlines
+from quartering.hydro.strip.table import REFINEMENT, SectionTable, default_frequencies, user_outlines
 
 PANELS = REFINEMENT * (CONTOUR_POINTS + 1)
 """Panels on the half contour, as for sway and roll."""
@@ -60,7 +60,7 @@ def heave_sections(strips: Strips, table: SectionTable) -> Heave:
         solved = radiation(table.forms, table.frequency, "heave", density=table.density)
         infinite = added_mass_at_infinite_frequency(table.forms, table.density)[1]
         return Heave(solved.added_mass[..., 0, 0], solved.damping[..., 0, 0], infinite)
-    outlines, which = own_outlines(strips)
+    outlines, which = user_outlines(strips)
     solved = close_fit(outlines, table.frequency, "heave", density=table.density, panels=PANELS)
     *_, infinite = close_fit_limits(outlines, table.density, panels=PANELS)
     return Heave(solved.added_mass[:, which, 0, 0], solved.damping[:, which, 0, 0], infinite[which])
@@ -108,7 +108,7 @@ def heave_table(hull: Hull, density: float) -> HeaveTable:
     s, w = strips(hull), default_frequencies(hull.beam, hull.draught)
     content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), hull.section_method)
     name = f"heave-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    arrays = remembered(name, lambda: _solved(s, w, density, hull.section_method))
+    arrays = cached(name, lambda: _solved(s, w, density, hull.section_method))
     return HeaveTable(**arrays)
 
 
@@ -118,7 +118,7 @@ def _solved(s: Strips, w: Floats, density: float, method: Sections) -> dict[str,
         kept = fine = radiation(lewis_forms(s.half_breadth, s.draught, s.area), w, "heave", density=density)
         which = np.arange(s.x.size)
     else:
-        outlines, which = own_outlines(s)
+        outlines, which = user_outlines(s)
         kept = close_fit(outlines, w, "heave", density=density, panels=CONTOUR_POINTS + 1)
         fine = close_fit(outlines, w, "heave", density=density, panels=PANELS)
     point, normal = kept.point[which], kept.normal[which]

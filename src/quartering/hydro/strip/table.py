@@ -9,9 +9,9 @@ from typing import Any, Final, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.cache import remembered
+from quartering._machine.cache import cached
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.conventions import GRAVITY, InputError
-from quartering.digest import fingerprint, source_digest
 from quartering.hull.lines.section import Floats
 from quartering.hull.lines.strips import Strips, wholly_under_water
 from quartering.hull.option_types import Sections
@@ -86,7 +86,7 @@ def radiation_table(
     method: "auto" and "close-fit" solve each section on its own contour, "lewis" on the Lewis form of its breadth,
         draught and area.
 
-    A table of 8 frequencies or more is kept on disk (`quartering.cache`) by its content and that of the source.
+    A table of 8 frequencies or more is kept on disk (`quartering._machine.cache`) by its content and that of the source.
     At w = 0 the damping is zero and the potentials are those under a rigid lid. Close-fit coefficients are those of twice
     as many panels as the contour has points; the potentials integrate to them within 1e-3 (5e-3 on offsets with kinks).
     Source: [Tasai61] sections in sway and roll by [Lewis29] forms; [Frank67] on their own contours.
@@ -122,7 +122,7 @@ def _found(strips: Strips, w: Floats, density: float, points: int, method: Secti
     s = strips
     content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), points, method)
     name = f"sections-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    return remembered(name, lambda: solved(strips, w, density, points))
+    return cached(name, lambda: solved(strips, w, density, points))
 
 
 def _of_lewis_forms(strips: Strips, w: Floats, density: float, points: int) -> dict[str, NDArray[Any]]:
@@ -137,7 +137,7 @@ def _of_lewis_forms(strips: Strips, w: Floats, density: float, points: int) -> d
 
 def _of_own_contours(strips: Strips, w: Floats, density: float, points: int) -> dict[str, NDArray[Any]]:
     """Arrays of a table by name; equal sections are solved once."""
-    outlines, which = own_outlines(strips)
+    outlines, which = user_outlines(strips)
     kept = close_fit(outlines, w, "lateral", density=density, panels=points + 1)
     fine = close_fit(outlines, w, "lateral", density=density, panels=REFINEMENT * (points + 1))
     zero, infinite, _ = close_fit_limits(outlines, density, panels=REFINEMENT * (points + 1))
@@ -174,7 +174,7 @@ def _table(arrays: Mapping[str, NDArray[Any]], density: float) -> SectionTable:
     return SectionTable(**flat, forms=LewisForms(**shapes) if shapes else None, density=float(density))
 
 
-def own_outlines(strips: Strips) -> tuple[list[Outline], NDArray[np.intp]]:
+def user_outlines(strips: Strips) -> tuple[list[Outline], NDArray[np.intp]]:
     """Outlines of a hull's sections, each once.
 
     strips: (s,) sections
@@ -184,10 +184,10 @@ def own_outlines(strips: Strips) -> tuple[list[Outline], NDArray[np.intp]]:
     number: dict[bytes, int] = {}
     contour = np.concatenate([s.y, s.z, s.dy, s.dz, s.half_breadth[:, None], s.draught[:, None]], axis=1)
     which = [number.setdefault(row.tobytes(), len(number)) for row in contour]
-    return [_own_outline(strips, which.index(k)) for k in range(len(number))], np.array(which, dtype=np.intp)
+    return [_user_outline(strips, which.index(k)) for k in range(len(number))], np.array(which, dtype=np.intp)
 
 
-def _own_outline(strips: Strips, section: int) -> Outline:
+def _user_outline(strips: Strips, section: int) -> Outline:
     """Outline of one section, counted from 0."""
     s, i = strips, section
     called = f"section {i + 1} (x = {s.x[i]:g} m)"

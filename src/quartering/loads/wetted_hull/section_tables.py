@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from scipy.ndimage import spline_filter1d
 
-from quartering.compiled import abreast, inner, kernel
+from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.section import Floats
 from quartering.loads.wetted_hull.pressure import (
@@ -195,7 +195,7 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load
 
 # Below the last depth of its table a section heeled by less than 33 deg is under water up to its deck: area and moments stay,
 # and what is weighted with e^{-kd} falls as e^{-kd}.
-@abreast
+@batch_kernel
 def _spline(coefficients, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
     """Integrals and their derivatives by depth and heel; False outside the table."""
     last = first[0] + (coefficients.shape[0] - 3) * step[0]
@@ -230,7 +230,7 @@ def _spline(coefficients, first, step, k, depth, heel, read):  # type: ignore[no
     return True
 
 
-@abreast
+@batch_kernel
 def _weights(t):  # type: ignore[no-untyped-def]
     """Cubic B-spline and its derivative at four neighbours."""
     o = 1.0 - t

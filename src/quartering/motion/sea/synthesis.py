@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scipy.fft import irfft, next_fast_len
 from scipy.interpolate import CubicSpline
 
-from quartering.compiled import abreast, kernel
+from quartering._machine.compiled import batch_kernel, kernel
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
 from quartering.motion.equations.rates import WIDTH
@@ -163,7 +163,7 @@ def _fill(roots, draws, scale, spectrum):
                 spectrum[j, c, l, 1] = np.float32(scale) * total[1, l] if j > 0 else np.float32(0.0)
 
 
-@abreast
+@batch_kernel
 def _row(root, z, total):
     """Sums (2, W) of one row of a root (m, 2) times all draws (m, 2, W)."""
     for l in range(total.shape[1]):

@@ -1,11 +1,11 @@
 """The balance equations of one condition, their derivative, and Newton's method on them: compiled kernels.
 
-The right-hand side is that of `rates`, evaluated at all instants of the cycle abreast.
+The right-hand side is that of `rates`, evaluated at all instants of the cycle in a batch.
 
-A single condition is solved first as a row of one by `lockstep`, as many are; this is the other algorithm, for those which that
-leaves: steps are damped, each takes a matrix of its own, the wave may act in part (`follow`), an autopilot may steer, and the
-harmonics may be so many that the matrices of a row would fill the memory. Conditions abreast cannot damp, since each would take
-its own number of trials.
+A single condition is solved first as a row of one by `newton_batch`, as many are; this is the other algorithm, for those which
+that leaves: steps are damped, each takes a matrix of its own, the wave may act in part (`follow`), an autopilot may steer, and
+the harmonics may be so many that the matrices of a row would fill the memory. Conditions of a batch cannot damp, since each
+would take its own number of trials.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.motion.equations.rates import (
     WIDTH,
     at_instants,

@@ -8,7 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
+from quartering._machine.threads import in_threads
 from quartering.conventions import InputError
 from quartering.motion.equations.basis import Basis
 from quartering.motion.equations.batch import rows
@@ -17,8 +18,7 @@ from quartering.motion.equations.system import FEWEST, Floats, System, kernel_ar
 from quartering.motion.status import Status
 from quartering.motion.steady.balance import balance, copy_motion, newton, room_for_one
 from quartering.motion.steady.follow import follow
-from quartering.motion.steady.newton import ALTERED, FOUND, FOUND_ALTERED, TO_FOLLOW, WAITING, in_step
-from quartering.threads import in_threads
+from quartering.motion.steady.newton import ALTERED, FOUND, FOUND_ALTERED, TO_FOLLOW, WAITING, newton_batch
 
 MOST_HARMONICS: Final = 199
 """Highest harmonic taken: the work grows with its cube, 0.6 s a motion here; a righting spline needs 101 for 1e-8."""
@@ -26,9 +26,9 @@ _CONVERGED, _BY_FOLLOWING = int(Status.CONVERGED), int(Status.CONVERGED_BY_FOLLO
 _RUNAWAY = 1e9
 _NO_MOTION, _SINGULAR, _NOT_FINITE = int(Status.NO_MOTION_FOUND), int(Status.SINGULAR), int(Status.NOT_FINITE)
 
-_MOST_ABREAST = 40
-"""Columns of a motion up to which a row of conditions is tried abreast, be they many or one: beyond, their matrices would fill
-the memory. The number of conditions must not decide: the two ways differ in the last digits."""
+_MOST_BATCHED = 40
+"""Columns of a motion up to which a row of conditions is tried in a batch, be they many or one: beyond, their matrices would
+fill the memory. The number of conditions must not decide: the two ways differ in the last digits."""
 
 
 @inner
@@ -142,7 +142,7 @@ def harmonic_balance(
     damped Newton from the linear solution or, failing that, by raising the wave from nothing along the branch of
     motions, through its folds.
     """
-    return _solved(system, orders, start, from_rest, abreast=system.plain and 2 * len(orders) <= _MOST_ABREAST)
+    return _solved(system, orders, start, from_rest, batched=system.plain and 2 * len(orders) <= _MOST_BATCHED)
 
 
 def solve_with_care(
@@ -155,7 +155,7 @@ def solve_with_care(
 
     Source: [Krack19].
     """
-    return _solved(system, orders, start, from_rest, abreast=False)
+    return _solved(system, orders, start, from_rest, batched=False)
 
 
 def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tuple[Floats, NDArray[np.int8]]:
@@ -163,12 +163,12 @@ def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tup
 
     as in `harmonic_balance`
     start (n, 3, b): of Newton's method
-    Returns as from `harmonic_balance`, without the damped steps; where it cannot solve abreast, the same
+    Returns as from `harmonic_balance`, without the damped steps; where it cannot solve in a batch, the same
 
     Source: [Krack19].
     """
-    plain = system.plain and 2 * len(orders) <= _MOST_ABREAST
-    return _solved(system, orders, start, False, abreast=plain, careful=not plain)[:2]
+    plain = system.plain and 2 * len(orders) <= _MOST_BATCHED
+    return _solved(system, orders, start, False, batched=plain, careful=not plain)[:2]
 
 
 _SAME, _NEAR = 1e-3, 0.1
@@ -179,8 +179,9 @@ def _reached_otherwise(system: System, table: Basis, u: Floats) -> NDArray[np.bo
     """Conditions (n,) whose motion is not the one that the wave raised in thirds leads to.
 
     Where the linear motion is large, Newton's method may come from it to a motion that stands beside the one from rest, on the
-    same side of folds and even of the linear motion's own roll. To go up in thirds is cheap, abreast, the last third only where
-    the first two do not point at the motion; where that ends elsewhere, or loses the motion, the branch is to be followed.
+    same side of folds and even of the linear motion's own roll. To go up in thirds is cheap in a batch, the last third only
+    where the first two do not point at the motion; where that ends elsewhere, or loses the motion, the branch is to
+    be followed.
     """
     v, before, lost = np.zeros_like(u), np.zeros_like(u), np.zeros(system.count, dtype=bool)
     for k, share in enumerate(_SHARES):
@@ -197,10 +198,10 @@ def _reached_otherwise(system: System, table: Basis, u: Floats) -> NDArray[np.bo
 
 
 def _raised(system: System, table: Basis, share: float, start: Floats, *, from_linear: bool) -> NDArray[np.bool_]:
-    """Solve in a share of the wave, abreast and in place, and say where (n,) a motion was found."""
+    """Solve in a share of the wave, in a batch and in place, and say where (n,) a motion was found."""
     waiting, residual = np.full(system.count, WAITING, dtype=np.int8), np.zeros(system.count)
     given = kernel_arguments(system.raised(np.array([share])), table)
-    in_threads(in_step, system.count, *given, not from_linear, False, start, waiting, residual, smallest=WIDTH)
+    in_threads(newton_batch, system.count, *given, not from_linear, False, start, waiting, residual, smallest=WIDTH)
     return np.asarray(waiting == FOUND)
 
 
@@ -215,17 +216,17 @@ def _solved(
     start: Floats | None,
     from_rest: bool,
     *,
-    abreast: bool,
+    batched: bool,
     careful: bool = True,
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
-    """Solve what full steps abreast find, if wanted, then with care what still waits; mark what has no motion."""
+    """Solve what full steps in a batch find, if wanted, then with care what still waits; mark what has no motion."""
     table = system.basis(orders, fewest=FEWEST)
     u = np.zeros((system.count, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
     finite, residual = system.finite, np.zeros(system.count)
     status, waiting = np.where(finite, _CONVERGED, _NOT_FINITE).astype(np.int8), finite.astype(np.int8)
     given = (*kernel_arguments(system, table), start is not None, from_rest, u, waiting)
-    if abreast:
-        in_threads(in_step, system.count, *given, residual, smallest=WIDTH)
+    if batched:
+        in_threads(newton_batch, system.count, *given, residual, smallest=WIDTH)
         altered = np.flatnonzero(waiting == FOUND_ALTERED)
         waiting[altered] = FOUND
         if altered.size:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
+from quartering._machine.threads import in_threads
 from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.told import count, number
@@ -17,7 +18,6 @@ from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
 from quartering.options import quoted
-from quartering.threads import in_threads
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,7 +32,7 @@ _AT_ONCE = 64
 
 @kernel
 def _march(first, last, equations, h, forcing, begin, steps, limit, states, times):
-    """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, h): the wave's harmonics.
+    """Runge-Kutta steps for rows first..last of starts, a row being a batch; `forcing` (2 per period, h): the wave's harmonics.
 
     ``begin`` steps, whole periods, have been taken before. ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes
     `limit`; ``times`` (rows, W) is when it did, NaN before.
@@ -86,7 +86,7 @@ def capsize_times(
         raise InputError(f"periods = {periods}; give 1 to {MOST_PERIODS:,}: most capsizes come within 16 periods")
     angle = model.capsize_limit.radians if limit is None else number(None, "limit", limit)
     rows = -(-len(states) // WIDTH)
-    # the last row is filled up with its last start, and all stand abreast: (rows, states, W)
+    # the last row is filled up with its last start, and all stand in batches: (rows, states, W)
     filled = np.pad(states, ((0, rows * WIDTH - len(states)), (0, 0)), mode="edge")
     filled = np.pad(filled, ((0, 0), (0, model.system.states - 4)))
     going = np.ascontiguousarray(filled.reshape(rows, WIDTH, -1).transpose(0, 2, 1))

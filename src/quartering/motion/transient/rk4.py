@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import abreast
+from quartering._machine.compiled import batch_kernel
 from quartering.motion.equations.program import Program
 from quartering.motion.equations.rates import (
     WIDTH,
@@ -71,7 +71,7 @@ def alike(system: System) -> Alike:
     return Alike(matrix, at, np.array(of, dtype=np.int64), program, parts)
 
 
-@abreast
+@batch_kernel
 def room_to_march(equations):
     """What `step_sum` works in: lanes, columns and rates, the sum of four rates, and the first of them."""
     lanes = row_of_lanes(equations.parts, WIDTH)
@@ -80,7 +80,7 @@ def room_to_march(equations):
     return lanes, columns, rate, sums, np.zeros((equations.program.states, WIDTH)), np.zeros(rate.shape)
 
 
-@abreast
+@batch_kernel
 def _rates(equations, lanes, c, s, columns, sums, rate):
     """Add to ``rate`` (k, W) what the state and the known inputs in ``columns`` do; the products are made here."""
     matrix, at, program = equations.matrix, equations.columns, equations.program
@@ -94,7 +94,7 @@ def _rates(equations, lanes, c, s, columns, sums, rate):
     add_strips_and_table(program, lanes, c, s, columns, sums, rate)
 
 
-@abreast
+@batch_kernel
 def _hold(series, lanes):
     """Known inputs and the water at the strips as they are at one time (e + z, W), in place of a wave's."""
     inputs = lanes.inputs.shape[0]
@@ -109,7 +109,7 @@ def _hold(series, lanes):
             lanes.strips[z, 3, l] = series[inputs + z, l]
 
 
-@abreast
+@batch_kernel
 def step_sum(equations, h, excitation, series, waves, y, room):
     """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last but one of ``room``.
 

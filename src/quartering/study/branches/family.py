@@ -23,7 +23,7 @@ from quartering.motion.of_ship import equations, ship_system
 from quartering.options import OPTIONS, Refused, quoted
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES
-from quartering.study.loadings import LOADING_AXES, loaded, own_value
+from quartering.study.loadings import LOADING_AXES, loaded, user_value
 
 Limits = tuple[float | str, float | str] | None
 """The two ends of a parameter, numbers or text with a unit; None for the usual ones."""
@@ -64,7 +64,7 @@ def parameters(
             raise InputError("a ship needs a wave here: wave=Wave(length=.., height=..), speed=.., heading=..")
         model, of_ship = equations(ship_or_model, wave, speed, heading), True
         own = {"speed": speed, "heading": heading, "wave_length": wave.length, "wave_height": wave.height}
-        own |= {name: own_value(ship_or_model, name) for name in LOADING_AXES}
+        own |= {name: user_value(ship_or_model, name) for name in LOADING_AXES}
     own |= {"frequency": model.frequency, "excitation": 1.0}
     ends = []
     for name, pair in zip(over, limits, strict=True):

@@ -25,7 +25,10 @@ def starting_case(name: str) -> str:
         ("heading: 0..180 deg step 5", "0 following, 90 beam, 180 head sea"),
         ("wave_length: 0.4..2.3 L count 20", "m or L (the ship's length), or a period: 8 s"),
         ("wave_height: [1 m, 2 m, 3 m]", "crest to trough; or steepness: [1/50, 1/30], up to 1/7"),
-        ("# sea: {hs: [4, 6], tp: 8..14 count 4}", "irregular seas, in place of the two lines above; no harmonics then"),
+        (
+            "# sea: {hs: [4, 6], tp: 8..14 count 4}",
+            "irregular seas, in place of the two lines above; no harmonics then",
+        ),
         ("loading:                           # every combination is computed; leave out what stays", ""),
         (
             "  gm: [0.6 m, 0.8 m, 1.0 m, 1.2 m]",

@@ -17,7 +17,7 @@ from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
 from quartering.hull.changes import COEFFICIENTS, changed
 from quartering.hull.file.read import ship
-from quartering.hull.file.refusals import allowed, nearest_word, own_words
+from quartering.hull.file.refusals import allowed, nearest_word
 from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.ship import Ship
 from quartering.names import checked_values
@@ -73,10 +73,10 @@ def case_grid(path: str | Path) -> Grid:
                 checked_values(own.name, {name: float(column[0])})
             except InputError as error:
                 raise place.says((key, name), str(error)) from None
-    given: dict[str, Any] = {**axes, "form": case.form, "factors": factors, "values": values, **loading}
-    sea = None if case.sea is None else _sea(case, own, place, given)
+    asked: dict[str, Any] = {**axes, "form": case.form, "factors": factors, "values": values, **loading}
+    sea = None if case.sea is None else _sea(case, own, place, asked)
     try:
-        made = grid(own, **given, harmonics=case.harmonics) if sea is None else sea_grid(own, **given, **sea)
+        made = grid(own, **asked, harmonics=case.harmonics) if sea is None else sea_grid(own, **asked, **sea)
     except InputError as error:
         raise place.says(_blamed(str(error), place), str(error)) from None
     return replace(made, text=text)
@@ -86,7 +86,9 @@ def _sea(case: Case, own: Ship, place: _Place, given: Mapping[str, Any]) -> dict
     """What a case says of its irregular seas, as `sea_grid` takes it."""
     for name in (*CONDITION_AXES[2:], "wave_period", STEEPNESS):
         if name in given:
-            raise place.says((name,), f"{name} is of regular waves and sea of irregular ones; leave out the one or the other")
+            raise place.says(
+                (name,), f"{name} is of regular waves and sea of irregular ones; leave out the one or the other"
+            )
     if case.harmonics != 1:
         raise place.says(("harmonics",), "harmonics are of motions in regular waves; leave them out beside sea")
     sea = dict(case.sea or ())
@@ -130,7 +132,9 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     keys: tuple[str, ...] = tuple(
         part
         for part in path
-        if part in _allowed_everywhere() or part in content or any(part in (content.get(group) or {}) for group in _GROUPS)
+        if part in _allowed_everywhere()
+        or part in content
+        or any(part in (content.get(group) or {}) for group in _GROUPS)
     )
     if path == ("coefficients",):
         raise place.says(path, COEFFICIENTS)
@@ -142,7 +146,7 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
         return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
     if problem["type"] == "literal_error":
         return place.says(keys, f"{path[-1]}: {quoted(problem['input'])} is given; {nearest_word(problem)}")
-    key, own = ", ".join(keys) or "case", own_words(problem)
+    key, own = ", ".join(keys) or "case", user_words(problem)
     if own is not None:
         return place.says(keys, f"{key}: {quoted(problem['input'])} is given; {own}")
     return place.says(keys, f"{key}: {quoted(problem['input'])} is given; allowed: {allowed(problem)}")

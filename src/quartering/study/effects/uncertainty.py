@@ -16,7 +16,7 @@ from quartering.conventions import InputError
 from quartering.stability.kind import Kind
 from quartering.study.dataset import attributes, heading_of, plain_attributes
 from quartering.study.grid import Grid
-from quartering.study.loadings import own_value
+from quartering.study.loadings import user_value
 from quartering.study.maps.executor import computed, reached
 from quartering.study.maps.result import coordinates_of
 from quartering.units import quantity
@@ -115,7 +115,7 @@ def _drawn(grid: Grid, names: list[str], factors: NDArray[np.float64]) -> Grid:
     if ("kg" in columns and "gm" in names) or ("gm" in columns and "kg" in names):
         raise InputError("gm and kg cannot both be set; draw the one that is an axis")
     for i, name in enumerate(names):
-        own = own_value(grid.ship, name)
+        own = user_value(grid.ship, name)
         if own == 0.0:
             raise InputError(
                 f"{name} is 0 for {grid.ship.name}, so a relative error means nothing; name the coefficient instead"

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.io import netcdf_file
 
-from quartering.digest import fingerprint
+from quartering._machine.digest import fingerprint
 from quartering.study.grid import Block, Grid
 from quartering.study.maps.kinds import StudyKind, kind_of
 from quartering.study.maps.seal import sealed

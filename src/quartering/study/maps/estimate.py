@@ -11,11 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
+from quartering._machine.threads import alone, workers
 from quartering.conventions import InputError
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 from quartering.study.grid import Grid
 from quartering.study.maps.kinds import kind_of
-from quartering.threads import alone, workers
 
 LONGEST = 3600.0
 """Seconds a run may be expected to take without being confirmed."""

@@ -16,9 +16,9 @@ from quartering.loads.validity import warn_of_conditions, warn_outside_database
 from quartering.motion.status import Status
 from quartering.motion.steady.truncation import ENOUGH
 from quartering.study import conditions, dataset
+from quartering.study.condition.resonance import missed_resonance
 from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid
 from quartering.study.maps.query import MISSED
-from quartering.study.resonance import missed_resonance
 from quartering.study.seas import conditions as sea_conditions
 from quartering.study.seas import guidance_dataset
 from quartering.study.seas.grid import SeaGrid
@@ -119,7 +119,7 @@ WAVES: Final = StudyKind(
     labelled=_waves_labelled,
     warn=_warn_of_waves,
     missed=missed_resonance,
-    code=("study/conditions.py", "study/beside.py", "study/shared.py", *_SHARED_CODE),
+    code=("study/conditions.py", "study/condition/beside.py", "study/loading_systems.py", *_SHARED_CODE),
 )
 SEAS: Final = StudyKind(
     results=sea_conditions.RESULTS,
@@ -139,8 +139,8 @@ SEAS: Final = StudyKind(
         "study/criteria/constants.py",
         "study/dataset.py",
         "study/conditions.py",
-        "study/beside.py",
-        "study/shared.py",
+        "study/condition/beside.py",
+        "study/loading_systems.py",
         *_SHARED_CODE,
     ),
 )

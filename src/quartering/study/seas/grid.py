@@ -10,8 +10,8 @@ from typing import Any, Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.digest import fingerprint
 from quartering.conventions import GRAVITY, InputError
-from quartering.digest import fingerprint
 from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
 from quartering.loads.forces import FORMS, Form

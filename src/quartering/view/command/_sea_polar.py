@@ -55,7 +55,7 @@ def sea_polar_answer(
     output: str | None,
 ) -> Answer:
     """Compute, draw and tell a map over seas."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.maps.guidance import guidance
 
     one = typed_ship(ship, changes)
@@ -106,7 +106,9 @@ def _seas(typed: Typed) -> dict[str, Any]:
         "gamma": value(typed.gamma, ARGUMENTS["gamma"], NO_SHIP, "--gamma"),
         "spreading": typed_spreading(typed.spreading),
         "judge": typed.judge,
-        "threshold": None if typed.threshold is None else value(typed.threshold, ARGUMENTS[limit], NO_SHIP, "--threshold"),
+        "threshold": None
+        if typed.threshold is None
+        else value(typed.threshold, ARGUMENTS[limit], NO_SHIP, "--threshold"),
         "hours": 0.0 if none else value(typed.hours, ARGUMENTS["simulated_hours"], NO_SHIP, "--hours"),
     }
 
@@ -175,7 +177,18 @@ def facts(ds: xr.Dataset) -> dict[str, Any]:
     from quartering.study.seas.advice import Advice
 
     about = ("ship", "loading", "sea", "judge", "threshold", "threshold_source", "roll_limit", "hours", "seed")
-    names = ("speed", "heading", "hs", "tp", "tz", "roll_mean_3h_max", "failure_rate", "rate_upper", "recommended", "rung")
+    names = (
+        "speed",
+        "heading",
+        "hs",
+        "tp",
+        "tz",
+        "roll_mean_3h_max",
+        "failure_rate",
+        "rate_upper",
+        "recommended",
+        "rung",
+    )
     return {
         **{name: ds.attrs[name] for name in about},
         **{name: ds[name].values for name in names},

@@ -12,7 +12,7 @@ from contextlib import suppress
 import typer
 
 from quartering.conventions import InputError
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 
 _LONGEST_MESSAGE = 1_000_000
 
@@ -31,13 +31,13 @@ def run_explorer(ship: str | None, host: str, port: int, browser: bool, names: S
     import uvicorn
 
     from quartering.view.explorer.application import explorer
-    from quartering.view.explorer.fleet import Fleet
     from quartering.view.explorer.guard import LOOPBACK
     from quartering.view.explorer.patience import Patient
+    from quartering.view.explorer.ship_registry import ShipRegistry
 
     announce_compilation()
-    fleet = Fleet(ship)
-    server = explorer(fleet, fleet.first, host, names)
+    registry = ShipRegistry(ship)
+    server = explorer(registry, registry.first, host, names)
     address = f"http://{host}:{port}/"
     typer.echo(f"quartering explorer: {address}   (Ctrl-C ends it; the service is described at {address}api/docs)")
     if host not in LOOPBACK:

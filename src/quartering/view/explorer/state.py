@@ -18,7 +18,7 @@ from pydantic import (
 )
 
 from quartering.conventions import InputError
-from quartering.hull.file.refusals import allowed, own_words
+from quartering.hull.file.refusals import allowed, user_words
 from quartering.options import OPTIONS, checked, line_of, ship_options
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
@@ -183,7 +183,7 @@ def sentence(error: ValidationError) -> str:
     given = str(problem["input"])[:80]
     if problem["type"] == "extra_forbidden":
         return f"{key} is unknown; known are {', '.join(State.model_fields)}"
-    own = own_words(problem)
+    own = user_words(problem)
     if own is not None:
         return f"{key} = {given}: {own}" if key else own
     return f"{key} = {given}: allowed is {allowed(problem)}"

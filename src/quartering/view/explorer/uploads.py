@@ -13,7 +13,7 @@ from quartering.conventions import InputError
 from quartering.hull.file.read import ship
 from quartering.hull.formats.offset_tables import Lines
 from quartering.hull.formats.read import read_lines
-from quartering.view.explorer.fleet import Known
+from quartering.view.explorer.ship_registry import Known
 
 LARGEST = 8_000_000
 """Largest file taken [bytes]."""

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
+from quartering.study.condition.resonance import resonance_fields
 from quartering.study.maps.query import capsizing, coexisting, other_rolls
-from quartering.study.resonance import resonance_fields
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 
@@ -158,7 +158,12 @@ def paint_cells(
     mesh = ax.pcolormesh(fine, r, wide, cmap=style.SEQUENTIAL, norm=colours, rasterized=True)
     for name, cells, look in marks:
         if cells.any():
-            marked = PolyCollection(_outlines(fine, r, cells, slices), linewidth=0.0, hatch=HATCHES.get(name), **{"facecolor": "none", **look})
+            marked = PolyCollection(
+                _outlines(fine, r, cells, slices),
+                linewidth=0.0,
+                hatch=HATCHES.get(name),
+                **{"facecolor": "none", **look},
+            )
             marked.set_gid(name)
             ax.add_collection(marked, autolim=False)
     return mesh

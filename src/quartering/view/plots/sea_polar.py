@@ -69,7 +69,11 @@ def _coloured(part: xr.Dataset) -> tuple[xr.DataArray, Normalize, str]:
         top = max(float(rate.max()), 1e-3)
         return rate, LogNorm(_LEAST_RATE, top), "failures [1/s]: counted, or of a Gaussian motion"
     limit = float(part.attrs["roll_limit"])
-    return part["roll_mean_3h_max"], Normalize(0.0, limit), f"mean largest roll of 3 h [deg], up to the limit of {limit:.3g}"
+    return (
+        part["roll_mean_3h_max"],
+        Normalize(0.0, limit),
+        f"mean largest roll of 3 h [deg], up to the limit of {limit:.3g}",
+    )
 
 
 def _panel(ax: PolarAxes, one: xr.Dataset, values: xr.DataArray, colours: Normalize) -> Any:
@@ -127,7 +131,10 @@ def _legend(part: xr.Dataset) -> Iterator[Line2D | Patch]:
         yield Patch(facecolor=_FILL, edgecolor="white", hatch=HATCHES["not recommended"], label="not recommended")
     if (advice == Advice.UNDECIDED).any():
         yield Patch(
-            facecolor=_FILL, edgecolor=_UNDECIDED_INK, hatch=HATCHES["undecided"], label="undecided: the interval straddles"
+            facecolor=_FILL,
+            edgecolor=_UNDECIDED_INK,
+            hatch=HATCHES["undecided"],
+            label="undecided: the interval straddles",
         )
     if (advice == Advice.NOT_VALID).any():
         yield Patch(facecolor=GREY, label="not valid: the sea breaks, or surf-riding")

@@ -9,6 +9,7 @@ from typing import Final, Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.threads import small_matrices
 from quartering.motion.branches.homotopy import carried, same
 from quartering.motion.branches.search import from_grid
 from quartering.motion.branches.seeds import grid_of_roll
@@ -20,7 +21,6 @@ from quartering.motion.steady.motion import Motion, roll_peaks, steady_motions
 from quartering.motion.transient.approach import capsizes_before
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.kind import Kind, near_fold
-from quartering.threads import small_matrices
 
 Way = Literal["upright", "raised"]
 """How a ship comes to its motion: met upright by the whole wave, or by a wave raised in three steps."""
@@ -100,7 +100,7 @@ def _seeds_beside(
 ) -> Iterator[tuple[int, tuple[int, ...], list[Floats]]]:
     """One-harmonic motions of conditions that have others than the known one: which condition, harmonics, motions.
 
-    From a grid of starts each, as far as 1.1 times the limit, all conditions abreast.
+    From a grid of starts each, as far as 1.1 times the limit, all conditions in one batch.
     """
     low, first = orders_for(system, 1), 1 if orders[0] == 0 else 0
     column, width = (1, 3) if low[0] == 0 else (0, 2)

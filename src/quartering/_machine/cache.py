@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from platformdirs import user_cache_path
 
-from quartering.publish import publish
+from quartering._machine.publish import publish
 
 Arrays = Mapping[str, NDArray[Any]]
 
@@ -44,7 +44,7 @@ def cache_folder() -> Path | None:
     return usual if usual.is_absolute() else None  # no home
 
 
-def remembered(name: str, make: Callable[[], Arrays]) -> Arrays:
+def cached(name: str, make: Callable[[], Arrays]) -> Arrays:
     """Load arrays by key from the disk cache; compute and store them if absent.
 
     name: digest of all the arrays follow from: inputs and source

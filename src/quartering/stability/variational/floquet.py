@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from quartering.motion.equations.batch import rows
 from quartering.motion.equations.steering import HEADING, RUDDER, holds_heading
 from quartering.motion.equations.system import Floats, System
-from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
-from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
-from quartering.stability.transition import even_steps, transition_matrices
+from quartering.stability.variational.eigenvalues import eigenvalues
+from quartering.stability.variational.magnus import FINEST, magnus_steps, magnus_transition
+from quartering.stability.variational.transition import even_steps, transition_matrices
 
 Complex = NDArray[np.complex128]
 

@@ -9,10 +9,10 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import abreast, kernel
+from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
-from quartering.stability.exponential import ROW, commutator, exponential, product
-from quartering.threads import in_threads
+from quartering.stability.variational.exponential import ROW, commutator, exponential, product
 
 STEPS = (
     4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024, 2048, 4096,
@@ -30,7 +30,7 @@ _POINTS = 40
 _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
 
 
-@abreast
+@batch_kernel
 def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
     """Magnus' exponent of one step to sixth order from the matrices (3, 4, 4, W) at Gauss' three nodes."""
     for i in range(4):
@@ -58,7 +58,7 @@ def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
                 out[i, j, l] = a1[i, j, l] + a3[i, j, l] * (1.0 / 12.0) + out[i, j, l] * (1.0 / 240.0)
 
 
-@abreast
+@batch_kernel
 def _at_nodes(values, weights, node, matrix):
     """Variational matrices (3, 4, 4, W) at the three nodes from ``node`` on, interpolated from equal intervals (s, 12, W)."""
     for m in range(3):

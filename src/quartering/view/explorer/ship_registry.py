@@ -34,7 +34,7 @@ class Known:
     files: Mapping[str, bytes] = field(default_factory=dict)
 
 
-class Fleet:
+class ShipRegistry:
     """Ships by key. A key never is a path: nobody opens a file of the server by naming it, or learns where it stands.
 
     Parameters
@@ -43,7 +43,7 @@ class Fleet:
 
     Examples
     --------
-    >>> Fleet().known("wigley").ship.name
+    >>> ShipRegistry().known("wigley").ship.name
     'Wigley hull'
     """
 

@@ -16,13 +16,13 @@ from quartering.hull.told import number
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.transient.simulate import simulate
 from quartering.study.branches.branch import branch
-from quartering.study.condition import Examined, examine, seek_help
+from quartering.study.condition.examine import Examined, examine, seek_help
 from quartering.study.effects.cure import Cure
 from quartering.study.effects.sensitivity import sensitivity
 from quartering.study.loadings import loaded
 from quartering.study.maps.polar import polar
 from quartering.units import quantity
-from quartering.view.explorer.fleet import Known
+from quartering.view.explorer.ship_registry import Known
 from quartering.view.explorer.state import LOADING, State
 
 HEADINGS = np.linspace(0.0, 180.0, 37)

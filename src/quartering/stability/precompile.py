@@ -1,7 +1,7 @@
 """Kernel compilation: notice on first use, and a helper process that compiles in parallel.
 
-``python -m quartering.stability.ahead`` leaves the kernels that a first map meets last in the cache on disk, where the other
-process finds them.
+``python -m quartering.stability.precompile`` leaves the kernels that a first map meets last in the cache on disk, where the
+other process finds them.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from types import ModuleType
 
 import numpy as np
 
-from quartering.loads import diffraction
+from quartering._machine.threads import workers
+from quartering.loads.strips import diffraction
 from quartering.motion.equations.system import Model
 from quartering.motion.steady import harmonic
 from quartering.motion.steady.harmonic import solve_with_care
 from quartering.motion.transient import approach
 from quartering.motion.transient.approach import capsizes_before
-from quartering.stability import transition, variation
 from quartering.stability.assessment import assess
-from quartering.threads import workers
+from quartering.stability.variational import transition, variation
 
 NOTICE = "compiling numerical kernels, once (15 to 30 s)"
 NOT_KEPT = (
@@ -47,7 +47,9 @@ def announce_compilation() -> None:
     logging.getLogger("quartering").warning(NOTICE if kept else NOT_KEPT)
     if kept and workers() > 1 and sys.executable:
         beside = subprocess.Popen(
-            [sys.executable, "-m", "quartering.stability.ahead"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            [sys.executable, "-m", "quartering.stability.precompile"],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
         )
         atexit.register(_stop, beside)
 
