@@ -331,7 +331,7 @@ def test_conflicting_axes_are_refused():
 
 def test_heights_of_g_share_the_wave_forces(monkeypatch):
     """Closed form: moving G by dz moves the roll moment by -dz Y; so 3 GM values cost one computation of forces."""
-    from quartering.study import shared
+    from quartering.study import loading_systems as shared
 
     asked = []
     find = shared.excitation

@@ -25,10 +25,6 @@ def starting_case(name: str) -> str:
         ("heading: 0..180 deg step 5", "0 following, 90 beam, 180 head sea"),
         ("wave_length: 0.4..2.3 L count 20", "m or L (the ship's length), or a period: 8 s"),
         ("wave_height: [1 m, 2 m, 3 m]", "crest to trough; or steepness: [1/50, 1/30], up to 1/7"),
-        (
-            "# sea: {hs: [4, 6], tp: 8..14 count 4}",
-            "irregular seas, in place of the two lines above; no harmonics then",
-        ),
         ("loading:                           # every combination is computed; leave out what stays", ""),
         (
             "  gm: [0.6 m, 0.8 m, 1.0 m, 1.2 m]",
@@ -38,6 +34,7 @@ def starting_case(name: str) -> str:
         ("#   K_ppp: [0.5, 1, 2]", "half, as it is, and twice the cubic roll damping"),
         ("harmonics: 1", "of the steady motion: 1 is the paper's method; 3, 5, .. harmonic balance"),
         ("form: stf", "diffraction: stf, relative-motion, paper-corrected or paper"),
+        ("# sea: {hs: [4, 6], tp: 8..14 count 4}", "irregular seas, in place of wave_length and wave_height"),
         ("# with: {linear: strip}", "other options of the ship, one value each: docs/options.md"),
     )
     head = [f"# yaml-language-server: $schema={SCHEMA}", "# A study: quartering sweep <this file> -o <folder>"]

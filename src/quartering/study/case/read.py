@@ -17,7 +17,7 @@ from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
 from quartering.hull.changes import COEFFICIENTS, changed
 from quartering.hull.file.read import ship
-from quartering.hull.file.refusals import allowed, nearest_word
+from quartering.hull.file.refusals import allowed, nearest_word, user_words
 from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.ship import Ship
 from quartering.names import checked_values
