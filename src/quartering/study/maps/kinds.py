@@ -132,7 +132,7 @@ SEAS: Final = StudyKind(
     attributes=guidance_dataset.attributes,
     heading=guidance_dataset.heading_of,
     labelled=guidance_dataset.labelled,
-    warn=lambda wanted, counts: sea_conditions.warn_of_seas(counts, wanted.count),
+    warn=sea_conditions.warn_of_seas,
     missed=lambda _: (),
     code=(
         "study/seas",

@@ -9,6 +9,7 @@ import math
 import threading
 import warnings
 from collections import OrderedDict
+from collections.abc import Mapping
 from concurrent.futures import Future
 from typing import Any, Final, NamedTuple
 
@@ -18,11 +19,11 @@ from numpy.typing import NDArray
 from quartering.conventions import RangeWarning
 from quartering.hull.ship import Ship
 from quartering.loads.sea.cells import wave_cells
-from quartering.loads.sea.sea import Sea
+from quartering.loads.sea.sea import STEEP_SEA, STEEPEST_SEA, Sea
 from quartering.motion.sea.equations import SeaEquations, equations_of_ship, free_roll_of
 from quartering.study.seas.advice import Advice, Judged, advised, judged_by_closure, judged_by_simulation
 from quartering.study.seas.blocks import FEWEST, Tally, run_blocks
-from quartering.study.seas.grid import SeaGrid
+from quartering.study.seas.grid import SeaGrid, steepness
 from quartering.study.seas.response import LEAST_DAMPING, Answer, SeaStatus, answer_of, place_of, status_of
 from quartering.study.seas.simulated import simulated_dataset
 from quartering.study.seas.simulation import Asked, felt_limit_of, known_of, planned, roll_limit_of
@@ -201,8 +202,13 @@ def _simulated(grid: SeaGrid, at: At, sea: Sea) -> dict[str, Any]:
     return own | _told(judged_by_simulation(found), SIMULATION) | {"recommended": advice(tally)}
 
 
-def warn_of_seas(counts: dict[str, int], total: int) -> None:
-    """Say how many conditions of a map are not valid, and why."""
+def warn_of_seas(grid: SeaGrid, counts: Mapping[str, int]) -> None:
+    """Say how many conditions of a map are not valid, and why, and how many of its seas are steep."""
+    steep = steepness(grid.axes["hs"][:, None], grid.axes["tz"])
+    doubtful = int(((steep > STEEP_SEA) & (steep <= STEEPEST_SEA)).sum())
+    if doubtful:
+        words = f"{doubtful} of {steep.size} seas are steeper than {STEEP_SEA:g}: linear waves are doubtful"
+        warnings.warn(words, RangeWarning, stacklevel=4)
     for status, words in (
         (SeaStatus.SURF_RIDING, "have much energy near encounter frequency 0: surf-riding and broaching, not valid"),
         (SeaStatus.BREAKS, "are of seas that break: not computed"),
@@ -210,4 +216,4 @@ def warn_of_seas(counts: dict[str, int], total: int) -> None:
     ):
         number = counts.get(f"status {int(status)}", 0)
         if number:
-            warnings.warn(f"{number} of {total} conditions {words}", RangeWarning, stacklevel=4)
+            warnings.warn(f"{number} of {grid.count} conditions {words}", RangeWarning, stacklevel=4)

@@ -94,7 +94,12 @@ _SETTINGS: Final = ("spectrum", "gamma", "spreading", "judge", "threshold", "hou
 
 def breaks(hs: ArrayLike, tz: ArrayLike) -> NDArray[np.bool_]:
     """Is a sea of these heights and mean periods too steep to be one?"""
-    return np.asarray(np.asarray(hs) * 2.0 * np.pi / (GRAVITY * np.asarray(tz) ** 2) > STEEPEST_SEA)
+    return np.asarray(steepness(hs, tz) > STEEPEST_SEA)
+
+
+def steepness(hs: ArrayLike, tz: ArrayLike) -> Floats:
+    """Heights over the lengths g Tz^2/(2 pi) of the mean periods [1]."""
+    return np.asarray(np.asarray(hs) * 2.0 * np.pi / (GRAVITY * np.asarray(tz) ** 2))
 
 
 def period_ratio(spectrum: Named, gamma: float) -> float:
