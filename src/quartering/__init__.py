@@ -63,6 +63,8 @@ if TYPE_CHECKING:
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
+    from quartering.study.seas.long_term import long_term
+    from quartering.study.seas.rare import failure_rate_at, largest_roll
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
     from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
@@ -120,9 +122,12 @@ _HOMES = {
     "cures": "study.effects.cure",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
+    "failure_rate_at": "study.seas.rare",
     "gm_in_waves": "study.six_modes.gm_in_waves",
     "guidance": "study.maps.guidance",
     "righting_arm": "study.six_modes.gm_in_waves",
+    "largest_roll": "study.seas.rare",
+    "long_term": "study.seas.long_term",
     "paper_ship": "study.paper.model",
     "parametric_map": "study.six_modes.parametric_map",
     "parametric_roll": "study.six_modes.parametric_roll",
@@ -164,6 +169,7 @@ __all__ = [
     "edges_of_largest",
     "encounter_frequency",
     "equations",
+    "failure_rate_at",
     "gm_in_waves",
     "guidance",
     "hill_exponents",
@@ -172,7 +178,9 @@ __all__ = [
     "hydrostatics",
     "irregular",
     "kramers_kronig",
+    "largest_roll",
     "limiting_kg",
+    "long_term",
     "paper_ship",
     "parametric_map",
     "parametric_roll",
