@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
     from quartering.study.seas.long_term import long_term
+    from quartering.study.seas.lyapunov import lyapunov
     from quartering.study.seas.rare import failure_rate_at, largest_roll
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
@@ -128,6 +129,7 @@ _HOMES = {
     "righting_arm": "study.six_modes.gm_in_waves",
     "largest_roll": "study.seas.rare",
     "long_term": "study.seas.long_term",
+    "lyapunov": "study.seas.lyapunov",
     "paper_ship": "study.paper.model",
     "parametric_map": "study.six_modes.parametric_map",
     "parametric_roll": "study.six_modes.parametric_roll",
@@ -181,6 +183,7 @@ __all__ = [
     "largest_roll",
     "limiting_kg",
     "long_term",
+    "lyapunov",
     "paper_ship",
     "parametric_map",
     "parametric_roll",

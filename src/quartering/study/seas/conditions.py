@@ -26,7 +26,7 @@ from quartering.study.seas.blocks import FEWEST, Tally, run_blocks
 from quartering.study.seas.grid import SeaGrid, steepness
 from quartering.study.seas.response import LEAST_DAMPING, Answer, SeaStatus, answer_of, place_of, status_of
 from quartering.study.seas.simulated import simulated_dataset
-from quartering.study.seas.simulation import Asked, felt_limit_of, known_of, planned, roll_limit_of
+from quartering.study.seas.simulation import asked_of, felt_limit_of, known_of, planned, roll_limit_of
 
 Floats = NDArray[np.float64]
 _KEPT_SPEEDS: Final = 4
@@ -179,10 +179,7 @@ def _told(judged: Judged, rung: int) -> dict[str, float]:
 
 def _simulated(grid: SeaGrid, at: At, sea: Sea) -> dict[str, Any]:
     """Results of a simulation that ends as soon as it decides."""
-    asked = Asked(
-        ship=at.ship, sea=sea, speed=at.speed, place=at.place, limits=at.limits, reason=roll_limit_of(at.ship, None)[1],
-        step=None, strips=None, memory=True, seed=grid.seed, form=grid.form, force=None,
-    )  # fmt: skip
+    asked = asked_of(at.ship, sea, at.speed, None, grid.seed, True, None, grid.form)
     ready = planned(asked)
     known = known_of(asked, ready)
 

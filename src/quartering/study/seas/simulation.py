@@ -93,6 +93,7 @@ class Ready:
     shares: tuple[float, float, float]
     roll_frequency: float
     damping: float
+    channels: NDArray[np.complex128]
 
 
 @overload
@@ -227,21 +228,12 @@ def _in_a_sea(
     memory: bool = True,
     store: str | os.PathLike[str] | None = None,
 ) -> xr.Dataset:
-    of = ship if isinstance(ship, Ship) else None
-    roll, reason = roll_limit_of(ship, limit)
-    asked = Asked(
-        ship=ship,
-        sea=sea if heading is None else sea.turned_to(number(of, "heading", heading)),
-        speed=number(of, "speed", speed),
-        place=place_of(ship, place),
-        limits=(roll, felt_limit_of(ship, place, acceleration_limit)),
-        reason=reason,
+    asked = asked_of(ship, sea, speed, heading, seed, memory, force, form, limit=limit, place=place)
+    asked = replace(
+        asked,
+        limits=(asked.limits[0], felt_limit_of(ship, place, acceleration_limit)),
         step=None if step is None else number(None, "step", step),
         strips=None if strips is None else count("strips", strips, 1, 6),
-        memory=_yes_or_no("memory", memory),
-        seed=count("seed", seed, 0, 6),
-        form=form,
-        force=force,
     )
     duration = number(None, "simulated_hours", hours)
     wanted = None if until is None else number(None, "until", until)
@@ -254,6 +246,40 @@ def _in_a_sea(
     result = simulated_dataset(tally, known_of(asked, ready))
     _warn(asked, ready, tally, result)
     return result
+
+
+def asked_of(
+    ship: Ship | Model,
+    sea: Sea,
+    speed: float | str,
+    heading: float | str | None,
+    seed: int,
+    memory: bool,
+    force: Force | None,
+    form: Form,
+    *,
+    limit: float | str | None = None,
+    place: Any = None,
+) -> Asked:
+    """What is asked, checked: arguments as of `irregular`."""
+    if not isinstance(sea, Sea):
+        raise InputError(f"sea = {quoted(sea)} is no Sea; give one, such as quartering.Sea(hs=6, tp=11)")
+    of = ship if isinstance(ship, Ship) else None
+    roll, reason = roll_limit_of(ship, limit)
+    return Asked(
+        ship=ship,
+        sea=sea if heading is None else sea.turned_to(number(of, "heading", heading)),
+        speed=number(of, "speed", speed),
+        place=place_of(ship, place),
+        limits=(roll, felt_limit_of(ship, place, None)),
+        reason=reason,
+        step=None,
+        strips=None,
+        memory=_yes_or_no("memory", memory),
+        seed=count("seed", seed, 0, 6),
+        form=form,
+        force=force,
+    )
 
 
 def _yes_or_no(name: str, given: Any) -> bool:
@@ -325,7 +351,8 @@ def planned(asked: Asked) -> Ready:
     shares = shares_of(cells, asked.sea, frequency)
     arm = math.degrees(angle_of_largest_arm(everything))
     return Ready(
-        plan, cells, equations.terms.drag.size, memory, errors, first * step, wanted, arm, shares, frequency, damping
+        plan, cells, equations.terms.drag.size, memory, errors, first * step, wanted, arm, shares, frequency, damping,
+        frozen.channels,
     )  # fmt: skip
 
 
