@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
+    from quartering.study.seas.design_point import design_point
     from quartering.study.seas.long_term import long_term
     from quartering.study.seas.lyapunov import lyapunov
     from quartering.study.seas.rare import failure_rate_at, largest_roll
@@ -121,6 +122,7 @@ _HOMES = {
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
     "cures": "study.effects.cure",
+    "design_point": "study.seas.design_point",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
     "failure_rate_at": "study.seas.rare",
@@ -167,6 +169,7 @@ __all__ = [
     "criteria",
     "cures",
     "decay_record",
+    "design_point",
     "edge",
     "edges_of_largest",
     "encounter_frequency",

@@ -48,6 +48,7 @@ ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
     "felt_limit": Option(
         "acceleration_limit", "ratio", "lateral acceleration of a failure [m/s2]", low=0, above=True, usual=9.81
     ),
+    "roll_level": Option("roll", "angle", "level that roll passes", low=0, above=True, high=90, usual="40 deg"),
     "safety_factor": Option(
         "threshold",
         "ratio",
