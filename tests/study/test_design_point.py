@@ -45,11 +45,11 @@ def test_a_nonlinear_ship_is_met_by_counting(windows, level):
     assert float(found["beta"]) > 1.05 * float(
         found["linear_beta"]
     )  # it hardens: a linear ship would roll there oftener
-    asked = asked_of(MODEL, qt.Sea(**sea), speed, None, 9, True, force, "stf")
+    asked = asked_of(MODEL, qt.Sea(**sea), speed, None, 20, True, force, "stf")
     ready = planned(asked)
     own = _windows(ready, asked.sea, MODEL.capsize_limit.radians)
     nothing = np.zeros((*own.record.roots.shape[:2], 2))
-    counted = _sampled(own, nothing, 0.0, np.radians(level), windows, (9, ready.plan.condition), ready.roll_frequency)
+    counted = _sampled(own, nothing, 0.0, np.radians(level), windows, (20, ready.plan.condition), ready.roll_frequency)
     error = np.hypot(float(found["probability_error"]), counted.probability_error)
     assert counted.effective > 50
     assert abs(float(found["probability"]) - counted.probability) < 3 * error
