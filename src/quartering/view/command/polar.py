@@ -22,12 +22,14 @@ from quartering.view.command._map_axes import (
     typed_axes,
 )
 from quartering.view.command._map_summary import Summary, place_words, summary_of
+from quartering.view.command._sea_polar import Typed, sea_polar_answer
 from quartering.view.command._side_by_side import side_by_side
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
 from quartering.view.console.files import TABLES, File, is_table, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
+from quartering.view.console.sea_options import SPREADING, told
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.tables import map_table
 from quartering.view.console.typed_ship import typed_ship
@@ -65,11 +67,30 @@ def polar(
         typer.Option("-o", "--output", help="Dataset to write (.nc), a .png goes beside it; or tables (.csv, .xlsx)."),
     ] = None,
     extend: Annotated[bool, typer.Option("--extend", help=f"{line_of(OPTIONS['extend']).partition(':')[0]}.")] = False,
+    hs: Annotated[str | None, told("hs", "s: 4:8; makes a map over irregular seas, radius speed")] = None,
+    tp: Annotated[str | None, told("tp", "s: 8:14")] = None,
+    tz: Annotated[str | None, told("tz", "s, in place of --tp")] = None,
+    spectrum: Annotated[str, typer.Option(help="Spectrum: jonswap, bretschneider or pierson-moskowitz.")] = "jonswap",
+    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
+    spreading: Annotated[str, SPREADING] = "none",
+    judge: Annotated[
+        str, typer.Option(help="What is judged in seas: largest (motion of 3 h) or rate (of failures).")
+    ] = "largest",
+    threshold: Annotated[
+        str | None, typer.Option(help="Factor on the largest motion, 2, or rate of failures [1/s], 1e-6.")
+    ] = None,
+    hours: Annotated[str, typer.Option(help="Hours to simulate at most where the closure does not decide.")] = "0",
 ) -> Answer:
-    """Map of roll and stability over headings, wave lengths and speeds; of two ships or loadings, the difference."""
+    """Map of roll and stability; of two ships or loadings, the difference; of irregular seas by --hs and --tp, over speed."""
     from quartering.stability.precompile import announce_compilation
     from quartering.view.wording import edge_words, notes
 
+    if hs is not None:
+        _refuse_waves(wave_lengths, steepness, wave_height, harmonics, extend, beside)
+        seas = Typed(hs, tp, tz, spectrum, gamma, spreading, judge, threshold, hours)
+        return sea_polar_answer(ship, changes, speed, headings, seas, form, output)
+    if tp is not None or tz is not None:
+        raise InputError("--tp and --tz are of irregular seas; give --hs too, such as --hs 4:8")
     one = typed_ship(ship, changes)
     usual = f"{ship_stem(ship)}-polar.nc" if beside is None else f"{ship_stem(ship)}-and-{ship_stem(beside)}.nc"
     path = reserve_path(usual if output is None else output, (".nc", *TABLES))
@@ -112,6 +133,23 @@ def _written(path: Path, picture: Path | None) -> dict[str, str | None]:
     if picture is None:
         return {"dataset": None, "picture": None, "table": str(path)}
     return {"dataset": str(path), "picture": str(picture)}
+
+
+def _refuse_waves(
+    lengths: str, steepness: str | None, height: str | None, harmonics: int, extend: bool, beside: str | None
+) -> None:
+    """Refuse what is of regular waves, beside a sea."""
+    given = {
+        "--wave-lengths": lengths != ALL_LENGTHS,
+        "--steepness": steepness is not None,
+        "--wave-height": height is not None,
+        "--harmonics": harmonics != 1,
+        "--extend": extend,
+        "a second ship": beside is not None,
+    }
+    for name, there in given.items():
+        if there:
+            raise InputError(f"{name} is of regular waves and --hs of irregular seas; leave out the one or the other")
 
 
 def _picture(ds: xr.Dataset) -> Figure:

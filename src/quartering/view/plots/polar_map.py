@@ -36,8 +36,8 @@ HOW_TO_READ = "Bow up: waves come from the side of the cell, port on the left; r
 MIRRORED = " The right half mirrors the left."
 GREY, PACE_INK = "#b8b8b8", "#ff9d5c"
 COURSE_INK = "#ffb38a"
-HATCHES = {"unstable": "/////", "course": "..."}
-"""Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
+HATCHES = {"unstable": "/////", "course": "...", "not recommended": "/////", "undecided": "..."}
+"""Hatch of cells unstable because of the wave, of those where the ship is course-unstable without waves, and of advice."""
 
 _NARROW = 4.0
 """Inches of width in which the title of a panel would meet the next one's."""
@@ -54,7 +54,7 @@ RING: dict[str, Any] = {
     "markeredgewidth": 1.2,
 }  # fmt: skip
 OUTLINE_OF_MARK = [effects.withStroke(linewidth=2.8, foreground="white")]
-_OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
+OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
 def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = None) -> Figure:
@@ -198,7 +198,7 @@ def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None
         field, level = fields[name]
         if field.min() < level < field.max() and (name != "pace" or _overtakes(ds)):
             drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
-            drawn.set(path_effects=_OUTLINE)
+            drawn.set(path_effects=OUTLINE)
 
 
 def _marks(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
@@ -240,7 +240,7 @@ def dress(ax: PolarAxes, r: Floats, mirrored: bool) -> None:
     ax.set_rgrids(ticks, words, angle=202.5, color="white", fontsize=8)
     ax.grid(visible=True, color="white", alpha=0.25, linewidth=0.5)
     for label in ax.get_yticklabels():
-        label.set(path_effects=_OUTLINE, ha="center", va="center")
+        label.set(path_effects=OUTLINE, ha="center", va="center")
     names = {0: "0° following", 90: "90°\nbeam", 180: "180° head"}
     if mirrored:
         names[270] = "90°\nbeam"
@@ -277,7 +277,7 @@ def _title(ds: xr.Dataset) -> str:
 
 def _legend(ds: xr.Dataset) -> Sequence[Any]:
     """What lines and hatches mean, those that occur."""
-    dark = {"path_effects": _OUTLINE, "linewidth": 1.5}
+    dark = {"path_effects": OUTLINE, "linewidth": 1.5}
     n2 = float(ds.attrs["natural_roll_frequency"])
     verdict = np.asarray(ds["verdict"])
     calm = verdict == Kind.COURSE_IN_CALM_WATER
