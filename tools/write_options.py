@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from quartering.hull.autopilot import Autopilot, Rudder
     from quartering.hull.own_database import Database
+    from quartering.hull.propulsion import Propulsion
 
 {words}
 
