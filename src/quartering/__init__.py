@@ -69,6 +69,7 @@ if TYPE_CHECKING:
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
     from quartering.study.solve import solve
+    from quartering.study.surf_riding import surf_riding, surf_riding_map
 
 _HOMES = {
     "InputError": "conventions",
@@ -109,6 +110,8 @@ _HOMES = {
     "simulate": "motion.transient.simulate",
     "Motion": "motion.steady.motion",
     "steady_motion": "motion.steady.motion",
+    "surf_riding": "study.surf_riding",
+    "surf_riding_map": "study.surf_riding",
     "surf_riding_thresholds": "motion.surf_riding",
     "hill_exponents": "stability.hill",
     "Verdict": "stability.verdict",
@@ -189,6 +192,8 @@ __all__ = [
     "solve",
     "stability",
     "steady_motion",
+    "surf_riding",
+    "surf_riding_map",
     "surf_riding_thresholds",
     "sweep",
     "tornado",

@@ -120,7 +120,7 @@ class ShipOptions(TypedDict, total=False):
     windage_lever: float | str | None
     """Its centre over half the draught [m, L, B, T]."""
     propulsion: Propulsion | Mapping[str, float | str] | str | None
-    """Resistance r0 + r1 u + .. + r5 u^5, propeller k0 + k1 J + k2 J^2: surf-riding: estimated (from the lines)."""
+    """Resistance r0 + r1 u + .. + r5 u^5, propeller k0 + k1 J + k2 J^2: estimated (from the lines)."""
     propeller_diameter: float | str | None
     """Of the propeller [m, L, B, T]."""
     thrust_at_rest: float | str | None
