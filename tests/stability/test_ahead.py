@@ -7,14 +7,14 @@ import sys
 import pytest
 
 import quartering as qt
-import quartering.compiled
-from quartering.stability.ahead import NOTICE, compiled
+import quartering._machine.compiled
+from quartering.stability.precompile import NOTICE, compiled
 
 
 def test_compilation_is_announced_once_and_only_when_the_cache_is_cold(tmp_path):
     """A fresh cache folder has nothing in it, whatever this machine has compiled before."""
     code = (
-        "from quartering.stability.ahead import announce_compilation, compiled; print(compiled());"
+        "from quartering.stability.precompile import announce_compilation, compiled; print(compiled());"
         " announce_compilation(); announce_compilation()"
     )
     cold = subprocess.run(
@@ -38,10 +38,10 @@ def test_kernels_run_where_no_folder_for_them_can_be_written(monkeypatch):
 
         return compiler
 
-    monkeypatch.setattr(quartering.compiled, "_njit", njit)
-    assert quartering.compiled._kind()(lambda x: 2 * x)(3.0) == 6.0
+    monkeypatch.setattr(quartering._machine.compiled, "_njit", njit)
+    assert quartering._machine.compiled._kind()(lambda x: 2 * x)(3.0) == 6.0
     monkeypatch.setattr(
-        quartering.compiled, "_njit", lambda **_: lambda _: (_ for _ in ()).throw(RuntimeError("other"))
+        quartering._machine.compiled, "_njit", lambda **_: lambda _: (_ for _ in ()).throw(RuntimeError("other"))
     )
     with pytest.raises(RuntimeError, match="other"):
-        quartering.compiled._kind()(lambda x: x)
+        quartering._machine.compiled._kind()(lambda x: x)

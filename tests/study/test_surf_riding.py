@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 import quartering as qt
 from quartering.hydro.propulsion import drive_of
-from quartering.study.surf_riding import KINDS, Riding, kind_at
+from quartering.study.six_modes.surf_riding import KINDS, Riding, kind_at
 
 # N per metre of amplitude, volume integral of a low wave; theory, section 8.7, `sgisc`, wave over ship length 1, 1.5, 2
 SURGE = {1.0: 2889515.8152083047, 1.5: 3534209.053920671, 2.0: 3242190.343579013}

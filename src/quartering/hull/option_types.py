@@ -10,8 +10,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from quartering.hull.autopilot import Autopilot, Rudder
-    from quartering.hull.own_database import Database
     from quartering.hull.propulsion import Propulsion
+    from quartering.hull.user_database import Database
 
 Datum = Literal["keel", "waterline"]
 Linear = Literal["default", "strip"]

@@ -13,13 +13,13 @@ import numpy as np
 from quartering.conventions import GRAVITY
 from quartering.hull.lines.immersed import strips
 from quartering.hydro.strip.moments import section_table
-from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.forces import keeps_speed_terms, ship_force_phasors
-from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.sea.cells import Cells
 from quartering.loads.source import wave_source
-from quartering.loads.stations import stations
-from quartering.loads.strip_forces import Form
+from quartering.loads.strips.diffraction import contour_diffraction
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.stations import stations
+from quartering.loads.strips.strip_forces import Form
 from quartering.loads.waves import Phasors, folded
 
 if TYPE_CHECKING:
@@ -29,22 +29,9 @@ if TYPE_CHECKING:
 def cell_forces(ship: Ship, cells: Cells, form: Form = "stf") -> Phasors:
     """Froude-Krylov and diffraction force in the cells of a sea, per metre of amplitude, lift apart.
 
-    Parameters
-    ----------
-    ship : Ship
-    cells : Cells
-    form : str    of the diffraction force
+    form: of the diffraction force
+    Returns (c, 3): sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
 
-    Returns
-    -------
-    (c, 3) complex    sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
-
-    Raises
-    ------
-    InputError        what `ship_force_phasors` refuses
-
-    Examples
-    --------
     >>> import numpy as np
     >>> from quartering.hull.file.read import ship
     >>> cells = Cells(np.array([0.6, 0.8]), 0.2, np.array([30.0, 90.0, 150.0]), 0.0, 5.0)

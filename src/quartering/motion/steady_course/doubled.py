@@ -3,9 +3,9 @@
 In head and following seas a motion of two periods has phi(t + T) = -phi(t) and h(t + T) = h(t), so it holds odd multiples of
 half the encounter frequency in sway, roll and yaw beside the harmonics of the encounter in heave and pitch; in an oblique sea
 every mode holds both. On a motion of one period the Jacobian falls apart into even and odd multiples, and a motion of two
-periods begins where the block of the odd ones is singular, which is a multiplier -1. From there the branch is followed through its
-folds over the height of the wave: a march in time finds one of several stable motions, or lingers near one that has just ceased
-to be.
+periods begins where the block of the odd ones is singular, which is a multiplier -1. From there the branch is followed
+through its folds over the height of the wave: a march in time finds one of several stable motions, or lingers near one that
+has just ceased to be.
 """
 
 from __future__ import annotations
@@ -100,15 +100,10 @@ def doubled_roll(basis: Harmonics, x: Floats) -> Floats:
 def onsets(course: Course, amplitudes: Floats, basis: Harmonics | None = None) -> list[tuple[float, Floats, Floats]]:
     """Wave amplitudes at which motions of two periods begin, of one condition.
 
-    Parameters
-    ----------
-    course : Course          one condition
-    amplitudes : (n,) float  rising, between which a change of the determinant's sign is looked for [m]
-    basis : Harmonics        of two periods
-
-    Returns
-    -------
-    list of (amplitude, motion of one period (m,), direction (m,))    coefficients of two periods
+    course: one condition
+    amplitudes (n,): rising, between which a change of the determinant's sign is looked for [m]
+    basis: of two periods
+    Returns amplitude, motion of one period (m,) and direction (m,), coefficients of two periods
     """
     basis = doubled_harmonics() if basis is None else basis
     orbits = climbed(course, amplitudes, basis.of_one_period)
@@ -170,20 +165,13 @@ def doubled_branch(
 ) -> Doubled:
     """The branch of motions of two periods that begins at one onset.
 
-    Parameters
-    ----------
-    course : Course     one condition
-    onset               one of `onsets`
-    top : float         amplitude of the wave up to which it is followed [m]
-    basis : Harmonics   of two periods
+    course: one condition
+    one of `onsets`
+    top: amplitude of the wave up to which it is followed [m]
+    basis: of two periods
+    Returns followed until the wave is higher than ``top`` or lower than nothing, the roll exceeds `LARGEST_ROLL`, or
+        the hull leaves its tables
 
-    Returns
-    -------
-    Doubled             followed until the wave is higher than ``top`` or lower than nothing, the roll exceeds `LARGEST_ROLL`,
-                        or the hull leaves its tables
-
-    Notes
-    -----
     Steps along the arc length of the branch, each corrected at right angles to its tangent; a step whose correction fails is
     halved.  Source: [Krack19] (arclength continuation).
     """
@@ -273,18 +261,12 @@ def doubled_motions(
 ) -> tuple[Floats, list[Doubled]]:
     """All motions of two periods in one wave, on branches that begin in waves up to a given amplitude.
 
-    Parameters
-    ----------
-    course : Course      one condition
-    amplitude : float    of the wave [m]
-    top : float          amplitude up to which onsets are looked for, and branches followed [m]
-    rungs : int          heights between nothing and the top at which the motion of one period is looked at
-    basis : Harmonics    of two periods; None: those of head and following seas
-
-    Returns
-    -------
-    x : (j, m) float     coefficients of each motion, least roll first
-    branches : list of Doubled
+    course: one condition
+    amplitude: of the wave [m]
+    top: amplitude up to which onsets are looked for, and branches followed [m]
+    rungs: heights between nothing and the top at which the motion of one period is looked at
+    basis: of two periods; None: those of head and following seas
+    Returns x (j, m): coefficients of each motion, least roll first
     """
     basis = doubled_harmonics() if basis is None else basis
     begun = onsets(course, top * np.append(0.01, np.arange(1, rungs + 1)) / rungs, basis)

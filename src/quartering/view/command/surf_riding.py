@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.table import Table
 
-    from quartering.study.surf_riding import SurfRiding
+    from quartering.study.six_modes.surf_riding import SurfRiding
 
 _NUMBERS = (
     ("celerity of the wave", "celerity", "m/s"),
@@ -55,8 +55,8 @@ def surf_riding(
 ) -> Answer:
     """Surf-riding in a following wave; with -o a diagram over Froude number, steepness and wave length."""
     from quartering.loads.waves import Wave
-    from quartering.stability.ahead import announce_compilation
-    from quartering.study.surf_riding import surf_riding as judged
+    from quartering.stability.precompile import announce_compilation
+    from quartering.study.six_modes.surf_riding import surf_riding as judged
 
     one = typed_ship(ship, changes)
     length, height = (
@@ -72,7 +72,7 @@ def surf_riding(
     def draw() -> Figure:
         import numpy as np
 
-        from quartering.study.surf_riding import surf_riding_map
+        from quartering.study.six_modes.surf_riding import surf_riding_map
         from quartering.view.plots.surf_riding import surf_riding_picture
 
         steep = surf_riding_map(one, wave.length, np.linspace(*_STEEPNESSES, _POINTS).tolist())
