@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     from quartering.study.paper.model import paper_ship
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
+    from quartering.study.six_modes.broaching import broaching, broaching_branch
     from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.six_modes.parametric_map import parametric_map
     from quartering.study.six_modes.parametric_roll import parametric_roll
@@ -117,6 +118,8 @@ _HOMES = {
     "Verdict": "stability.verdict",
     "all_motions": "study.branches.coexisting",
     "branch": "study.branches.branch",
+    "broaching": "study.six_modes.broaching",
+    "broaching_branch": "study.six_modes.broaching",
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
     "cures": "study.effects.cure",
@@ -155,6 +158,8 @@ __all__ = [
     "bem_forces",
     "bem_hydrodynamics",
     "branch",
+    "broaching",
+    "broaching_branch",
     "cite",
     "coefficients",
     "compare_forces",
