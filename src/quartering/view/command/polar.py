@@ -11,7 +11,7 @@ import typer
 from quartering.conventions import InputError
 from quartering.options import OPTIONS, line_of
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
+from quartering.view.console.arguments import Changes, FormName, Harmonics, Modes, ShipName
 from quartering.view.console.files import File, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
     from quartering.loads.waves import Wave
+    from quartering.study.maps.polar import Modes as ModesOf
 
 MOST_CONDITIONS = 1_000_000
 """Largest map: about 1 GB of results."""
@@ -56,6 +57,7 @@ def polar(
     output: Annotated[
         str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
     ] = None,
+    modes: Modes = "three",
     extend: Annotated[bool, typer.Option("--extend", help=f"{line_of(OPTIONS['extend']).partition(':')[0]}.")] = False,
 ) -> Answer:
     """Map of roll and stability over headings, wave lengths and speeds."""
@@ -72,6 +74,7 @@ def polar(
     mu = values([headings], OPTIONS["heading"], one.sizes, "--headings", 37)
     waves = _waves(one, wave_lengths, steepness, wave_height)
     chosen: Form = form  # type: ignore[assignment]  # polar refuses an unknown one
+    asked: ModesOf = modes  # type: ignore[assignment]  # and unknown modes
     count = len(speeds) * len(mu) * len(waves)
     if count > MOST_CONDITIONS:
         raise InputError(
@@ -80,7 +83,9 @@ def polar(
         )
     announce_compilation()
     with bar("conditions", count) as progress:
-        ds = polar_map_of(one, waves, speeds, mu, harmonics=harmonics, form=chosen, extend=extend, progress=progress)
+        ds = polar_map_of(
+            one, waves, speeds, mu, harmonics=harmonics, form=chosen, extend=extend, modes=asked, progress=progress
+        )
     ds.attrs["ship_argument"] = ship
     if not np.isfinite(ds["roll_peak"]).any():
         raise InputError("no condition of this map has an answer; choose other speeds, headings or wave lengths")
@@ -91,13 +96,14 @@ def polar(
         yield from edge_words(ds, _FURTHER, "" if extend else ", or --extend")
         yield from notes(ds)
 
-    step = f"quartering verdict {ship} {_worst_words(ds, summary)}{option_words(changes)}"
+    more = " --modes six" if modes == "six" else ""
+    step = f"quartering verdict {ship} {_worst_words(ds, summary)}{option_words(changes)}{more}"
     return Answer(
         lines(),
         lambda: _facts(ds, summary) | {"dataset": str(data), "picture": str(picture)},
         [File(data, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))],
         written=f"Wrote {data} and {picture}",
-        next_steps=[step, f"quartering report {data}"],
+        next_steps=[step, *([] if more else [f"quartering report {data}"])],
     )
 
 
