@@ -35,6 +35,8 @@ FINEST_STEP = 2.5
 HOW_TO_READ = "Bow up: waves come from the side of the cell, port on the left; radius is wave length over ship length."
 MIRRORED = " The right half mirrors the left."
 GREY, PACE_INK = "#b8b8b8", "#ff9d5c"
+LOST = "#d98aa4"
+"""Colour of unstable cells beyond which no stable roll was found."""
 COURSE_INK = "#ffb38a"
 HATCHES = {"unstable": "/////", "course": "...", "not recommended": "/////", "undecided": "..."}
 """Hatch of cells unstable because of the wave, of those where the ship is course-unstable without waves, and of advice."""
@@ -144,6 +146,7 @@ def draw_cells(
     calm = kind == Kind.COURSE_IN_CALM_WATER
     marks: list[Mark] = [
         ("no answer", kind == Kind.NO_ANSWER, {"facecolor": GREY, "edgecolor": GREY}),
+        ("lost", (kind > Kind.STABLE) & np.isnan(roll), {"facecolor": LOST, "edgecolor": LOST}),
         ("unstable", (kind > Kind.STABLE) & ~calm, {"facecolor": "none", "edgecolor": "white"}),
         ("course", calm, {"facecolor": "none", "edgecolor": COURSE_INK}),
     ]
@@ -294,6 +297,10 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
     if unstable.any():
         made.append(
             Patch(facecolor="#31688e", edgecolor="white", hatch=HATCHES["unstable"], label=f"unstable: {kinds}")
+        )
+    if (unstable & np.isnan(np.asarray(ds["roll_peak"]))).any():
+        made.append(
+            Patch(facecolor=LOST, edgecolor="white", hatch=HATCHES["unstable"], label="and no stable roll found")
         )
     if calm.any():
         label = "course-unstable even in calm water: not the waves' doing"
