@@ -90,11 +90,13 @@ def write_pdf(page: str, path: Path) -> None:
 
 def _render(template: str, source: Source, **content: Any) -> str:
     """Fill a template of the folder ``templates`` with what every page says beside its own content."""
+    hull = source.ship.hull
+    sizes = {"ship_length": hull.length, "ship_beam": hull.beam, "ship_draught": hull.draught}
     attributes = source.result.attrs
     return filled(
         template,
         ship=source.ship,
-        attributes=attributes,
+        attributes=attributes | sizes,
         estimated=estimated_words(estimates_of(attributes), source.ship.provenance),
         warnings=_warnings(source),
         origin=source.origin,
