@@ -69,10 +69,12 @@ if TYPE_CHECKING:
     from quartering.study.seas.rare import failure_rate_at, largest_roll
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
+    from quartering.study.six_modes.broaching import broaching, broaching_branch
     from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.six_modes.parametric_map import parametric_map
     from quartering.study.six_modes.parametric_roll import parametric_roll
     from quartering.study.six_modes.responses import responses
+    from quartering.study.six_modes.surf_riding import surf_riding, surf_riding_map
     from quartering.study.solve import solve
 
 _HOMES = {
@@ -114,11 +116,15 @@ _HOMES = {
     "simulate": "motion.transient.simulate",
     "Motion": "motion.steady.motion",
     "steady_motion": "motion.steady.motion",
+    "surf_riding": "study.six_modes.surf_riding",
+    "surf_riding_map": "study.six_modes.surf_riding",
     "surf_riding_thresholds": "motion.surf_riding",
     "hill_exponents": "stability.variational.hill",
     "Verdict": "stability.verdict",
     "all_motions": "study.branches.coexisting",
     "branch": "study.branches.branch",
+    "broaching": "study.six_modes.broaching",
+    "broaching_branch": "study.six_modes.broaching",
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
     "cures": "study.effects.cure",
@@ -163,6 +169,8 @@ __all__ = [
     "bem_forces",
     "bem_hydrodynamics",
     "branch",
+    "broaching",
+    "broaching_branch",
     "cite",
     "coefficients",
     "compare_forces",
@@ -206,6 +214,8 @@ __all__ = [
     "solve",
     "stability",
     "steady_motion",
+    "surf_riding",
+    "surf_riding_map",
     "surf_riding_thresholds",
     "sweep",
     "tornado",

@@ -331,15 +331,15 @@ def test_conflicting_axes_are_refused():
 
 def test_heights_of_g_share_the_wave_forces(monkeypatch):
     """Closed form: moving G by dz moves the roll moment by -dz Y; so 3 GM values cost one computation of forces."""
-    from quartering.study import loading_systems as shared
+    from quartering.study import loading_systems
 
     asked = []
-    find = shared.excitation
-    monkeypatch.setattr(shared, "excitation", lambda *a, **k: asked.append(1) or find(*a, **k))
+    find = loading_systems.excitation
+    monkeypatch.setattr(loading_systems, "excitation", lambda *a, **k: asked.append(1) or find(*a, **k))
     wanted = grid(SHIP, [5.0], [30.0, 60.0], [LENGTH], [1.0], gm=[0.6, 0.9, 1.2])
     ships = [wanted.loaded(i) for i in range(3)]
     one = (np.full(2, 2 * np.pi / LENGTH), np.full(2, 5.0), np.array([30.0, 60.0]))
-    for ship, together in zip(ships, shared.systems(ships, *one), strict=True):
+    for ship, together in zip(ships, loading_systems.systems(ships, *one), strict=True):
         from quartering.motion.of_ship import ship_system
 
         alone = ship_system(ship, *one)
@@ -347,7 +347,9 @@ def test_heights_of_g_share_the_wave_forces(monkeypatch):
         np.testing.assert_allclose(together.system.sin, alone.system.sin, rtol=1e-11, atol=1e-14)
     assert len(asked) == 1
     asked.clear()
-    list(shared.systems(ships, *one, form="relative-motion"))  # its forces depend on the height of G in another way
+    list(
+        loading_systems.systems(ships, *one, form="relative-motion")
+    )  # its forces depend on the height of G in another way
     assert len(asked) == 3
 
 

@@ -14,6 +14,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.hull import Hull, at_draught, scaled, with_depth
 from quartering.hull.lines.sense import check_proportions
 from quartering.hull.loading import Loading, loaded_alike, reloaded
+from quartering.hull.propulsion import Propulsion, propulsion_of_parts
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.roll_period import gyradius_of_period
 from quartering.hull.user_database import DATABASE_IS, Database, database_of, database_of_keys
@@ -144,7 +145,7 @@ def _of_case(ship: Ship, given: dict[str, Any], where: str) -> tuple[str, dict[s
         return "", given
     cases = ship.particulars.get("loadings", {})
     if "loadings" in given:
-        cases = _loading_cases(given["loadings"], where)
+        cases = _loading_cases(given["loadings"], where, sizes_of(ship.hull))
     if name not in cases:
         raise Refused("loading_case", _no_case(name, tuple(cases)), where)
     return str(name), _merged(cases[name], given)
@@ -206,7 +207,7 @@ def _grouped(ship: Ship, given: Mapping[str, Any], where: str, sizes: Sizes) -> 
 def part_of_ship(ship: Ship, group: str) -> dict[str, float]:
     """Values of a group by key, as far as the ship has them."""
     value = ship.value(group)
-    if value is None:
+    if value is None or isinstance(value, str):
         return {}
     keys = list(parts(group))
     if isinstance(value, Mapping):
@@ -346,16 +347,31 @@ def _particulars(given: Mapping[str, Any], where: str, sizes: Sizes) -> dict[str
         one = OPTIONS[name]
         if one.home or one.group or name == "roll_period":
             continue
-        if one.kind == "group":
+        if name == "propulsion":
+            found[name] = _propulsion(one, value, where, sizes)
+        elif one.kind == "group":
             found[name] = part_values(one, value, where, sizes)
         elif one.kind == "table":
-            found[name] = _loading_cases(value, where)
+            found[name] = _loading_cases(value, where, sizes)
         else:
             found[name] = checked(one, value, where, sizes)
     return found
 
 
-def _loading_cases(given: Any, where: str) -> dict[str, dict[str, Any]]:
+def _propulsion(one: Option, given: Any, where: str, sizes: Sizes) -> Any:
+    """Resistance and propeller by key, or how they are estimated; what makes no propeller is refused."""
+    if isinstance(given, Propulsion):
+        return given.parts
+    found = part_values(one, given, where, sizes)
+    if isinstance(found, Mapping):
+        try:
+            propulsion_of_parts(found)
+        except InputError as error:
+            raise Refused(one.name, f"{one.name}: {error}", where) from None
+    return found
+
+
+def _loading_cases(given: Any, where: str, sizes: Sizes) -> dict[str, dict[str, Any]]:
     """Named loading cases with their keys and ranges checked, each value as it was written."""
     if not isinstance(given, Mapping) or not all(isinstance(case, Mapping) for case in given.values()):
         raise Refused(
@@ -369,7 +385,7 @@ def _loading_cases(given: Any, where: str) -> dict[str, dict[str, Any]]:
             if key not in known:
                 raise Refused("loadings", f"loadings, {name}: {unknown(key, known).words}", where)
             try:
-                checked(known[key], value)
+                checked(known[key], value, "", sizes)
             except Refused as error:
                 raise Refused("loadings", f"loadings, {name}: {error.words}", where) from None
         try:

@@ -123,7 +123,7 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
         "coexisting": (coexisting(result).mean(others), "share of conditions with another stable motion"),
     }
     for name, (values, meaning) in shares.items():
-        largest[name] = values.assign_attrs(units="1", long_name=meaning, symbol="")
+        largest[name] = values.drop_attrs().assign_attrs(units="1", long_name=meaning, symbol="")
     return largest
 
 

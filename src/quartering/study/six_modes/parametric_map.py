@@ -141,7 +141,7 @@ def stable_rolls(one: Course, amplitudes: Floats, basis: Harmonics) -> Floats:
     found = np.zeros(amplitudes.size)
     followed: list[Doubled] = []
     for onset in onsets(one, np.append(0.02 * amplitudes[0], amplitudes), basis):
-        if any(abs(b.amplitude[-1] - onset[0]) < 0.02 * top and b.roll[-1] < 0.05 for b in followed):
+        if any(abs(b.amplitude[-1] - onset[0]) < 0.02 * top and b.ends_small for b in followed):
             continue
         followed.append(doubled_branch(one, onset, 1.02 * top, basis))
         for k, amplitude in enumerate(amplitudes):

@@ -19,12 +19,12 @@ from quartering.loads.waves import Wave
 from quartering.loads.wetted_hull.floating import floating_hull
 from quartering.loads.wetted_hull.pressure import Waves, immersion
 from quartering.motion.status import Status
-from quartering.motion.steady_course.balance import columns, doubled_harmonics
+from quartering.motion.steady_course.balance import columns, doubled_harmonics, oblique_doubled_harmonics
 from quartering.motion.steady_course.course import ROLL, Course, course, roll_inertia, warn_across
 from quartering.motion.steady_course.doubled import doubled_motions, largest_roll
 from quartering.motion.steady_course.orbits import POINTS, Orbits, forced_motions, symmetric_orbits
 from quartering.stability.averaged_roll import threshold
-from quartering.stability.parametric import doubled_multipliers, forced_growth, roll_growth
+from quartering.stability.parametric import doubled_multipliers, forced_growth, growths, roll_growth
 from quartering.study.six_modes.gm_in_waves import gm_in_waves
 
 Kind = Literal["parametric", "pure-loss", "forced", "stable"]
@@ -58,8 +58,8 @@ class ParametricRoll:
     frequency_ratio : float       encounter frequency over the natural frequency of roll at the mean GM
     threshold : float             least gm_first/gm_mean with which roll alone grows, closed form near a ratio of 2
     margin : float                gm_first/gm_mean over the threshold: above 1 roll grows
-    amplitude : tuple of float    largest roll of every stable motion of two wave periods; in an oblique sea that of the forced
-                                  motion where it is stable [deg]
+    amplitude : tuple of float    largest roll of every stable motion of two wave periods; in an oblique sea first that of the
+                                  forced motion where it is stable [deg]
     tenfold : float               time for roll to grow tenfold [s]; infinite where it does not
     time_below_zero : float       with a GM below zero, in each period of encounter [s]
     growth_below_zero : float     by how much roll grows meanwhile, in powers of e
@@ -127,9 +127,10 @@ def parametric_roll(ship: Ship, wave: Wave, speed: float | str, heading: float |
     -----
     Heave and pitch by harmonic balance of the pressure over the instantaneous wetted hull, with linear radiation and
     diffraction; the stability of roll on that motion by Floquet's theorem, with sway and yaw; the roll beyond by continuation
-    of the motions of two wave periods. An oblique sea forces roll of its own period: that motion is judged, and motions of two
-    periods beyond it are not followed. Where the ship keeps pace with the wave there is no periodic motion: then GM is that of
-    the balance on each crest position, and one below zero a permanent loss.
+    of the motions of two wave periods. An oblique sea forces roll of its own period: that motion is judged, and those of two
+    periods that branch off it are followed, with all multiples of half the encounter in every mode. Where the ship keeps pace
+    with the wave there is no periodic motion: then GM is that of the balance on each crest position, and one below zero a
+    permanent loss.
     Source: [STF70] radiation and diffraction; Floquet's theorem.  Valid: constant speed, deep water, hull watertight to the top
     of its offsets, no water on deck.
 
@@ -202,7 +203,7 @@ def _along(one: Course, orbits: Orbits, zeta: float) -> dict[str, Any]:
     if forced:
         rate, multiplier = forced_growth(orbits)
         largest = float(np.degrees(largest_roll(orbits.basis, orbits.x)[0]))
-        rolls: tuple[float, ...] = () if rate > 0 else (largest,)
+        rolls: tuple[float, ...] = (*(() if rate > 0 else (largest,)), *_oblique_amplitudes(one))
     else:
         rolls = _amplitudes(one)
     mean, first = _harmonics(gm)
@@ -263,6 +264,16 @@ def _amplitudes(one: Course) -> tuple[float, ...]:
     return tuple(float(v) for v in np.degrees(largest_roll(basis, x[stable])))
 
 
+def _oblique_amplitudes(one: Course) -> tuple[float, ...]:
+    """Largest roll of the stable motions of two periods in an oblique sea [deg]."""
+    amplitude, basis = float(one.numbers.amplitude[0]), oblique_doubled_harmonics()
+    x, _ = doubled_motions(one, amplitude, BEYOND * amplitude, basis=basis)
+    if not len(x):
+        return ()
+    stable = growths(one, basis, x, 2)[0] < 0.0
+    return tuple(float(v) for v in np.degrees(largest_roll(basis, x[stable])))
+
+
 def _deck(one: Course, orbits: Orbits) -> float:
     """How far the water comes over the top of the offsets along the motion; said where it does [m]."""
     phase = 2 * np.pi * np.arange(POINTS) / POINTS
@@ -317,12 +328,14 @@ def _sentence(facts: dict[str, Any]) -> str:
     if f["kind"] == "parametric":
         end = f"settles at {rolls} deg" if rolls else "no stable roll was found beyond: it may capsize"
         if f["heading"] not in (0.0, 180.0):
-            end = "roll of two wave periods grows out of the forced one"
+            end = f"out of the forced roll grows one of two wave periods that {end}" if rolls else end
         what = f"parametric roll, tenfold in {f['tenfold']:.3g} s; {end}"
     elif f["kind"] == "pure-loss":
         what = f"pure loss of stability, tenfold in {f['tenfold']:.3g} s; {lost}"
     elif f["kind"] == "forced":
-        what = f"the wave rolls it {rolls} deg, and that motion is stable"
+        forced, *others = (f"{one:.3g}" for one in f["amplitude"])
+        what = f"the wave rolls it {forced} deg, and that motion is stable"
+        what += f"; one of two wave periods, {' or '.join(others)} deg, is stable too" if others else ""
     else:
         what = f"small roll decays, but a large one lasts at {rolls} deg" if rolls else "roll decays"
         what += f", though {lost}" if f["time_below_zero"] > 0 else ""

@@ -12,7 +12,7 @@ from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 
 if TYPE_CHECKING:
-    from rich.table import Table
+    from quartering.view.console.printed import Table
 
 
 def measure_claims(output: str | None) -> Answer:

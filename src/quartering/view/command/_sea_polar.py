@@ -23,7 +23,8 @@ from quartering.view.console.typed_values import value, values
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
+
+    from quartering.view.console.printed import Table
 
 SPEEDS: Final = "0:0.24Fn:7"
 _SEVERAL: Final = 3

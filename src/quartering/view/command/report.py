@@ -16,8 +16,8 @@ from quartering.view.console.printed import table
 
 if TYPE_CHECKING:
     import xarray as xr
-    from rich.table import Table
 
+    from quartering.view.console.printed import Table
     from quartering.view.report.source import Source
 
 KINDS = ("report", "guidance")

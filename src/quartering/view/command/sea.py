@@ -12,7 +12,8 @@ import typer
 from quartering.arguments import ARGUMENTS
 from quartering.units import NO_SHIP
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, FormName, Heading, ShipName, Speed
+from quartering.view.console.arguments import Changes, FormName, Heading, ShipName, Speed, TableFile
+from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.sea_options import SPREADING, told, typed_spreading
 from quartering.view.console.ship_options import option_words
@@ -21,11 +22,11 @@ from quartering.view.console.typed_values import value
 
 if TYPE_CHECKING:
     import xarray as xr
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
     from quartering.loads.sea.sea import Sea
+    from quartering.view.console.printed import Table
 
 METHODS: Final = {
     "linear": ("linear response", "-5 to +31 %"),
@@ -49,6 +50,7 @@ def sea(
     spreading: Annotated[str, SPREADING] = "none",
     hours: Annotated[str, typer.Option(help="Hours to simulate, 32 at a time: 1000; 0 for no simulation.")] = "32",
     form: FormName = "stf",
+    output: TableFile = None,
 ) -> Answer:
     """Judge a ship in an irregular sea: roll, largest roll of three hours and stability, by every method there is."""
     from quartering.view.wording import ship_notes
@@ -56,6 +58,7 @@ def sea(
     one = typed_ship(ship, changes)
     mu, u = typed_value("heading", heading, one.sizes), typed_value("speed", speed, one.sizes)
     waves = _sea(one, mu, {"hs": hs, "tp": tp, "tz": tz, "gamma": gamma}, spectrum, spreading)
+    path = reserve_path(output, TABLES)
     chosen: Form = form  # type: ignore[assignment]  # sea_response refuses an unknown one
     found = _answers(one, waves, u, chosen, _hours(hours))
 
@@ -72,6 +75,7 @@ def sea(
     return Answer(
         lines(),
         lambda: _facts(one, waves, u, found),
+        output=path,
         next_steps=[f"quartering verdict {ship} {words}{option_words(changes)}"],
     )
 

@@ -11,13 +11,15 @@ import typer
 from quartering.conventions import InputError
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Picture
-from quartering.view.console.files import PICTURES, File, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, File, picture_files, reserve_path
 from quartering.view.console.printed import table
+from quartering.view.console.tables import map_table
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
+
+    from quartering.view.console.printed import Table
 
 
 def show(
@@ -35,7 +37,7 @@ def show(
     from quartering.study.maps.zarr_store import write_zarr
     from quartering.view.stored import map_of, opened
 
-    picture, target = reserve_path(output, PICTURES), reserve_path(csv, (".csv",))
+    picture, target = reserve_path(output, (*PICTURES, *TABLES)), reserve_path(csv, (".csv",))
     ds, where = opened(result), dict(split_cut(typed) for typed in at or [])
     if "recommended" in ds:
         return _guidance(ds, result, where, picture, target, zarr)
@@ -58,6 +60,8 @@ def show(
         _lines(ds, part, by, taken),
         lambda: _facts(ds, by) | {"at": taken} | written,
         [*files, *picture_files(picture, draw)],
+        output=picture,
+        data=lambda: [map_table(part)],
         written="\n".join(f"Wrote {path}" for path in written.values() if path),
         next_steps=[f"quartering worst {result}", f"quartering show {result}{_example(ds)} -o map.png --csv slice.csv"],
     )

@@ -20,9 +20,8 @@ from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from quartering.study.grid import Grid
+    from quartering.view.console.printed import Table
 
 _BETWEEN_LINES = 10.0
 """Seconds between two lines of progress where there is no terminal."""

@@ -71,7 +71,7 @@ def guidance_picture(diagrams: list[Diagram], limit: float) -> Figure:
     for panel, diagram in zip(panels, diagrams, strict=False):
         mesh = _panel(panel, diagram, colours)
     scale = made.colorbar(mesh, ax=list(panels[: len(diagrams)]), shrink=0.6, pad=0.04, aspect=30)
-    scale.set_label(f"largest roll angle over a cycle [deg], up to the limit of {limit:.3g} deg")
+    scale.set_label(f"largest roll angle over a cycle [deg],\nup to the limit of {limit:.3g} deg")
     made.legend(
         handles=_legend(diagrams),
         loc="lower left",

@@ -18,7 +18,7 @@ from quartering.study.seas.advice import Advice
 from quartering.units import quantity
 from quartering.view.plots import style
 from quartering.view.plots.guidance import round_knots
-from quartering.view.plots.polar_map import GREY, HATCHES, OUTLINE, edges, paint_cells
+from quartering.view.plots.polar_map import GREY, HATCHES, OUTLINE, Mark, edges, paint_cells
 
 Floats = NDArray[np.float64]
 MOST_ROWS, MOST_COLUMNS = 3, 4
@@ -85,14 +85,14 @@ def _panel(ax: PolarAxes, one: xr.Dataset, values: xr.DataArray, colours: Normal
     ax.set_theta_zero_location("S")
     ax.set_theta_direction(-1)
     advice = one["recommended"].transpose("heading", "speed").values
-    marks = (
+    marks: list[Mark] = [
         ("not valid", advice == Advice.NOT_VALID, {"facecolor": GREY, "edgecolor": GREY}),
-        ("not recommended", advice == Advice.NOT_RECOMMENDED, {"edgecolor": "white"}),
-        ("undecided", advice == Advice.UNDECIDED, {"edgecolor": _UNDECIDED_INK}),
-    )
+        ("not recommended", advice == Advice.NOT_RECOMMENDED, {"facecolor": "none", "edgecolor": "white"}),
+        ("undecided", advice == Advice.UNDECIDED, {"facecolor": "none", "edgecolor": _UNDECIDED_INK}),
+    ]
     for side in (1.0, -1.0) if mirrored else (1.0,):
         shown = values.transpose("heading", "speed").values
-        mesh = paint_cells(ax, side * theta, r, shown, colours, marks)
+        mesh = paint_cells(ax, side * theta, r, shown, marks, colours, style.SEQUENTIAL)
     _danger_lines(ax, one, r[-1])
     _dress(ax, one, r[-1])
     return mesh
