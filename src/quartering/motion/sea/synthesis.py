@@ -71,7 +71,7 @@ def record_of(cells: Cells, sea: Sea, channels: Complex, duration: float, interv
     """
     samples = int(next_fast_len(math.ceil(duration / interval), real=True))
     spacing = 2.0 * math.pi / (samples * interval)
-    spectra = _cross_spectra(cells, sea, channels, spacing, samples // 2)
+    spectra = cross_spectra(cells, sea, channels, spacing, samples // 2)
     energy = np.cumsum(np.einsum("jaa->ja", spectra[:, :_FORCES, :_FORCES]).real, axis=0)
     whole = np.where(energy[-1] > 0, energy[-1], 1.0)
     held = (energy >= HELD * energy[-1]).all(axis=1)
@@ -80,7 +80,7 @@ def record_of(cells: Cells, sea: Sea, channels: Complex, duration: float, interv
     return Record(samples, interval, _roots(spectra[:last]), left_out)
 
 
-def _cross_spectra(cells: Cells, sea: Sea, channels: Complex, spacing: float, bins: int) -> Complex:
+def cross_spectra(cells: Cells, sea: Sea, channels: Complex, spacing: float, bins: int) -> Complex:
     """Cross-spectral matrices (j, m, m) at multiples of a spacing, of cells no wider than it."""
     f, d, m = cells.sigma.size, cells.heading.size, channels.shape[1]
     slope = np.abs(np.gradient(cells.omega.reshape(f, d), cells.step, axis=0)).max()
