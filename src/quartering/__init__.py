@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from quartering.study.branches.edge import edge
     from quartering.study.criteria.judged import criteria
     from quartering.study.criteria.limiting_kg import limiting_kg
+    from quartering.study.criteria.operational import operational_guidance
     from quartering.study.effects.cure import cures
     from quartering.study.effects.sensitivity import sensitivity
     from quartering.study.effects.tornado import tornado
@@ -122,6 +123,7 @@ _HOMES = {
     "broaching_branch": "study.six_modes.broaching",
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
+    "operational_guidance": "study.criteria.operational",
     "cures": "study.effects.cure",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
@@ -178,6 +180,7 @@ __all__ = [
     "irregular",
     "kramers_kronig",
     "limiting_kg",
+    "operational_guidance",
     "paper_ship",
     "parametric_map",
     "parametric_roll",
