@@ -16,8 +16,8 @@ from quartering.study.condition.failure_events import failure_events
 from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions
-from quartering.view.report.guidance import guidance
 from quartering.view.report.failure_modes import criteria_section
+from quartering.view.report.guidance import guidance
 from quartering.view.report.page import guidance_page, report_page, write_pdf
 from quartering.view.report.pictures import inline_svg
 from quartering.view.report.source import Source, report_source
