@@ -60,9 +60,14 @@ if TYPE_CHECKING:
     from quartering.study.effects.tornado import tornado
     from quartering.study.effects.vary import vary
     from quartering.study.maps.extension import edges_of_largest
+    from quartering.study.maps.guidance import guidance
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
+    from quartering.study.seas.design_point import design_point
+    from quartering.study.seas.long_term import long_term
+    from quartering.study.seas.lyapunov import lyapunov
+    from quartering.study.seas.rare import failure_rate_at, largest_roll
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
     from quartering.study.six_modes.broaching import broaching, broaching_branch
@@ -125,10 +130,16 @@ _HOMES = {
     "limiting_kg": "study.criteria.limiting_kg",
     "operational_guidance": "study.criteria.operational",
     "cures": "study.effects.cure",
+    "design_point": "study.seas.design_point",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
+    "failure_rate_at": "study.seas.rare",
     "gm_in_waves": "study.six_modes.gm_in_waves",
+    "guidance": "study.maps.guidance",
     "righting_arm": "study.six_modes.gm_in_waves",
+    "largest_roll": "study.seas.rare",
+    "long_term": "study.seas.long_term",
+    "lyapunov": "study.seas.lyapunov",
     "paper_ship": "study.paper.model",
     "parametric_map": "study.six_modes.parametric_map",
     "parametric_roll": "study.six_modes.parametric_roll",
@@ -168,18 +179,24 @@ __all__ = [
     "criteria",
     "cures",
     "decay_record",
+    "design_point",
     "edge",
     "edges_of_largest",
     "encounter_frequency",
     "equations",
+    "failure_rate_at",
     "gm_in_waves",
+    "guidance",
     "hill_exponents",
     "hydrodynamics",
     "hydrodynamics6",
     "hydrostatics",
     "irregular",
     "kramers_kronig",
+    "largest_roll",
     "limiting_kg",
+    "long_term",
+    "lyapunov",
     "operational_guidance",
     "paper_ship",
     "parametric_map",

@@ -117,6 +117,8 @@ REFERENCES: Final[dict[str, str]] = {
     "Gustavsen99": "Gustavsen, B., Semlyen, A. (1999). Rational approximation of frequency domain responses by vector fitting. "
     "IEEE Transactions on Power Delivery 14.",
     "Coles01": "Coles, S. (2001). An Introduction to Statistical Modeling of Extreme Values. Springer.",
+    "Jensen07": "Jensen, J. J. (2007). Efficient estimation of extreme non-linear roll motions using the first-order "
+    "reliability method (FORM). Journal of Marine Science and Technology 12.",
     "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
     "Numerische Mathematik 58.",
 }

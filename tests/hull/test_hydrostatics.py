@@ -26,6 +26,11 @@ def test_box_has_its_closed_form_particulars(length: float, beam: float, draught
     assert (h.cb, h.cm, h.cp, h.cw) == pytest.approx((1, 1, 1, 1))
     assert (h.lcb, h.lcf) == pytest.approx((0, 0), abs=1e-9 * length)
     assert h.wetted_surface == pytest.approx(length * (beam + 2 * draught))
+    # closed forms of a box: TPC = rho L B / 1e5, BML = L^2 / (12 T); its centres half a length ahead of AP
+    assert h.displacement == pytest.approx(1.025 * length * beam * draught)
+    assert h.tpc == pytest.approx(1025 * length * beam / 1e5)
+    assert h.bml == pytest.approx(length**2 / (12 * draught))
+    assert (h.lcb_from_ap, h.lcf_from_ap) == pytest.approx((length / 2, length / 2))
 
 
 @given(st.floats(20, 300), st.floats(4, 60), st.floats(1, 20))
@@ -36,6 +41,18 @@ def test_wigley_has_its_closed_form_particulars(length: float, beam: float, drau
     assert (h.cm, h.cp, h.cw) == pytest.approx((2 / 3, 2 / 3, 2 / 3), rel=1e-12)
     assert h.kb == pytest.approx(5 / 8 * draught, rel=1e-12)
     assert h.bm == pytest.approx((2 / 3) * (beam / 2) ** 3 * (length / 2) * (32 / 35) / h.volume, rel=1e-12)
+
+
+def test_moment_to_trim_of_a_wigley_ship_is_its_closed_form() -> None:
+    # IL = B L^3 / 30 of the parabolic waterline about midship; MCT = displacement GML / (100 L), with KB = 5/8 T
+    one = ship("wigley")
+    length, beam, draught = one.hull.length, one.hull.beam, one.hull.draught
+    volume = 4 / 9 * length * beam * draught
+    h = hydrostatics(one)
+    gml = 5 / 8 * draught + beam * length**3 / 30 / volume - one.loading.kg
+    assert h.gml == pytest.approx(gml, rel=1e-12)
+    assert h.mct == pytest.approx(one.loading.density * volume / 1e3 * gml / (100 * length), rel=1e-12)
+    assert math.isnan(hydrostatics(one.hull).mct)
 
 
 @pytest.mark.parametrize("name", [name for name in SHIPS if name.startswith("series60")])

@@ -227,7 +227,7 @@ BAD = [
     (["verdict", "wigley", *CONDITION, "--form", "cfd"], "stf"),
     (["polar", "wigley", "--wave-lengths", "1L:2L:1"], "2 or more"),
     (["polar", "wigley", "-o", "nowhere/map.nc"], "folder"),
-    (["polar", "wigley", "-o", "map.csv"], ".nc"),
+    (["polar", "wigley", "-o", "map.txt"], ".nc"),
     (["hull", "wigley", "-o", "hull.jpg"], ".png"),
     (["simulate", "wigley", *CONDITION, "--duration", "-3"], "duration"),
     (["simulate", "wigley", *CONDITION, "--roll", "nan"], "--roll"),

@@ -12,14 +12,16 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.hull.file.read import ship
+from quartering.stability.kind import Kind
 from quartering.study.condition.failure_events import failure_events
+from quartering.study.condition.first_failure import STEEPNESSES, first_failure
 from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions
 from quartering.view.report.failure_modes import criteria_section
 from quartering.view.report.guidance import guidance
 from quartering.view.report.page import guidance_page, report_page, write_pdf
-from quartering.view.report.pictures import inline_svg
+from quartering.view.report.pictures import inline_svg, map_svgs
 from quartering.view.report.source import Source, report_source
 
 SHIP = ship("series60-cb60")
@@ -99,7 +101,7 @@ def test_hydrostatics_and_coefficients_are_those_of_the_ship(page):
 
 
 def test_estimated_values_are_marked_and_derived_ones_are_not(page):
-    marked = re.findall(r'<tr class="marked"><td>([^<]*)</td>', page)
+    marked = re.findall(r'<tr class="marked"><td[^>]*>([^<]*)</td>', page)
     assert {"GM", "Y_v", "C_D"} <= set(marked)
     assert not {"KG", "Y_vdot", "m"} & set(marked)
 
@@ -334,3 +336,74 @@ def test_svg_keeps_its_own_references():
     names = set(re.findall(r'\bid="([^"]+)"', svg))
     assert set(re.findall(r"url\(#([^)]*)\)", svg)) <= names
     assert "http://purl.org" not in svg
+
+
+def unstable_everywhere(result):
+    """A result whose every cell is hatched, which a page has to carry."""
+    changed = result.copy(deep=True)
+    changed["verdict"][:] = int(Kind.ROLL)
+    changed["verdict"][..., 1] = int(Kind.COURSE_IN_CALM_WATER)
+    return changed
+
+
+def test_a_page_full_of_hatched_cells_is_a_small_pdf(tmp_path):
+    waves = [qt.Wave(ratio * LENGTH, ratio * LENGTH / 30) for ratio in np.linspace(0.4, 2.3, 10)]
+    result = unstable_everywhere(qt.polar(SHIP, waves, [5.0, 7.5], np.arange(0.0, 181.0, 10.0)))
+    svg = map_svgs(result)[0]
+    # a hatch for the unstable cells and one for the course-unstable ones, and those of the key: however many cells
+    assert svg.count("<pattern") == 4
+    # one path on each side of each of two panels
+    assert len(re.findall(r'id="[^"]*unstable"', svg)) == 4
+    write_pdf(f"<!DOCTYPE html>{svg}", tmp_path / "map.pdf")
+    assert (tmp_path / "map.pdf").stat().st_size < 500_000
+
+
+def test_the_first_page_answers_with_the_steps_of_a_loading(page, result):
+    text = words(page)
+    first = text[text.index("In short") : text.index("Roll and stability over headings")]
+    assert first.count("as it is") == 2  # at the largest roll, and at the first failure
+    for change in ("GM +0.1 m", "GM -0.1 m", "bilge keels", "speed +2 kn", "speed -2 kn"):
+        assert first.count(change) == 2 + (change == "bilge keels") * first.count("no bilge keels"), change
+    worst = worst_conditions(Source(SHIP, result, "", ""), "roll")[0].place
+    wave = qt.Wave(worst["wave_length"], worst["wave_height"])
+    for change, one in (("GM +0.1 m", SHIP.with_(gm=SHIP.loading.gm + 0.1)), ("as it is", SHIP)):
+        motion = qt.steady_motion(qt.equations(one, wave, worst["speed"], worst["heading"]), start="rest")
+        assert f"{change} {np.degrees(motion.peak[1]):.1f} " in first
+    assert text.count("Course in calm water, rudder amidships") == 1
+    assert text.index("Appendix") > text.index("The worst conditions")
+    assert text.index("Appendix") < text.index("Y_r is the hydrodynamic one")
+
+
+def test_the_first_failure_is_found_in_the_lowest_waves():
+    limit = 40.0
+    lengths, headings = np.array([0.8, 1.4, 2.0]) * LENGTH, [30.0, 60.0, 90.0]
+    found = first_failure(SHIP, [5.0], headings, lengths, limit)
+    assert found is not None
+    for steepness in STEEPNESSES:
+        ds = qt.sweep(SHIP, [5.0], headings, lengths, steepness=steepness)
+        kinds = ds["verdict"].values
+        bad = (kinds > Kind.STABLE) & (kinds != Kind.COURSE_IN_CALM_WATER)
+        bad |= failure_events(ds, limit).values
+        assert bad.any() == (steepness == found.steepness)
+        if bad.any():
+            assert (found.failing, found.conditions) == (int(bad.sum()), bad.size)
+            assert found.wave_height == pytest.approx(steepness * found.wave_length)
+            return
+    pytest.fail("no steepness failed")
+
+
+def test_no_wave_of_guidance_is_left_undrawn():
+    lengths = np.linspace(0.5, 2.0, 8) * LENGTH
+    ds = qt.sweep(SHIP, [5.0, 8.0], [30.0, 90.0], lengths, [2.0, 4.0])
+    found = guidance(Source(SHIP, ds, "", ""), None)
+    assert found.left_out == ""
+    titles = [title for title, _ in found.sheets]
+    assert len(titles) == 4
+    assert titles[1].endswith("sheet 2 of 2")
+    drawn = " ".join(str(svg) for _, svg in found.sheets)
+    assert len(set(re.findall(r"<!-- wave length ([\d.]+) m", drawn))) == 8
+
+
+def test_on_a_phone_a_row_names_its_columns(page):
+    assert 'data-head="largest roll [deg]"' in page
+    assert "content: attr(data-head)" in page

@@ -47,4 +47,4 @@ def test_responses_write_a_table_and_a_dataset(run, tmp_path):
     assert len(lines) == 1 + 4
     refused = run(*words, "-o", "r.txt")
     assert refused.exit_code == 2
-    assert ".csv or .nc" in refused.stderr
+    assert ".csv or .xlsx or .nc" in refused.stderr

@@ -74,7 +74,7 @@ def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tu
 
     if not items:
         return
-    if len(items) == 1 or _WORKERS == 1:
+    if len(items) == 1 or _WORKERS == 1 or getattr(_inside, "busy", False):
         yield from ((i, work(item)) for i, item in enumerate(items))
         return
     yield 0, work(items[0])

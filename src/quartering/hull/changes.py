@@ -145,7 +145,7 @@ def _of_case(ship: Ship, given: dict[str, Any], where: str) -> tuple[str, dict[s
         return "", given
     cases = ship.particulars.get("loadings", {})
     if "loadings" in given:
-        cases = _loading_cases(given["loadings"], where)
+        cases = _loading_cases(given["loadings"], where, sizes_of(ship.hull))
     if name not in cases:
         raise Refused("loading_case", _no_case(name, tuple(cases)), where)
     return str(name), _merged(cases[name], given)
@@ -352,7 +352,7 @@ def _particulars(given: Mapping[str, Any], where: str, sizes: Sizes) -> dict[str
         elif one.kind == "group":
             found[name] = part_values(one, value, where, sizes)
         elif one.kind == "table":
-            found[name] = _loading_cases(value, where)
+            found[name] = _loading_cases(value, where, sizes)
         else:
             found[name] = checked(one, value, where, sizes)
     return found
@@ -371,7 +371,7 @@ def _propulsion(one: Option, given: Any, where: str, sizes: Sizes) -> Any:
     return found
 
 
-def _loading_cases(given: Any, where: str) -> dict[str, dict[str, Any]]:
+def _loading_cases(given: Any, where: str, sizes: Sizes) -> dict[str, dict[str, Any]]:
     """Named loading cases with their keys and ranges checked, each value as it was written."""
     if not isinstance(given, Mapping) or not all(isinstance(case, Mapping) for case in given.values()):
         raise Refused(
@@ -385,7 +385,7 @@ def _loading_cases(given: Any, where: str) -> dict[str, dict[str, Any]]:
             if key not in known:
                 raise Refused("loadings", f"loadings, {name}: {unknown(key, known).words}", where)
             try:
-                checked(known[key], value)
+                checked(known[key], value, "", sizes)
             except Refused as error:
                 raise Refused("loadings", f"loadings, {name}: {error.words}", where) from None
         try:

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 from quartering.view.console.printed import table
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from quartering.study.six_modes.parametric_roll import ParametricRoll
+    from quartering.view.console.printed import Table
 
 _NUMBERS = (
     ("growth of small roll, sway and yaw free", "growth", "1/s"),

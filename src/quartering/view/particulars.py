@@ -10,11 +10,14 @@ from quartering.hydro.decay.free_roll import free_damping, total_words
 from quartering.options import OPTIONS, parts
 
 HYDROSTATICS = {
-    "volume": ("displaced volume", "m3"), "mass": ("displaced mass", "kg"),
-    "lcb": ("centre of buoyancy from midship, + forward", "m"), "lcf": ("centre of flotation from midship, + forward", "m"),
+    "volume": ("displaced volume", "m3"), "displacement": ("displacement", "t"),
+    "lcb": ("centre of buoyancy from midship, + forward", "m"), "lcb_from_ap": ("LCB from AP, + forward", "m"),
+    "lcf": ("centre of flotation from midship, + forward", "m"), "lcf_from_ap": ("LCF from AP, + forward", "m"),
     "kb": ("KB", "m"), "bm": ("BM", "m"), "km": ("KM", "m"), "kg": ("KG", "m"), "gm": ("GM", "m"),
     "cb": ("block coefficient CB", "-"), "cm": ("midship coefficient CM", "-"), "cp": ("prismatic coefficient CP", "-"),
-    "cw": ("waterplane coefficient CW", "-"), "wetted_surface": ("wetted surface", "m2"),
+    "cw": ("waterplane coefficient CW", "-"), "waterplane_area": ("waterplane area", "m2"),
+    "wetted_surface": ("wetted surface", "m2"), "bml": ("longitudinal BM", "m"), "gml": ("longitudinal GM", "m"),
+    "tpc": ("tonnes per centimetre TPC", "t/cm"), "mct": ("moment to trim one centimetre MCT", "t m/cm"),
 }  # fmt: skip
 """Attribute of the hydrostatics -> what it is, and its unit."""
 

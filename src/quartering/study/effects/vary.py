@@ -79,7 +79,7 @@ def vary(
     (('gm',), 0)
     """
     speed, heading = condition(ship, speed, heading)
-    wanted = _checked(ship, parameters)
+    wanted = checked_parameters(ship, parameters)
     conditions = dict(zip(CONDITION_AXES, (speed, heading, wave.length, wave.height), strict=True))
 
     def over(values: Mapping[str, Floats], told: Callable[[int, int], None] | None = None) -> xr.Dataset:
@@ -87,7 +87,7 @@ def vary(
 
     ds = over(wanted, progress)
     for name in wanted:
-        ds[name].attrs["user_value"] = _user_value(ship, conditions, name)
+        ds[name].attrs["user_value"] = present_value(ship, conditions, name)
     ds.attrs["title"] = f"{ship.name}: response and stability over {' and '.join(map(written, wanted))}"
     if len(wanted) == 1:
         (name,) = wanted
@@ -120,7 +120,7 @@ def refined_flips(at: Callable[[Floats], Ints], values: Floats, kinds: ArrayLike
     return found
 
 
-def _checked(ship: Ship, parameters: Mapping[str, ArrayLike]) -> dict[str, Floats]:
+def checked_parameters(ship: Ship, parameters: Mapping[str, ArrayLike]) -> dict[str, Floats]:
     """Parameters by the names the grid knows, their values ascending."""
     if not isinstance(parameters, Mapping):
         raise InputError(
@@ -154,11 +154,11 @@ def _swept(
     loading = {name: v for name, v in values.items() if name not in CONDITION_AXES}
     ds = sweep(ship, **at, harmonics=harmonics, form=form, progress=told, **loading)  # type: ignore[arg-type]
     if loading:
-        ds = _unstacked(ds, {name: v for name, v in values.items() if name in loading})
+        ds = unstacked(ds, {name: v for name, v in values.items() if name in loading})
     return ds.isel({name: 0 for name in CONDITION_AXES if name not in values}).transpose(*values, ...)
 
 
-def _unstacked(ds: xr.Dataset, loading: Mapping[str, Floats]) -> xr.Dataset:
+def unstacked(ds: xr.Dataset, loading: Mapping[str, Floats]) -> xr.Dataset:
     """The dataset with a dimension for each loading parameter in place of one for all."""
     sizes = {name: v.size for name, v in loading.items()}
     coordinates = {name: ds[name].variable for name in ds.coords if name not in sizes}
@@ -171,7 +171,7 @@ def _unstacked(ds: xr.Dataset, loading: Mapping[str, Floats]) -> xr.Dataset:
     )
 
 
-def _user_value(ship: Ship, conditions: Mapping[str, float], name: str) -> float:
+def present_value(ship: Ship, conditions: Mapping[str, float], name: str) -> float:
     """Present value of a parameter; 1 for a coefficient."""
     if name in CONDITION_AXES:
         return float(conditions[name])

@@ -123,7 +123,7 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
         "coexisting": (coexisting(result).mean(others), "share of conditions with another stable motion"),
     }
     for name, (values, meaning) in shares.items():
-        largest[name] = values.assign_attrs(units="1", long_name=meaning, symbol="")
+        largest[name] = values.drop_attrs().assign_attrs(units="1", long_name=meaning, symbol="")
     return largest
 
 
@@ -235,5 +235,7 @@ def _measured(result: xr.Dataset, by: str) -> xr.DataArray:
 
 def _check_result(result: xr.Dataset) -> None:
     """Refuse a dataset of something else."""
+    if "recommended" in result:
+        raise InputError("this is a map over irregular seas, which has advice and no verdicts; take `quartering show`")
     if not {"roll_peak", "exponent", "verdict"} <= set(result.data_vars):
         raise InputError("this is not the result of a sweep or a polar map: roll_peak, exponent or verdict is missing")

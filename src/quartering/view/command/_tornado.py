@@ -10,7 +10,7 @@ from quartering.options import OPTIONS
 from quartering.units import quantity
 from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
-from quartering.view.console.files import PICTURES, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words
@@ -19,10 +19,10 @@ from quartering.view.console.typed_ship import Typed
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
+    from quartering.view.console.printed import Table
 
 FLIPS = "Right: the nearest value, within a fifth to five times, at which the verdict flips when it alone is changed."
 KG = "GM and KG are one value: GM = KM - KG."
@@ -59,7 +59,7 @@ def each_value_changed(
     if coefficients or _holds_ranges(typed):
         raise InputError("--tornado changes every value itself; leave the ranges out, or leave out --tornado")
     one, wave, speed, heading = typed.read()
-    path = reserve_path(output, (*PICTURES, ".nc"))
+    path = reserve_path(output, (*PICTURES, ".nc", *TABLES))
     share = quantity(change, "ratio", what="--tornado")
     announce_compilation()
     with bar("changes", 1) as progress:
@@ -84,6 +84,7 @@ def each_value_changed(
         lines(),
         lambda: _tornado_facts(ds) | {"written": None if path is None else str(path)},
         dataset_or_picture(path, ds, draw),
+        output=path,
         next_steps=[f"quartering vary {typed.ship}{words} {_range_words(one, ds, first)} -o {first}.png"],
     )
 

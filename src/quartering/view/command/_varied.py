@@ -31,7 +31,7 @@ def unvaried_words(typed: Typed) -> str:
 
 
 def dataset_or_picture(path: Path | None, ds: xr.Dataset, draw: Callable[[], Figure]) -> tuple[File, ...]:
-    """The file of a dataset or of its picture, as the path's ending says; none without a path."""
-    if path is not None and path.suffix == ".nc":
+    """The file of a dataset or of its picture, as the path's ending says; none without a path, or where that is of tables."""
+    if path is not None and path.suffix.lower() == ".nc":
         return (File(path, lambda part: ds.to_netcdf(part)),)
     return picture_files(path, draw)

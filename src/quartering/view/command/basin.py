@@ -11,7 +11,7 @@ from quartering.conventions import InputError
 from quartering.options import OPTIONS
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, Heading, Picture, ShipName, Speed, WaveHeight, WaveLength
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, picture_files, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.typed_ship import Typed
@@ -19,11 +19,11 @@ from quartering.view.console.typed_values import values
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.waves import Wave
     from quartering.study.condition.basin_integrity import Integrity
+    from quartering.view.console.printed import Table
 
 _HEIGHTS, _MOST_HEIGHTS = 9, 200
 
@@ -49,7 +49,7 @@ def basin(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
-    path = reserve_path(output, PICTURES)
+    path = reserve_path(output, (*PICTURES, *TABLES))
     heights = _heights(one, wave, wave_heights)
     announce_compilation()
     with bar("waves", len({*heights, wave.height})) as progress:
@@ -84,6 +84,7 @@ def basin(
         lines(),
         facts,
         picture_files(path, draw),
+        output=path,
         next_steps=[*first, f"quartering branch {typed.ship_words} {typed.words} --over wave_height"],
     )
 

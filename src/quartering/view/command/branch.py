@@ -9,30 +9,32 @@ import typer
 
 from quartering.conventions import SYMBOLS, InputError, headed
 from quartering.options import OPTIONS, Option
+from quartering.view.command._varied import dataset_or_picture
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import (
     Changes,
     Harmonics,
     Heading,
-    Picture,
+    PictureOrData,
     ShipName,
     Speed,
     WaveHeight,
     WaveLength,
 )
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import working
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import Typed
 from quartering.view.console.typed_values import value
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.waves import Wave
+    from quartering.view.console.printed import Table
 
 _UNBROKEN = 0.999
 """Share of the steepest wave that the usual limits keep below."""
@@ -61,7 +63,7 @@ def branch(
     ] = "wave_height",
     limits: Annotated[str | None, typer.Option(help="From and to: 1:6 [m], 20:160 [deg], 5kn:15kn.")] = None,
     harmonics: Harmonics = _USUAL_HARMONICS,
-    output: Picture = None,
+    output: PictureOrData = None,
 ) -> Answer:
     """Follow every motion over one parameter: folds, bifurcations, what is stable."""
     from quartering.stability.precompile import announce_compilation
@@ -70,7 +72,7 @@ def branch(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
-    path = reserve_path(output, PICTURES)
+    path = reserve_path(output, (*PICTURES, ".nc", *TABLES))
     ends = _limits(one, wave, over, limits)
     announce_compilation()
     with working("following the motions"):
@@ -82,20 +84,29 @@ def branch(
         held = {"speed": speed_words(u, one.hull.length), "heading": f"heading {mu:g} deg"}
         held |= {"wave_length": f"wave length {wave.length:.4g} m", "wave_height": f"wave height {wave.height:.3g} m"}
         title = f"{one.name}: " + ", ".join(words for key, words in held.items() if key != over)
-        return branch_picture(ds, over, title, ship_notes(one))
+        return branch_picture(ds, over, title, ship_notes(one), asked=_asked(typed, over))
 
     def facts() -> dict[str, object]:
         found = {"ship": one.name, "over": over, "curves": _curves(ds, over), "events": _events(ds, over)}
-        return found | {"picture": None if path is None else str(path)}
+        return found | {"written": None if path is None else str(path)}
 
     again = f" --harmonics {harmonics}" if harmonics != _USUAL_HARMONICS else ""
     again += f" --limits {limits}" if limits is not None else ""
     return Answer(
         _lines(ds, over, one),
         facts,
-        picture_files(path, draw),
+        dataset_or_picture(path, ds, draw),
         next_steps=_next(ds, typed, over, again if path is None else None),
+        output=path,
+        data=lambda: [data_table(ds, f"{one.name}: points of the curves", along=["point"])],
     )
+
+
+def _asked(typed: Typed, over: str) -> float | None:
+    """What was typed of the parameter that changes: where the condition stands on the curves."""
+    one = typed.read()[0]
+    text = (typed.condition | dict(typed.changes)).get(over)
+    return None if text is None else value(text, OPTIONS[over], one.sizes, OPTIONS[over].command)
 
 
 def _limits(one: Ship, wave: Wave, over: str, text: str | None) -> tuple[float, float] | None:

@@ -18,9 +18,9 @@ from quartering.view.console.typed_ship import Typed
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.study.six_modes.broaching import Broaching
+    from quartering.view.console.printed import Table
 
 _NUMBERS = (
     ("revolutions of the propeller", "revolutions", "1/s"),

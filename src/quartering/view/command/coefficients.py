@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, ShipName, Speed
-from quartering.view.console.printed import table
+from quartering.view.console.arguments import Changes, ShipName, Speed, TableFile
+from quartering.view.console.files import TABLES, reserve_path
+from quartering.view.console.printed import Table, table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import value
-
-if TYPE_CHECKING:
-    from rich.table import Table
 
 
 def coefficients(
@@ -23,6 +21,7 @@ def coefficients(
     changes: Changes,
     speed: Speed = "0.2Fn",
     frequency: Annotated[str | None, typer.Option(help="Encounter frequency [rad/s]; by default that of roll.")] = None,
+    output: TableFile = None,
 ) -> Answer:
     """Every coefficient of the equations with value, unit and source."""
     from quartering.hydro.coefficients import coefficients as coefficients_of
@@ -32,6 +31,7 @@ def coefficients(
     from quartering.view.wording import estimated_words, sentence, speed_words
 
     one = typed_ship(ship, changes)
+    path = reserve_path(output, TABLES)
     u = typed_value("speed", speed, one.sizes)
     warn_of_conditions(one, u, [])
     w = coefficients_of(one, 0.0, u).roll_frequency
@@ -53,4 +53,10 @@ def coefficients(
         return {"ship": one.name, "speed": u, "frequency": w, "roll_frequency": c.roll_frequency, "coefficients": rows}
 
     again = f"{ship}{option_words(changes)}"
-    return Answer(lines(), facts, next_steps=[f"quartering forces {again}", f"quartering polar {again}"])
+    return Answer(
+        lines(),
+        facts,
+        next_steps=[f"quartering forces {again}", f"quartering polar {again}"],
+        output=path,
+        data=lambda: [Table(f"{one.name}: coefficients", entries[0]._fields, entries)],
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -11,7 +12,8 @@ import typer
 from quartering.conventions import InputError
 from quartering.options import OPTIONS
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, ShipName
+from quartering.view.console.arguments import Changes, ShipName, TableFile
+from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship
@@ -19,10 +21,10 @@ from quartering.view.console.typed_values import values
 
 if TYPE_CHECKING:
     import xarray as xr
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.study.criteria.record import Criteria, Judgement
+    from quartering.view.console.printed import Table
 
 
 def criteria(
@@ -35,13 +37,15 @@ def criteria(
     draughts: Annotated[
         str | None, typer.Option(help="Draughts of --kgmax: 5,6.5 [m], or from:to:count; by default the ship's own.")
     ] = None,
+    output: TableFile = None,
 ) -> Answer:
     """The five failure modes of second-generation intact stability, levels 1 and 2."""
     from quartering.stability.precompile import announce_compilation
     from quartering.study.criteria.judged import criteria as judged
 
+    path = reserve_path(output, TABLES)
     if kgmax:
-        return _limiting_heights(typed_ship(ship, changes), speed, draughts)
+        return replace(_limiting_heights(typed_ship(ship, changes), speed, draughts), output=path)
     if draughts is not None:
         raise InputError("--draughts are those of --kgmax; one draught of the ship is --draught")
     one = typed_ship(ship, changes)
@@ -52,6 +56,7 @@ def criteria(
     return Answer(
         _lines(found),
         lambda: _facts(found),
+        output=path,
         next_steps=[f"quartering criteria {ship}{told}{again} --json", f"quartering hull {ship}{again}"],
     )
 

@@ -11,18 +11,18 @@ import typer
 from quartering.conventions import InputError
 from quartering.units import quantity
 from quartering.view.console.answer import Answer
-from quartering.view.console.files import PICTURES, File, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, File, is_table, picture_files, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.typed_ship import typed_value
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.hydro.decay.fit import Estimate
     from quartering.hydro.decay.of_ship import Part, RollDecay
     from quartering.hydro.decay.record import AngleUnit, DecayRecord
+    from quartering.view.console.printed import Table
 
 
 def decay(
@@ -31,7 +31,8 @@ def decay(
         str | None, typer.Option("--ship", help="Ship file, or built-in ship, as loaded when it was measured.")
     ] = None,
     output: Annotated[
-        str | None, typer.Option("-o", "--output", help="Ship file to write, such as damped.yaml.")
+        str | None,
+        typer.Option("-o", "--output", help="Ship file to write, such as damped.yaml; or tables: .csv, .xlsx."),
     ] = None,
     picture: Annotated[str | None, typer.Option(help="Picture of record and envelopes: .png, .svg or .pdf.")] = None,
     unit: Annotated[
@@ -56,12 +57,12 @@ def decay(
         )
     one = read_ship(ship)
     path, picture_path = _output(output), reserve_path(picture, PICTURES)
-    if path is not None:
+    if path is not None and not is_table(path):
         changed_text(ship, {}, path)  # refuses before the work what cannot be written there
     data = _record(record, unit, columns, scale)
     found = roll_decay(one, data, speed=typed_value("speed", speed, one.sizes), skip=skip)
     files: list[File] = []
-    if path is not None:
+    if path is not None and not is_table(path):
         text = changed_text(ship, _values(found, one), path)
         files.append(File(path, lambda part: part.write_text(text, encoding="utf-8")))
 
@@ -75,8 +76,9 @@ def decay(
         _lines(found, one),
         lambda: _facts(found, files),
         files,
+        output=path,
         next_steps=[f"quartering hull {output or ship}", f"quartering polar {output or ship}"]
-        if path is not None
+        if path is not None and not is_table(path)
         else [f"quartering decay {record} --ship {ship} -o damped.yaml --picture decay.png"],
     )
 
@@ -87,7 +89,7 @@ def _output(path: str | None) -> Path | None:
         return None
     if Path(path).exists():
         raise InputError(f"{path} exists; it is not overwritten; give another name, or remove it first")
-    return reserve_path(path, (".yaml", ".yml"))
+    return reserve_path(path, (".yaml", ".yml", *TABLES))
 
 
 def _record(path: str, unit: str | None, columns: str | None, scale: str) -> DecayRecord:

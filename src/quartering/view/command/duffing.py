@@ -11,13 +11,15 @@ from quartering.conventions import InputError
 from quartering.units import Sizes, quantity
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Picture
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, picture_files, reserve_path
 from quartering.view.console.printed import table
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_values import values
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.table import Table
+
+    from quartering.view.console.printed import Table
 
 _LEAST_RANGE = 0.5
 """Frequencies drawn on either side of a table of one frequency."""
@@ -46,7 +48,7 @@ def duffing(
         for text, name in ((beta, "--beta"), (force, "--force"), (damping, "--damping"))
     )
     frequencies = _frequencies(frequency)
-    path = reserve_path(output, PICTURES)
+    path = reserve_path(output, (*PICTURES, *TABLES))
     announce_compilation()
     rows = [row for w in frequencies for row in duffing_table(stiffness, excitation, w, friction)]
     low, high = frequencies[0], frequencies[-1]
@@ -70,6 +72,8 @@ def duffing(
         _lines(duffing_words(stiffness, excitation, friction), rows, folds),
         facts,
         picture_files(path, draw),
+        output=path,
+        data=lambda: [data_table(curves, "Exact motions of Duffing's equation")],
         next_steps=["quartering duffing --damping 0.05 -o duffing.png", "quartering figures 23"],
     )
 

@@ -18,9 +18,9 @@ from quartering.view.console.progress import bar
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.study.paper.points import Point
+    from quartering.view.console.printed import Table
 
 _RANGE = re.compile(r"(\d+)(?:-(\d+))?")
 

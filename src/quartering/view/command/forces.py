@@ -11,10 +11,11 @@ from quartering.conventions import InputError
 from quartering.options import OPTIONS
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, Picture, ShipName, Speed
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, picture_files, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import values
 
@@ -22,9 +23,9 @@ if TYPE_CHECKING:
     import numpy as np
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
+    from quartering.view.console.printed import Table
 
 _HEADING_STEP = 5.0
 _UNITS = {"sway": "N/m", "roll": "N m/m", "yaw": "N m/m"}
@@ -49,7 +50,7 @@ def forces(
 
     one = typed_ship(ship, changes)
     chosen = _chosen(form or [], one)
-    path = reserve_path(output, PICTURES)
+    path = reserve_path(output, (*PICTURES, *TABLES))
     u = typed_value("speed", speed, one.sizes)
     lengths = values([wave_lengths], OPTIONS["wave_length"], one.sizes, "--wave-lengths", 5)
     if PANELS in chosen and u != 0:
@@ -73,6 +74,8 @@ def forces(
         lines(),
         lambda: _facts(compared) | {"picture": str(path) if path else None},
         picture_files(path, draw),
+        output=path,
+        data=lambda: [data_table(compared, title, ["amplitude"])],
         next_steps=[f"{step}{option_words(changes)}"],
     )
 

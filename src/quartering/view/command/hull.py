@@ -12,8 +12,8 @@ from quartering.conventions import InputError
 from quartering.units import quantity
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, Picture, ShipName
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
-from quartering.view.console.printed import table
+from quartering.view.console.files import PICTURES, TABLES, picture_files, reserve_path
+from quartering.view.console.printed import Table, table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     import numpy as np
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.hydrostatics import Hydrostatics
     from quartering.hull.righting.arm import RightingFit
@@ -54,7 +53,7 @@ def hull(
 
     one = typed_ship(ship, changes)
     wave, mu = _wave(one, wave_length, wave_height, heading)
-    path = reserve_path(output, PICTURES)
+    path = reserve_path(output, (*PICTURES, *TABLES))
     floats, fit = hydrostatics(one), righting_polynomial(one)
     angles = np.linspace(0.0, 60.0, 61)
     arms = righting_arm(one, angles)
@@ -83,6 +82,11 @@ def hull(
         facts,
         picture_files(path, draw),
         next_steps=[f"quartering coefficients {again}", f"quartering polar {again}"],
+        output=path,
+        data=lambda: [
+            *(part for part in lines() if isinstance(part, Table)),
+            _arms(one, angles, arms, _arms_on(one, wave, mu, angles)),
+        ],
     )
 
 
@@ -111,6 +115,13 @@ def _arms_on(one: Ship, wave: Wave | None, heading: float, angles: np.ndarray) -
         return {}
     places = {"crest at midship": 0.0, "trough at midship": 0.5}
     return {words: arm_on_wave(one, angles, wave, heading, place) for words, place in places.items()}
+
+
+def _arms(one: Ship, angles: np.ndarray, arms: np.ndarray, waves: Mapping[str, np.ndarray]) -> Table:
+    """Righting arms over heel."""
+    columns = {"heel [deg]": angles, "GZ [m]": arms} | {f"GZ, {words} [m]": values for words, values in waves.items()}
+    rows = zip(*(values.tolist() for values in columns.values()), strict=True)
+    return table(f"{one.name}: righting arm", list(columns), rows)
 
 
 def _on_wave(found: xr.Dataset) -> Table:

@@ -15,7 +15,8 @@ from quartering.view.console.printed import table
 
 if TYPE_CHECKING:
     import xarray as xr
-    from rich.table import Table
+
+    from quartering.view.console.printed import Table
 
 
 def operational(

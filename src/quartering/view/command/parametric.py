@@ -9,7 +9,7 @@ import typer
 from quartering.conventions import InputError
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, Picture, ShipName, Speed, WaveHeight, WaveLength
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, is_table, picture_files, reserve_path
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import Typed
 from quartering.view.parametric_record import parametric_facts, parametric_lines
@@ -35,8 +35,8 @@ def parametric(
     from quartering.study.six_modes.parametric_roll import parametric_roll
 
     one, wave, u, mu = Typed(ship, heading, speed, wave_length, wave_height, changes).read()
-    path = reserve_path(output, PICTURES)
-    if path is not None and mu not in (0.0, 180.0):
+    path = reserve_path(output, (*PICTURES, *TABLES))
+    if path is not None and not is_table(path) and mu not in (0.0, 180.0):
         raise InputError(f"--heading: {mu:g} deg; a map is drawn of head (180) and following (0) seas; try 180")
     announce_compilation()
     found = parametric_roll(one, wave, u, mu)
@@ -56,5 +56,6 @@ def parametric(
         parametric_lines(found),
         lambda: parametric_facts(found) | {"file": str(path) if path else None},
         picture_files(path, draw),
+        output=path,
         next_steps=[f"quartering hull {again}", f"quartering criteria {again}"],
     )

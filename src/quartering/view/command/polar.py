@@ -2,39 +2,48 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Annotated, NamedTuple
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from quartering.conventions import InputError
 from quartering.options import OPTIONS, line_of
+from quartering.view.command._map_axes import (
+    ALL_HEADINGS,
+    ALL_LENGTHS,
+    Headings,
+    OneHeight,
+    Speeds,
+    Steepness,
+    WaveLengths,
+    mapped,
+    typed_axes,
+)
+from quartering.view.command._map_summary import Summary, place_words, summary_of
+from quartering.view.command._sea_polar import Typed, sea_polar_answer
+from quartering.view.command._side_by_side import side_by_side
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Harmonics, Modes, ShipName
-from quartering.view.console.files import File, picture_files, reserve_path, ship_stem
+from quartering.view.console.files import TABLES, File, is_table, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
+from quartering.view.console.sea_options import SPREADING, told
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import map_table
 from quartering.view.console.typed_ship import typed_ship
-from quartering.view.console.typed_values import value, values
 
 if TYPE_CHECKING:
-    import numpy as np
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
-    from quartering.loads.waves import Wave
     from quartering.study.maps.polar import Modes as ModesOf
-
-MOST_CONDITIONS = 1_000_000
-"""Largest map: about 1 GB of results."""
+    from quartering.view.console.printed import Table
 
 _NEUTRAL = 1e-9
-_STEEPNESS = "1/50"
 _FURTHER = "--{} .."
 _RINGS = 3
 """With fewer wave lengths than this the picture is lines over heading."""
@@ -43,53 +52,65 @@ _RINGS = 3
 def polar(
     ship: ShipName,
     changes: Changes,
-    speed: Annotated[list[str] | None, typer.Option(help="Speeds: 5,7.5 [m/s], 15kn, 0.25Fn; repeatable.")] = None,
-    headings: Annotated[str, typer.Option(help="Headings [deg]: from:to:count or a list.")] = "0:180:37",
-    wave_lengths: Annotated[str, typer.Option(help="Wave lengths: from:to:count or a list, m or L.")] = "0.4L:2.3L:20",
-    steepness: Annotated[
-        str | None, typer.Option(help="Wave height over wave length; 1/50 where nothing is given.")
+    beside: Annotated[
+        str | None,
+        typer.Argument(help="Another ship, or a loading case of this one: the difference of the two maps."),
     ] = None,
-    wave_height: Annotated[
-        str | None, typer.Option(help="One wave height for all lengths [m], instead of a steepness.")
-    ] = None,
+    speed: Speeds = None,
+    headings: Headings = ALL_HEADINGS,
+    wave_lengths: WaveLengths = ALL_LENGTHS,
+    steepness: Steepness = None,
+    wave_height: OneHeight = None,
     harmonics: Harmonics = 1,
     form: FormName = "stf",
     output: Annotated[
-        str | None, typer.Option("-o", "--output", help="Dataset to write (.nc); a .png goes beside it.")
+        str | None,
+        typer.Option("-o", "--output", help="Dataset to write (.nc), a .png goes beside it; or tables (.csv, .xlsx)."),
     ] = None,
     modes: Modes = "three",
     extend: Annotated[bool, typer.Option("--extend", help=f"{line_of(OPTIONS['extend']).partition(':')[0]}.")] = False,
+    hs: Annotated[str | None, told("hs", "s: 4:8; makes a map over irregular seas, radius speed")] = None,
+    tp: Annotated[str | None, told("tp", "s: 8:14")] = None,
+    tz: Annotated[str | None, told("tz", "s, in place of --tp")] = None,
+    spectrum: Annotated[str, typer.Option(help="Spectrum: jonswap, bretschneider or pierson-moskowitz.")] = "jonswap",
+    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
+    spreading: Annotated[str, SPREADING] = "none",
+    judge: Annotated[
+        str, typer.Option(help="What is judged in seas: largest (motion of 3 h) or rate (of failures).")
+    ] = "largest",
+    threshold: Annotated[
+        str | None, typer.Option(help="Factor on the largest motion, 2, or rate of failures [1/s], 1e-6.")
+    ] = None,
+    hours: Annotated[str, typer.Option(help="Hours to simulate at most where the closure does not decide.")] = "0",
 ) -> Answer:
-    """Map of roll and stability over headings, wave lengths and speeds."""
-    import numpy as np
-
+    """Map of roll and stability; of two ships or loadings, the difference; of irregular seas by --hs and --tp, over speed."""
     from quartering.stability.precompile import announce_compilation
-    from quartering.study.maps.polar import polar as polar_map_of
     from quartering.view.wording import edge_words, notes
 
+    if hs is not None:
+        _refuse_waves(wave_lengths, steepness, wave_height, harmonics, extend, beside, modes)
+        seas = Typed(hs, tp, tz, spectrum, gamma, spreading, judge, threshold, hours)
+        return sea_polar_answer(ship, changes, speed, headings, seas, form, output)
+    if tp is not None or tz is not None:
+        raise InputError("--tp and --tz are of irregular seas; give --hs too, such as --hs 4:8")
     one = typed_ship(ship, changes)
-    data = reserve_path(f"{ship_stem(ship)}-polar.nc" if output is None else output, (".nc",))
-    picture = reserve_path(data.with_suffix(".png"), (".png",))
-    speeds = values(speed or ["0.15Fn,0.2Fn,0.25Fn"], OPTIONS["speed"], one.sizes, "--speed", 3)
-    mu = values([headings], OPTIONS["heading"], one.sizes, "--headings", 37)
-    waves = _waves(one, wave_lengths, steepness, wave_height)
+    usual = f"{ship_stem(ship)}-polar.nc" if beside is None else f"{ship_stem(ship)}-and-{ship_stem(beside)}.nc"
+    path = reserve_path(usual if output is None else output, (".nc", *TABLES))
+    picture = None if is_table(path) else reserve_path(path.with_suffix(".png"), (".png",))
+    axes = typed_axes(one, speed, headings, wave_lengths, steepness, wave_height)
     chosen: Form = form  # type: ignore[assignment]  # polar refuses an unknown one
     asked: ModesOf = modes  # type: ignore[assignment]  # and unknown modes
-    count = len(speeds) * len(mu) * len(waves)
-    if count > MOST_CONDITIONS:
-        raise InputError(
-            f"{len(speeds)} speeds, {len(mu)} headings and {len(waves)} wave lengths make {count} conditions; a map takes up "
-            f"to {MOST_CONDITIONS}; make several maps, or call quartering.sweep from Python"
-        )
     announce_compilation()
-    with bar("conditions", count) as progress:
-        ds = polar_map_of(
-            one, waves, speeds, mu, harmonics=harmonics, form=chosen, extend=extend, modes=asked, progress=progress
-        )
+    if beside is not None:
+        if extend or modes == "six":
+            raise InputError(
+                "--extend and --modes six are of one map; of two maps give the axes, such as --wave-lengths 0.4L:3L:27"
+            )
+        return side_by_side(one, ship, beside, changes, axes, harmonics, chosen, (path, picture))
+    with bar("conditions", axes.conditions) as progress:
+        ds = mapped(one, axes, harmonics, chosen, modes=asked, extend=extend, progress=progress)
     ds.attrs["ship_argument"] = ship
-    if not np.isfinite(ds["roll_peak"]).any():
-        raise InputError("no condition of this map has an answer; choose other speeds, headings or wave lengths")
-    summary = [_summary(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
+    summary = [summary_of(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
 
     def lines() -> Iterator[Table | str]:
         yield from _lines(one, ds, summary)
@@ -100,25 +121,46 @@ def polar(
     step = f"quartering verdict {ship} {_worst_words(ds, summary)}{option_words(changes)}{more}"
     return Answer(
         lines(),
-        lambda: _facts(ds, summary) | {"dataset": str(data), "picture": str(picture)},
-        [File(data, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))],
-        written=f"Wrote {data} and {picture}",
-        next_steps=[step, *([] if more else [f"quartering report {data}"])],
+        lambda: _facts(ds, summary) | _written(path, picture),
+        []
+        if picture is None
+        else [File(path, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))],
+        written=f"Wrote {path}" + ("" if picture is None else f" and {picture}"),
+        next_steps=[step, *([] if picture is None or more else [f"quartering report {path}"])],
+        output=path,
+        data=lambda: [map_table(ds)],
     )
 
 
-def _waves(one: Ship, lengths: str, steepness: str | None, height: str | None) -> list[Wave]:
-    """The waves of the map, of one steepness or of one height."""
-    from quartering.loads.waves import Wave
+def _written(path: Path, picture: Path | None) -> dict[str, str | None]:
+    """The files, for programs."""
+    if picture is None:
+        return {"dataset": None, "picture": None, "table": str(path)}
+    return {"dataset": str(path), "picture": str(picture)}
 
-    found = values([lengths], OPTIONS["wave_length"], one.sizes, "--wave-lengths", 20)
-    if steepness is not None and height is not None:
-        raise InputError("--steepness and --wave-height are two ways to say one thing; leave one out")
-    if height is not None:
-        high = value(height, OPTIONS["wave_height"], one.sizes, "--wave-height")
-        return [Wave(length, high) for length in found]
-    slope = value(steepness or _STEEPNESS, OPTIONS["steepness"], one.sizes, "--steepness")
-    return [Wave(length, slope * length) for length in found]
+
+def _refuse_waves(
+    lengths: str,
+    steepness: str | None,
+    height: str | None,
+    harmonics: int,
+    extend: bool,
+    beside: str | None,
+    modes: str,
+) -> None:
+    """Refuse what is of regular waves, beside a sea."""
+    given = {
+        "--wave-lengths": lengths != ALL_LENGTHS,
+        "--steepness": steepness is not None,
+        "--wave-height": height is not None,
+        "--harmonics": harmonics != 1,
+        "--extend": extend,
+        "a second ship": beside is not None,
+        "--modes six": modes == "six",
+    }
+    for name, there in given.items():
+        if there:
+            raise InputError(f"{name} is of regular waves and --hs of irregular seas; leave out the one or the other")
 
 
 def _picture(ds: xr.Dataset) -> Figure:
@@ -139,48 +181,6 @@ def _worst_words(ds: xr.Dataset, summary: Sequence[Summary]) -> str:
     return f"{condition} --wave-height {height:.3g}"
 
 
-class Summary(NamedTuple):
-    """What stands out at one speed: where roll is largest over a cycle, and where the motion is least stable but for the course
-    in calm water; NaN without any answer."""
-
-    speed: float
-    worst_roll: float
-    heading: float
-    wave_length: float
-    least_stable: float
-    least_stable_heading: float
-    least_stable_wave_length: float
-    verdicts: dict[str, int]
-    no_answer: dict[str, int]
-    calm_water: np.ndarray
-    capsize_on_the_way: int
-    more_harmonics: int
-    several_stable: int
-
-
-def _summary(one: Ship, ds: xr.Dataset) -> Summary:
-    import numpy as np
-
-    from quartering.hydro.calm_water import calm_water_exponents
-    from quartering.motion.status import Status
-    from quartering.stability.kind import Kind
-    from quartering.study.maps.query import capsizing, coexisting, needing_more
-
-    kinds, counts = np.unique(ds["verdict"].values, return_counts=True)
-    statuses, failures = np.unique(ds["status"].values, return_counts=True)
-    return Summary(
-        float(ds["speed"]),
-        *_largest(ds["roll_peak"]),
-        *_largest(ds["exponent"].where(ds["verdict"] != int(Kind.COURSE_IN_CALM_WATER))),
-        {Kind(int(k)).label: int(n) for k, n in zip(kinds, counts, strict=True)},
-        {Status(int(s)).name.lower(): int(n) for s, n in zip(statuses, failures, strict=True) if not Status(int(s)).ok},
-        calm_water_exponents(one, float(ds["speed"])),
-        int(capsizing(ds).sum()),
-        int(needing_more(ds).sum()),
-        int(coexisting(ds).sum()),
-    )
-
-
 def _facts(ds: xr.Dataset, summary: Sequence[Summary]) -> dict[str, object]:
     from quartering.study.maps.extension import edges_of_largest
     from quartering.view.wording import estimated_names
@@ -194,22 +194,6 @@ def _facts(ds: xr.Dataset, summary: Sequence[Summary]) -> dict[str, object]:
         "speeds": [s._asdict() for s in summary],
         "largest_on_edge": [edge._asdict() for edge in edges_of_largest(ds)],
     }
-
-
-def _largest(field: xr.DataArray) -> tuple[float, float, float]:
-    """Largest value of a map at one speed, and the heading and wave length it stands at; NaN where there is no answer."""
-    import numpy as np
-
-    if not np.isfinite(field).any():
-        return math.nan, math.nan, math.nan
-    i, j = np.unravel_index(int(np.nanargmax(field.values)), field.shape)
-    cell = field[i, j]
-    return float(cell), float(cell["heading"]), float(cell["wave_length"])
-
-
-def _place(value: str, heading: float, ratio: float) -> str:
-    """A largest value and where it is, in words."""
-    return f"{value} at {heading:g} deg, lambda/L {ratio:.3g}" if math.isfinite(heading) else "no answer"
 
 
 def _lines(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> Iterator[Table | str]:
@@ -235,8 +219,8 @@ def _lines(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> Iterator[Ta
     rows = [
         (
             speed_words(s.speed, length),
-            _place(f"{s.worst_roll:.3g} deg", s.heading, s.wave_length / length),
-            _place(f"{s.least_stable:+.3g} 1/s", s.least_stable_heading, s.least_stable_wave_length / length),
+            place_words(f"{s.worst_roll:.3g} deg", s.heading, s.wave_length / length),
+            place_words(f"{s.least_stable:+.3g} 1/s", s.least_stable_heading, s.least_stable_wave_length / length),
             ", ".join(f"{n} {kind}" for kind, n in s.verdicts.items()),
             exponents_words(s.calm_water),
         )

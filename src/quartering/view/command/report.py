@@ -15,9 +15,8 @@ from quartering.view.console.files import File, reserve_path, ship_stem
 from quartering.view.console.printed import table
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from quartering.hull.ship import Ship
+    from quartering.view.console.printed import Table
     from quartering.view.report.source import Source
 
 KINDS = ("report", "guidance")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -12,18 +11,18 @@ from quartering.conventions import GRAVITY
 from quartering.options import OPTIONS
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, ShipName, Speed
-from quartering.view.console.files import File, reserve_path
+from quartering.view.console.files import TABLES, File, is_table, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import values
 
 if TYPE_CHECKING:
     import xarray as xr
-    from rich.table import Table
 
-TABLES = (".csv", ".nc")
-"""Kinds of table that can be written."""
+    from quartering.view.console.printed import Table
+
 _NOTHING = 1e-9
 
 
@@ -39,7 +38,9 @@ def responses(
             help="Of accelerations: x forward of midship, y to starboard, height over the baseline; G by default."
         ),
     ] = None,
-    output: Annotated[str | None, typer.Option("-o", "--output", help="Table to write: .csv or .nc (netCDF).")] = None,
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Table (.csv, .xlsx) or dataset (.nc) to write.")
+    ] = None,
 ) -> Answer:
     """Linear responses in all six modes per metre of wave amplitude, over wave length and heading."""
     import numpy as np
@@ -49,7 +50,7 @@ def responses(
     from quartering.view.wording import speed_words
 
     one = typed_ship(ship, changes)
-    path = reserve_path(output, TABLES)
+    path = reserve_path(output, (*TABLES, ".nc"))
     u = typed_value("speed", speed, one.sizes)
     lengths = values([wave_lengths], OPTIONS["wave_length"], one.sizes, "--wave-lengths", 27)
     mu = values([headings], OPTIONS["heading"], one.sizes, "--headings", 13)
@@ -67,7 +68,9 @@ def responses(
     return Answer(
         lines(),
         lambda: _facts(found) | {"file": str(path) if path else None},
-        () if path is None else (File(path, lambda part: _save(found, part)),),
+        () if path is None or is_table(path) else (File(path, lambda part: found.to_netcdf(part)),),
+        output=path,
+        data=lambda: [data_table(found, f"{one.name}: linear responses per metre of wave amplitude")],
         next_steps=[f"quartering verdict {again}", f"quartering hull {again}"],
     )
 
@@ -89,20 +92,6 @@ def _largest(found: xr.Dataset, title: str, length: float) -> Table:
         cells.append([f"{size:.4g} at {ratio:.3g} L" if size > _NOTHING else "0" for size, ratio in largest])
     rows = [(f"{float(mu):g}", *row) for mu, row in zip(found["heading"], zip(*cells, strict=True), strict=True)]
     return table(title, columns, rows, tuple(range(len(columns))))
-
-
-def _save(found: xr.Dataset, part: Path) -> None:
-    """Write the dataset as netCDF, or as a table of one condition a line with units in its head."""
-    if part.suffix.lower() == ".nc":
-        found.to_netcdf(part)
-        return
-    frame = found.to_dataframe().reset_index()
-    units = {str(name): str(found[name].attrs.get("units", "1")) for name in frame.columns}
-    head = [f"# {key}: {value}" for key, value in found.attrs.items()]
-    head.append("# " + "; ".join(f"{name} [{unit}]" for name, unit in units.items()))
-    with open(part, "w", encoding="utf-8", newline="") as file:
-        file.write("\n".join(head) + "\n")
-        frame.to_csv(file, index=False, lineterminator="\n")
 
 
 def _facts(found: xr.Dataset) -> dict[str, object]:

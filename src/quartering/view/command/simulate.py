@@ -3,20 +3,31 @@
 from __future__ import annotations
 
 import math
+import shutil
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from quartering.conventions import InputError
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, Heading, Picture, ShipName, Speed, WaveHeight, WaveLength
-from quartering.view.console.files import PICTURES, picture_files, reserve_path
+from quartering.view.console.arguments import Changes, Heading, ShipName, Speed, WaveHeight, WaveLength
+from quartering.view.console.files import PICTURES, TABLES, File, picture_files, reserve_path
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import Typed
 from quartering.view.console.typed_values import value
 
+MOVING = (".gif", ".mp4")
+"""Kinds of moving picture."""
+
 if TYPE_CHECKING:
+    import xarray as xr
     from matplotlib.figure import Figure
+
+    from quartering.hull.ship import Ship
+    from quartering.motion.equations.system import Model
 
 
 def simulate(
@@ -28,7 +39,14 @@ def simulate(
     changes: Changes,
     roll: Annotated[str, typer.Option(help="Roll angle at the start [deg].")] = "5",
     duration: Annotated[str, typer.Option(help="Duration: 300 [s] or 5min.")] = "300",
-    output: Picture = None,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "-o",
+            "--output",
+            help="To write: a picture (.png, .svg, .pdf), the ship moving in its wave (.gif, .mp4), or tables (.csv, .xlsx).",
+        ),
+    ] = None,
 ) -> Answer:
     """Integrate the full equations in time from a roll angle."""
     import numpy as np
@@ -42,7 +60,8 @@ def simulate(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
-    path = reserve_path(output, PICTURES)
+    path = reserve_path(output, (*PICTURES, *MOVING, *TABLES))
+    program = _film_program(path)
     seconds = value(duration, "time", one.sizes, "--duration")
     heel = value(roll, "angle", one.sizes, "--roll")
     announce_compilation()
@@ -80,7 +99,40 @@ def simulate(
     return Answer(
         lines(),
         facts,
-        picture_files(path, draw),
+        [*picture_files(path, draw), *_moving(path, program, one, model, trace)],
         remarks=[ship_notes(one)],
         next_steps=[f"quartering verdict {ship} {typed.words}{option_words(changes)}"],
+        output=path,
+        data=lambda: [data_table(trace, f"{one.name}: motion in time")],
     )
+
+
+def _film_program(path: Path | None) -> str:
+    """The program that writes a film, where one is asked for.
+
+    Raises
+    ------
+    InputError    it is not on this machine
+    """
+    if path is None or path.suffix.lower() != ".mp4":
+        return ""
+    found = shutil.which("ffmpeg")
+    if found is None:
+        raise InputError(
+            f'output "{path}": films are written by ffmpeg, which is not on this machine; install it, or write '
+            f'"{path.with_suffix(".gif")}"'
+        )
+    return found
+
+
+def _moving(path: Path | None, program: str, one: Ship, model: Model, trace: xr.Dataset) -> list[File]:
+    """The file of the ship moving in its wave; none where another one is asked for."""
+    if path is None or path.suffix.lower() not in MOVING:
+        return []
+
+    def writer(part: Path) -> None:
+        from quartering.view.plots.ship_in_wave import write_moving
+
+        write_moving(part, one, model, trace, program)
+
+    return [File(path, writer)]

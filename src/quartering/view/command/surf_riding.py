@@ -17,9 +17,9 @@ from quartering.view.console.typed_ship import typed_ship, typed_value
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.study.six_modes.surf_riding import SurfRiding
+    from quartering.view.console.printed import Table
 
 _NUMBERS = (
     ("celerity of the wave", "celerity", "m/s"),

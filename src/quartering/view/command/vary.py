@@ -2,33 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from quartering.conventions import InputError, headed, in_unit, written
 from quartering.options import OPTIONS
+from quartering.view.command._over_map import MAP_AXES, whole_map_varied
 from quartering.view.command._tornado import each_value_changed
 from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
-from quartering.view.console.files import PICTURES, reserve_path
+from quartering.view.console.arguments import Changes, FormName, Harmonics, PictureOrData, ShipName
+from quartering.view.console.files import PICTURES, TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words
+from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import Typed, typed_ship
 from quartering.view.console.typed_values import value, values
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
+    from quartering.view.console.printed import Table
 
-_COUNTS = {1: 41, 2: 25}
+MEASURES = ("roll", "sway", "yaw", "roll_peak", "k2", "index", "n2", "exponent", "verdict")
+_COUNTS, _COUNTS_OF_MAPS = {1: 41, 2: 25}, {1: 11, 2: 7}
 _ROWS = 9
 _RANGE = "from:to or from:to:count"
 
@@ -46,11 +49,15 @@ def vary(
     tornado: Annotated[
         str | None, typer.Option(help="10%: change every value by so much, one at a time, instead of a range.")
     ] = None,
+    whole_map: Annotated[
+        bool,
+        typer.Option(
+            "--over-map", help="Share of the whole map that is unstable, and its largest roll, over the values."
+        ),
+    ] = False,
     harmonics: Harmonics = 1,
     form: FormName = "stf",
-    output: Annotated[
-        str | None, typer.Option("-o", "--output", help="Picture (.png, .svg, .pdf) or dataset (.nc) to write.")
-    ] = None,
+    output: PictureOrData = None,
 ) -> Answer:
     """What one or two values do to roll and stability, and where the verdict flips."""
     import numpy as np
@@ -63,15 +70,23 @@ def vary(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, ranges)
     chosen: Form = form  # type: ignore[assignment]  # vary and tornado refuse an unknown one
+    if tornado is not None and whole_map:
+        raise InputError("--tornado and --over-map are two questions; leave one out")
     if tornado is not None:
         return each_value_changed(typed, coefficient or [], tornado, harmonics, chosen, output)
     told = {
         key: text for key, text in ranges.items() if key not in KEEL_AXES and not (OPTIONS[key].axis and is_range(text))
     }
     as_is = typed_ship(ship, told)
-    path = reserve_path(output, (*PICTURES, ".nc"))
+    path = reserve_path(output, (*PICTURES, ".nc", *TABLES))
     one, left = _keeled(as_is, {key: text for key, text in ranges.items() if key not in told})
-    fixed, parameters = _parameters(one, typed.condition, left, coefficient or [])
+    of_map = MAP_AXES if whole_map else ()
+    fixed, parameters = _parameters(one, typed.condition, left, coefficient or [], of_map)
+    user_keels = one.bilge_keels is not None and one.bilge_keels == as_is.bilge_keels
+    # What is varied of the condition, or of keels fitted for the question, has no present value.
+    unfitted = [key for key in parameters if key in typed.condition or (key in KEEL_AXES and not user_keels)]
+    if whole_map:
+        return whole_map_varied(typed, one, told, parameters, unfitted, harmonics, chosen, path)
     announce_compilation()
     wave = Wave(fixed["wave_length"], fixed["wave_height"])
     with bar("conditions", int(np.prod([len(v) for v in parameters.values()]))) as progress:
@@ -79,10 +94,8 @@ def vary(
             one, wave, fixed["speed"], fixed["heading"], parameters,
             harmonics=harmonics, form=chosen, progress=progress,
         )  # fmt: skip
-    user_keels = one.bilge_keels is not None and one.bilge_keels == as_is.bilge_keels
-    for key in parameters:  # what is varied of the condition, or of keels fitted for the question, has no present value
-        if key in typed.condition or (key in KEEL_AXES and not user_keels):
-            del ds[key].attrs["user_value"]
+    for key in unfitted:
+        del ds[key].attrs["user_value"]
 
     def draw() -> Figure:
         from quartering.view.plots.vary import vary_picture
@@ -99,11 +112,20 @@ def vary(
         lines(),
         lambda: _facts(ds) | {"written": None if path is None else str(path)},
         dataset_or_picture(path, ds, draw),
+        output=path,
+        data=lambda: [data_table(ds, str(ds.attrs["title"]), MEASURES, list(map(str, ds["verdict"].dims)))],
         next_steps=[
             f"quartering vary {ship}{words} --tornado 10% -o tornado.png",
+            *_over_map_words(ship, told, left),
             f"quartering polar {ship}{option_words(told)}",
         ],
     )
+
+
+def _over_map_words(ship: str, told: Mapping[str, str], ranges: Mapping[str, str]) -> list[str]:
+    """The same ranges over the whole map, to type next; nothing where a coefficient or the condition is varied alone."""
+    words = "".join(f" {option(key)} {text}" for key, text in ranges.items())
+    return [f"quartering vary {ship}{words}{option_words(told)} --over-map -o over-map.png"] if words else []
 
 
 def _keeled(one: Ship, ranges: Mapping[str, str]) -> tuple[Ship, dict[str, str]]:
@@ -118,16 +140,24 @@ def _keeled(one: Ship, ranges: Mapping[str, str]) -> tuple[Ship, dict[str, str]]
 
 
 def _parameters(
-    one: Ship, typed: Mapping[str, str], ranges: Mapping[str, str], coefficients: Sequence[str]
+    one: Ship,
+    typed: Mapping[str, str],
+    ranges: Mapping[str, str],
+    coefficients: Sequence[str],
+    of_map: Collection[str] = (),
 ) -> tuple[dict[str, float], dict[str, list[float]]]:
-    """Condition, and values of what is varied; a condition that is varied stands at its first value."""
+    """Condition, and values of what is varied; a condition that is varied stands at its first value.
+
+    of_map: what of the condition a map is over, which is not varied
+    """
+    typed = {key: text for key, text in typed.items() if key not in of_map}
     factors = dict(_factor(text) for text in coefficients)
     texts = {key: text for key, text in typed.items() if is_range(text)} | dict(ranges) | factors
     if not texts:
         raise InputError(
             "nothing to vary: give one or two ranges, such as --gm 0.4:1.2 or --coefficient K_p=0.2:2, or --tornado 10%"
         )
-    count = _COUNTS.get(len(texts), 2)
+    count = (_COUNTS_OF_MAPS if of_map else _COUNTS).get(len(texts), 2)
     units = one.sizes
     parameters = {
         key: values([text], OPTIONS.get(key, "ratio"), units, option(key), count) for key, text in texts.items()
@@ -209,14 +239,13 @@ def _facts(ds: xr.Dataset) -> dict[str, object]:
 
     names = varied(ds)
     kinds = np.vectorize(lambda kind: Kind(int(kind)).label, otypes=[object])(ds["verdict"].values)
-    measures = ("roll", "sway", "yaw", "roll_peak", "k2", "index", "n2", "exponent")
     facts: dict[str, object] = {key: ds.attrs[key] for key in ("ship", "loading", "steady_motion", "diffraction")}
     facts["condition"] = {key: float(ds[key]) for key in CONDITION_AXES if not ds[key].ndim}
     facts["parameters"] = {
         name: {"now": ds[name].attrs.get("user_value"), "unit": ds[name].attrs["units"], "values": ds[name].values}
         for name in names
     }
-    facts |= {key: ds[key].values for key in measures} | {"verdict": kinds, "estimated": estimated_names(ds)}
+    facts |= {key: ds[key].values for key in MEASURES[:-1]} | {"verdict": kinds, "estimated": estimated_names(ds)}
     if len(names) == 1:
         facts["flips"] = [
             {"value": float(v), "below": Kind(int(a)).label, "above": Kind(int(b)).label}

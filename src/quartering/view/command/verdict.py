@@ -16,16 +16,19 @@ from quartering.view.console.arguments import (
     Modes,
     ShipName,
     Speed,
+    TableFile,
     WaveHeight,
     WaveLength,
 )
+from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import Typed
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import numpy as np
-    from rich.table import Table
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
@@ -33,6 +36,7 @@ if TYPE_CHECKING:
     from quartering.stability.verdict import Verdict
     from quartering.study.condition.examine import Examined
     from quartering.study.effects.cure import Cure
+    from quartering.view.console.printed import Table
 
 
 def verdict(
@@ -44,6 +48,7 @@ def verdict(
     changes: Changes,
     harmonics: Harmonics = 1,
     form: FormName = "stf",
+    output: TableFile = None,
     modes: Modes = "three",
 ) -> Answer:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
@@ -52,10 +57,11 @@ def verdict(
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
+    path = reserve_path(output, TABLES)
     if modes not in ("three", "six"):
         raise InputError(f'--modes: "{modes}" is none; three (sway, roll, yaw) or six (heave and pitch too)')
     if modes == "six":
-        return _six(typed, one, wave, (u, mu), own=(harmonics, form) == (1, "stf"))
+        return _six(typed, one, wave, (u, mu), path, own=(harmonics, form) == (1, "stf"))
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     found = examine(one, wave, u, mu, harmonics, chosen)
@@ -64,6 +70,7 @@ def verdict(
     return Answer(
         _lines(found, cures),
         lambda: facts(found, cures),
+        output=path,
         next_steps=[
             f"quartering simulate {ship} {typed.words}{again} -o roll.png",
             f"quartering polar {ship} --speed {speed}{again}",
@@ -71,7 +78,7 @@ def verdict(
     )
 
 
-def _six(typed: Typed, one: Ship, wave: Wave, condition: tuple[float, float], own: bool) -> Answer:
+def _six(typed: Typed, one: Ship, wave: Wave, condition: tuple[float, float], path: Path | None, own: bool) -> Answer:
     """The same judged with heave and pitch, in the pressure over the whole wetted hull."""
     from quartering.stability.precompile import announce_compilation
     from quartering.study.six_modes.parametric_roll import parametric_roll
@@ -85,6 +92,7 @@ def _six(typed: Typed, one: Ship, wave: Wave, condition: tuple[float, float], ow
     return Answer(
         parametric_lines(found),
         lambda: parametric_facts(found),
+        output=path,
         next_steps=[
             f"quartering polar {again} --speed {typed.speed} --modes six",
             f"quartering verdict {again} {typed.words}",

@@ -8,19 +8,22 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from quartering.view.console.answer import Answer
+from quartering.view.console.arguments import TableFile
+from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
 
 if TYPE_CHECKING:
     import xarray as xr
-    from rich.table import Table
 
     from quartering.study.maps.query import Measure
+    from quartering.view.console.printed import Table
 
 
 def worst(
     result: Annotated[str, typer.Argument(help="Folder of a sweep, or a .nc file.")],
     by: Annotated[str, typer.Option(help="roll: largest roll; margin: least stable.")] = "roll",
     count: Annotated[int, typer.Option(help="How many conditions.")] = 10,
+    output: TableFile = None,
 ) -> Answer:
     """The worst conditions of a stored result."""
     import numpy as np
@@ -31,6 +34,7 @@ def worst(
     from quartering.view.wording import edge_words
 
     measure: Measure = by  # type: ignore[assignment]  # worst_of refuses an unknown one
+    path = reserve_path(output, TABLES)
     ds = opened(result)
     found = worst_of(ds, measure, count)
 
@@ -49,7 +53,7 @@ def worst(
             row[OTHER] = [float(v) for v in other_rolls(found.isel(rank=i)).values if np.isfinite(v)]
         return {"by": by, "worst": rows}
 
-    return Answer(lines(), facts, next_steps=[f"quartering show {result}"])
+    return Answer(lines(), facts, next_steps=[f"quartering show {result}"], output=path)
 
 
 def _names(found: xr.Dataset) -> list[str]:

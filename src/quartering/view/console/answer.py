@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from pathlib import Path
+from typing import Any
 
-from quartering.view.console.files import File, write_files
-from quartering.view.console.printed import next_steps, show, show_json
-
-if TYPE_CHECKING:
-    from rich.table import Table
+from quartering.view.console.files import File, is_table, write_files
+from quartering.view.console.printed import Table, next_steps, show, show_json
 
 
 @dataclass(frozen=True)
@@ -25,6 +23,8 @@ class Answer:
     written : str or None                what is said of the files; by default "Wrote .." of each, "" is nothing
     remarks : sequence of str            to print after that
     next_steps : sequence of str         commands to type next
+    output : Path or None                the file asked for; where it is a .csv or .xlsx, the tables among the lines go there
+    data : function() -> tables          further tables for that file, one line a condition
     """
 
     lines: Iterable[Table | str]
@@ -33,6 +33,8 @@ class Answer:
     written: str | None = None
     remarks: Sequence[str] = ()
     next_steps: Sequence[str] = ()
+    output: Path | None = None
+    data: Callable[[], Sequence[Table]] = tuple
 
 
 def give(answer: Answer, as_json: bool) -> None:
@@ -40,13 +42,24 @@ def give(answer: Answer, as_json: bool) -> None:
 
     as_json: one JSON object in place of tables and lines
     """
-    write_files(*answer.files)
+    lines, files = answer.lines, [*answer.files]
+    if is_table(answer.output):
+        lines = list(lines)
+        files.append(_tables(answer.output, [part for part in lines if isinstance(part, Table)], answer.data))
+    write_files(*files)
     if as_json:
         show_json(answer.facts())
         return
-    for part in answer.lines:
+    for part in lines:
         show(part)
-    written = "\n".join(f"Wrote {file.path}" for file in answer.files) if answer.written is None else answer.written
+    written = "\n".join(f"Wrote {file.path}" for file in files) if answer.written is None else answer.written
     show(*([written] if written else ()), *answer.remarks)
     if answer.next_steps:
         show(next_steps(*answer.next_steps))
+
+
+def _tables(path: Path, printed: Sequence[Table], data: Callable[[], Sequence[Table]]) -> File:
+    """The file of the tables of an answer."""
+    from quartering.view.console.tables import write_tables
+
+    return File(path, lambda part: write_tables(part, printed, data()))

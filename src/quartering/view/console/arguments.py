@@ -11,7 +11,16 @@ from quartering.options import OPTIONS, line_of
 
 ShipName = Annotated[str, typer.Argument(help="Built-in ship (see `quartering ships`) or path of a ship file.")]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object instead of tables.")]
-Picture = Annotated[str | None, typer.Option("-o", "--output", help="Picture to write: .png, .svg or .pdf.")]
+Picture = Annotated[
+    str | None, typer.Option("-o", "--output", help="Picture to write: .png, .svg or .pdf; or tables: .csv or .xlsx.")
+]
+PictureOrData = Annotated[
+    str | None,
+    typer.Option(
+        "-o", "--output", help="To write: a picture (.png, .svg, .pdf), the dataset (.nc), or tables (.csv, .xlsx)."
+    ),
+]
+TableFile = Annotated[str | None, typer.Option("-o", "--output", help="Tables to write: .csv or .xlsx.")]
 
 
 def _told(name: str, example: str) -> Any:

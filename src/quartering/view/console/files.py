@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, overload
+from typing import TYPE_CHECKING, NamedTuple, TypeGuard, overload
 
 from quartering.conventions import InputError
 
@@ -14,6 +15,8 @@ if TYPE_CHECKING:
 
 PICTURES = (".png", ".svg", ".pdf")
 """Kinds of picture that can be written."""
+TABLES = (".csv", ".xlsx")
+"""Kinds of file the tables of a command can be written to."""
 
 
 class File(NamedTuple):
@@ -56,7 +59,22 @@ def reserve_path(path: str | Path | None, endings: Sequence[str]) -> Path | None
         raise InputError(
             f'output "{target}" cannot be written ({error.strerror}); give a file in a folder you may write to'
         ) from None
+    _check_excel(target)
     return target
+
+
+def _check_excel(target: Path) -> None:
+    """Refuse a workbook where the package that writes it is missing."""
+    if target.suffix.lower() == ".xlsx" and find_spec("openpyxl") is None:
+        raise InputError(
+            f'"{target}" needs openpyxl; install it with: pip install "quartering[excel]"; or write '
+            f'"{target.with_suffix(".csv")}"'
+        )
+
+
+def is_table(path: Path | None) -> TypeGuard[Path]:
+    """Is a file one of tables?"""
+    return path is not None and path.suffix.lower() in TABLES
 
 
 def folder_named(path: str) -> Path:
@@ -78,7 +96,7 @@ def picture_files(path: Path | None, draw: Callable[[], Figure]) -> tuple[File, 
 
         style.save(draw(), part)
 
-    return () if path is None else (File(path, writer),)
+    return () if path is None or path.suffix.lower() not in PICTURES else (File(path, writer),)
 
 
 def write_files(*files: File) -> None:

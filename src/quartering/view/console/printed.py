@@ -6,11 +6,12 @@ import json
 import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rich.console import Console
-    from rich.table import Table
+    from rich.table import Table as Printed
 
 WIDTH_WITHOUT_TERMINAL = 120
 _NEXT = "Next:\n"
@@ -23,19 +24,35 @@ def console() -> Console:
     return Console(width=None if sys.stdout.isatty() else WIDTH_WITHOUT_TERMINAL, highlight=False, soft_wrap=False)
 
 
+@dataclass(frozen=True)
+class Table:
+    """A table of a command: cells are texts on the screen, numbers too in a file, where the notes say what they are from."""
+
+    title: str
+    columns: tuple[str, ...]
+    rows: tuple[tuple[Any, ...], ...]
+    right: tuple[int, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]], right: Sequence[int] = ()) -> Table:
     """Table of texts.
 
     right: columns of numbers, aligned to the right
     """
-    from rich.table import Table
+    return Table(title, tuple(columns), tuple(tuple(row) for row in rows), tuple(right))
+
+
+def _printed(one: Table) -> Printed:
+    """A table as the screen takes it."""
+    from rich.table import Table as Printed
     from rich.text import Text
 
-    made = Table(title=Text(title), title_justify="left", header_style="bold", title_style="bold")
-    for i, name in enumerate(columns):
-        made.add_column(Text(name), justify="right" if i in right else "left", overflow="fold")
-    for row in rows:
-        made.add_row(*(Text(cell) for cell in row))
+    made = Printed(title=Text(one.title), title_justify="left", header_style="bold", title_style="bold")
+    for i, name in enumerate(one.columns):
+        made.add_column(Text(name), justify="right" if i in one.right else "left", overflow="fold")
+    for row in one.rows:
+        made.add_row(*(Text(str(cell)) for cell in row))
     return made
 
 
@@ -48,7 +65,7 @@ def show(*parts: Table | str) -> None:
         if isinstance(part, str) and part.startswith(_NEXT):  # whole lines, to be copied
             screen.print(Text(part), soft_wrap=True)
         else:
-            screen.print(Text(part) if isinstance(part, str) else part)
+            screen.print(Text(part) if isinstance(part, str) else _printed(part))
 
 
 def next_steps(*commands: str) -> str:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 from nicegui import ui
+from nicegui.element import Element
 
 from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
@@ -17,22 +18,29 @@ from quartering.motion.steady.motion import advice
 from quartering.stability.verdict import Verdict
 from quartering.study.condition.examine import Examined, estimated
 from quartering.view.explorer import charts
+from quartering.view.explorer.animation import Drawn, hull_form, ship_in_wave
 from quartering.view.explorer.computations import History, Scene, causes, curve, history
 from quartering.view.explorer.state import State
 from quartering.view.wording import estimated_words, exponents_words
 
-Part = str | charts.Chart
-"""Text (HTML) or a figure."""
+Part = str | charts.Chart | Drawn
+"""Text (HTML), a figure, or what a component of our own draws."""
 
 _TABS = {"motion": "Motion", "stability": "Stability", "curve": "Curve", "causes": "Causes", "hull": "Hull"}
 _OVER = {"wave_height": "height", "wave_length": "length", "speed": "speed", "frequency": "frequency"}
+
+
+_LEVEL = (
+    "<p class='hint'>To scale. Heave and pitch are not in these equations: the ship is drawn at its mean level."
+    " Dark water: trough, light: crest.</p>"
+)
 
 
 class CellPanel:
     """Tabs, of which the one in front is kept up to date."""
 
     def __init__(self, change: Callable[..., None]) -> None:
-        self._made: dict[str, list[ui.plotly | ui.html]] = {name: [] for name in _TABS}
+        self._made: dict[str, list[Element]] = {name: [] for name in _TABS}
         self._area: dict[str, ui.element] = {}
         self._tabs = (
             ui.tabs(on_change=lambda event: change(panel=event.value)).classes("tabs").props("dense align=left")
@@ -56,16 +64,34 @@ class CellPanel:
     def show(self, panel: str, parts: Sequence[Part]) -> None:
         """Fill a tab; figures that are there already are changed, not made anew."""
         made = self._made[panel]
-        if [type(part) is str for part in parts] != [isinstance(one, ui.html) for one in made]:
+        if [_element_of(part) for part in parts] != [type(one) for one in made]:
             self._area[panel].clear()
             with self._area[panel]:
-                made[:] = [ui.html(p, sanitize=False) if isinstance(p, str) else ui.plotly(p) for p in parts]
+                made[:] = [_made_of(part) for part in parts]
             return
         for one, part in zip(made, parts, strict=True):
-            if isinstance(one, ui.html):
+            if isinstance(part, Drawn):
+                for name, value in part.props.items():
+                    one.props[name] = value
+            elif isinstance(one, ui.html):
                 one.set_content(str(part))
-            else:
+            elif isinstance(one, ui.plotly):
                 one.update_figure(part)
+
+
+def _element_of(part: Part) -> type[Element]:
+    """The element that shows a part."""
+    return part.component if isinstance(part, Drawn) else ui.html if isinstance(part, str) else ui.plotly
+
+
+def _made_of(part: Part) -> Element:
+    """A new element for a part."""
+    if isinstance(part, Drawn):
+        element = part.component()
+        for name, value in part.props.items():
+            element.props[name] = value
+        return element
+    return ui.html(part, sanitize=False) if isinstance(part, str) else ui.plotly(part)
 
 
 def parts(state: State, of: Scene, found: Examined) -> list[Part]:
@@ -88,7 +114,14 @@ def _motion(found: Examined) -> list[Part]:
     past = history(found)
     if not motion.status.ok:
         words = f"<p>No steady motion: {html.escape(advice(motion, found.model.capsize_limit))}.</p>"
-        return [words, charts.time_history(past), _end(past, found)]
+        return [
+            words,
+            ship_in_wave(found, past),
+            _LEVEL,
+            "<h2>Roll in time</h2>",
+            charts.time_history(past),
+            _end(past, found),
+        ]
     sway, roll, yaw = motion.amplitude
     period = 2 * math.pi / found.model.frequency
     words = (
@@ -99,6 +132,7 @@ def _motion(found: Examined) -> list[Part]:
     )
     sizes = np.hypot(motion.cos, motion.sin)
     return [
+        "<h2>The ship in the wave</h2>", ship_in_wave(found, past), _LEVEL,
         "<h2>Roll in time</h2>", charts.time_history(past),
         f"{_end(past, found)}<h2>Harmonics of the steady motion</h2>", charts.harmonics(motion.orders, sizes), words,
     ]  # fmt: skip
@@ -199,4 +233,12 @@ def _hull(of: Scene, found: Examined) -> list[Part]:
         f" CB {floats.cb:.3f}; KM {floats.km:.3f} m, KG {floats.kg:.3f} m, GM {floats.gm:.3f} m.</p>"
         f"<p class='hint'>Lines: {lines}<br>{guessed}</p>"
     )
-    return ["<h2>Body plan</h2>", charts.body_plan(one), "<h2>Righting arm</h2>", charts.righting(one), words]
+    return [
+        "<h2>The hull</h2>",
+        hull_form(one),
+        "<h2>Body plan</h2>",
+        charts.body_plan(one),
+        "<h2>Righting arm</h2>",
+        charts.righting(one),
+        words,
+    ]

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from quartering.conventions import headed
+from quartering.conventions import headed, in_unit
 from quartering.stability.kind import Kind
 from quartering.view.plots import style
 
@@ -24,16 +24,22 @@ CURVES = {
 _REACH = 1.6
 
 
-def branch_picture(ds: xr.Dataset, over: str, title: str, note: str = "") -> Figure:
+def branch_picture(ds: xr.Dataset, over: str, title: str, note: str = "", asked: float | None = None) -> Figure:
     """Draw the dataset of `quartering.branch`.
 
     over: the parameter
     note: more small print
+    asked: value of the parameter that was typed
     Returns largest roll over the parameter, and the Floquet multipliers in the complex plane
     """
     made = style.figure(11.0, 5.6)
     curve, circle = made.subplots(1, 2, width_ratios=(2.0, 1.0))
     curves_on(curve, ds, over)
+    unit = str(ds[over].attrs["units"])
+    if asked is not None and float(ds[over].min()) <= asked <= float(ds[over].max()):
+        label = f"asked: {asked:.4g}{in_unit(unit)}"
+        curve.axvline(asked, color=style.WARNING_INK, linestyle=":", linewidth=1.4, zorder=1, label=label)
+        curve.legend(loc="upper left", frameon=False)
     multipliers_on(circle, ds)
     style.title(made, title)
     words = (

@@ -9,11 +9,12 @@ import matplotlib.patheffects as effects
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import PathCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.path import Path
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
@@ -26,6 +27,7 @@ from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 
 Floats = NDArray[np.float64]
+Mark = tuple[str, NDArray[np.bool_], dict[str, Any]]
 FINEST_STEP = 2.5
 """Cells wider than this are drawn in slices, so that their edges are arcs [deg]."""
 
@@ -36,8 +38,8 @@ GREY, PACE_INK = "#b8b8b8", "#ff9d5c"
 LOST = "#d98aa4"
 """Colour of unstable cells beyond which no stable roll was found."""
 COURSE_INK = "#ffb38a"
-HATCHES = {"unstable": "/////", "course": "....."}
-"""Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
+HATCHES = {"unstable": "/////", "course": "...", "not recommended": "/////", "undecided": "..."}
+"""Hatch of cells unstable because of the wave, of those where the ship is course-unstable without waves, and of advice."""
 
 _NARROW = 4.0
 """Inches of width in which the title of a panel would meet the next one's."""
@@ -54,7 +56,7 @@ RING: dict[str, Any] = {
     "markeredgewidth": 1.2,
 }  # fmt: skip
 OUTLINE_OF_MARK = [effects.withStroke(linewidth=2.8, foreground="white")]
-_OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
+OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
 def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = None) -> Figure:
@@ -84,7 +86,7 @@ def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = 
         if width / columns < _NARROW:
             panel.title.set_fontsize(8.0)
     style.title(made, _title(ds))
-    words = "\n".join([HOW_TO_READ + (MIRRORED if _mirrored(ds) else ""), *notes(ds)])
+    words = "\n".join([HOW_TO_READ + (MIRRORED if mirrors(ds) else ""), *notes(ds)])
     if corner:
         style.footnote(made, words)
         _key(panels[-1], ds, mesh)
@@ -112,25 +114,27 @@ def _key(empty: Axes, ds: xr.Dataset, mesh: Any) -> None:
 def _panel(ax: PolarAxes, ds: xr.Dataset, colours: Normalize) -> Any:
     """One speed."""
     length = float(ds.attrs["ship_length"])
-    heading, radius = np.asarray(ds["heading"]), np.asarray(ds["wave_length"]) / length
-    mirrored = _mirrored(ds)
-    theta, r = np.radians(edges(heading, 5.0)), edges(radius, 0.1 * radius[0])
-    r[0] = max(r[0], 0.0)
-    if mirrored:
-        theta = np.clip(theta, 0.0, np.pi)
-    ax.set_theta_zero_location("S")
-    ax.set_theta_direction(-1)
-    ax.set_facecolor("white")
+    mirrored = mirrors(ds)
+    theta, r = cell_edges(ds, length)
     roll, kind = np.asarray(ds["roll_peak"]), np.asarray(ds["verdict"])
     for side in (1.0, -1.0) if mirrored else (1.0,):
         mesh = draw_cells(ax, side * theta, r, roll, kind, colours)
         _resonances(ax, ds, side * theta, r)
         _marks(ax, ds, side)
-    _dress(ax, ds, r, mirrored)
+    dress(ax, r, mirrored)
+    ax.set_title(f"{speed_words(float(ds['speed']), length)}\n{_counts(ds)}", pad=10)
     return mesh
 
 
-def _mirrored(ds: xr.Dataset) -> bool:
+def cell_edges(ds: xr.Dataset, length: float) -> tuple[Floats, Floats]:
+    """Edges of the cells of a map: angle [rad], and wave length over that of the ship."""
+    radius = np.asarray(ds["wave_length"]) / length
+    theta, r = np.radians(edges(np.asarray(ds["heading"]), 5.0)), edges(radius, 0.1 * radius[0])
+    r[0] = max(r[0], 0.0)
+    return (np.clip(theta, 0.0, np.pi) if mirrors(ds) else theta), r
+
+
+def mirrors(ds: xr.Dataset) -> bool:
     """Do the headings lie on one side of the ship, so that the other side follows by symmetry?"""
     return bool((ds["heading"] >= 0).all() and (ds["heading"] <= 180).all())
 
@@ -139,32 +143,52 @@ def draw_cells(
     ax: PolarAxes, theta: Floats, r: Floats, roll: Floats, kind: NDArray[np.int8], colours: Normalize
 ) -> Any:
     """Colour of every cell, grey where there is no answer, hatched where unstable."""
-    slices = max(1, int(np.ceil(np.degrees(np.abs(np.diff(theta)).max()) / FINEST_STEP - 1e-9)))
-    fine = np.interp(np.arange((theta.size - 1) * slices + 1) / slices, np.arange(theta.size), theta)
-    wide = np.ma.masked_invalid(np.repeat(roll, slices, axis=0).T)
-    mesh = ax.pcolormesh(fine, r, wide, cmap=style.SEQUENTIAL, norm=colours, rasterized=True)
     calm = kind == Kind.COURSE_IN_CALM_WATER
-    marks = (
+    marks: list[Mark] = [
         ("no answer", kind == Kind.NO_ANSWER, {"facecolor": GREY, "edgecolor": GREY}),
         ("lost", (kind > Kind.STABLE) & np.isnan(roll), {"facecolor": LOST, "edgecolor": LOST}),
         ("unstable", (kind > Kind.STABLE) & ~calm, {"facecolor": "none", "edgecolor": "white"}),
         ("course", calm, {"facecolor": "none", "edgecolor": COURSE_INK}),
-    )
+    ]
+    return paint_cells(ax, theta, r, roll, marks, colours, style.SEQUENTIAL)
+
+
+def paint_cells(
+    ax: PolarAxes, theta: Floats, r: Floats, values: Floats, marks: Sequence[Mark], colours: Normalize, scale: str
+) -> Any:
+    """Colour of every cell, and marks over some: name, which, how they look.
+
+    All cells of a mark are one path, so that a file holds its hatch once.
+    """
+    slices = max(1, int(np.ceil(np.degrees(np.abs(np.diff(theta)).max()) / FINEST_STEP - 1e-9)))
+    fine = np.interp(np.arange((theta.size - 1) * slices + 1) / slices, np.arange(theta.size), theta)
+    wide = np.ma.masked_invalid(np.repeat(values, slices, axis=0).T)
+    mesh = ax.pcolormesh(fine, r, wide, cmap=scale, norm=colours, rasterized=True)
     for name, cells, look in marks:
         if cells.any():
-            marked = PolyCollection(_outlines(fine, r, cells, slices), linewidth=0.0, hatch=HATCHES.get(name), **look)
+            whole = _region(_outlines(fine, r, cells, slices))
+            marked = PathCollection([whole], linewidth=0.0, hatch=HATCHES.get(name), **look)
             marked.set_gid(name)
             ax.add_collection(marked, autolim=False)
     return mesh
 
 
+def _region(outlines: Sequence[Floats]) -> Path:
+    """One path of many closed outlines."""
+    points = [np.concatenate([outline, outline[:1]]) for outline in outlines]
+    codes = [np.array([Path.MOVETO, *[Path.LINETO] * (len(one) - 2), Path.CLOSEPOLY], Path.code_type) for one in points]
+    return Path(np.concatenate(points), np.concatenate(codes))
+
+
 def _outlines(fine: Floats, r: Floats, cells: NDArray[np.bool_], slices: int) -> list[Floats]:
-    """Outlines (theta, r) of the marked cells (h, w)."""
+    """Outlines (theta, r) of the marked cells (h, w), those that follow one another on a heading in one."""
     made = []
-    for i, j in np.argwhere(cells):
+    for i, row in enumerate(cells):
         arc = fine[i * slices : (i + 1) * slices + 1]
-        inner, outer = np.stack([arc, np.full_like(arc, r[j])], 1), np.stack([arc, np.full_like(arc, r[j + 1])], 1)
-        made.append(np.concatenate([inner, outer[::-1]]))
+        edges_of_runs = np.flatnonzero(np.diff(np.concatenate([[0], row.astype(np.int8), [0]])))
+        for first, last in edges_of_runs.reshape(-1, 2):
+            inner, outer = (np.stack([arc, np.full_like(arc, r[j])], 1) for j in (first, last))
+            made.append(np.concatenate([inner, outer[::-1]]))
     return made
 
 
@@ -177,7 +201,7 @@ def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None
         field, level = fields[name]
         if field.min() < level < field.max() and (name != "pace" or _overtakes(ds)):
             drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
-            drawn.set(path_effects=_OUTLINE)
+            drawn.set(path_effects=OUTLINE)
 
 
 def _marks(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
@@ -208,15 +232,18 @@ def _overtakes(ds: xr.Dataset) -> bool:
     return bool(ds["encounter_frequency"].min() < 0)
 
 
-def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
-    """Axes, labels and the title of a panel."""
+def dress(ax: PolarAxes, r: Floats, mirrored: bool) -> None:
+    """Axes and labels of a panel: head seas on top."""
+    ax.set_theta_zero_location("S")
+    ax.set_theta_direction(-1)
+    ax.set_facecolor("white")
     ax.set_rlim(0.0, r[-1])
     ticks = [tick for tick in MaxNLocator(5, steps=[1, 2, 5, 10]).tick_values(0.0, r[-1]) if r[0] < tick < 0.97 * r[-1]]
     words = [f"{tick:g}" for tick in ticks[:-1]] + [f"λ/L = {tick:g}" for tick in ticks[-1:]]
     ax.set_rgrids(ticks, words, angle=202.5, color="white", fontsize=8)
     ax.grid(visible=True, color="white", alpha=0.25, linewidth=0.5)
     for label in ax.get_yticklabels():
-        label.set(path_effects=_OUTLINE, ha="center", va="center")
+        label.set(path_effects=OUTLINE, ha="center", va="center")
     names = {0: "0° following", 90: "90°\nbeam", 180: "180° head"}
     if mirrored:
         names[270] = "90°\nbeam"
@@ -226,6 +253,10 @@ def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
     ax.tick_params(axis="x", pad=3)
     if r[0] > 0.1 * r[-1]:
         _ship(ax, min(0.8 * r[0], 0.22 * r[-1]))
+
+
+def _counts(ds: xr.Dataset) -> str:
+    """How many cells of a panel are stable, unstable, ..."""
     stable = int((ds["verdict"] == Kind.STABLE).sum())
     unanswered = int((ds["verdict"] == Kind.NO_ANSWER).sum())
     unstable = ds["verdict"].size - stable - unanswered
@@ -233,8 +264,7 @@ def _dress(ax: PolarAxes, ds: xr.Dataset, r: Floats, mirrored: bool) -> None:
     calm = int((ds["verdict"] == Kind.COURSE_IN_CALM_WATER).sum())
     stable_words = f"{stable} cells stable" + (f" ({lost} capsize on the way)" if lost else "")
     counts = f"{stable_words}, {unstable - calm} unstable" + (f", {calm} course-unstable" if calm else "")
-    counts += f", {unanswered} no answer" if unanswered else ""
-    ax.set_title(f"{speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}\n{counts}", pad=10)
+    return counts + (f", {unanswered} no answer" if unanswered else "")
 
 
 def _ship(ax: PolarAxes, half: float) -> None:
@@ -250,7 +280,7 @@ def _title(ds: xr.Dataset) -> str:
 
 def _legend(ds: xr.Dataset) -> Sequence[Any]:
     """What lines and hatches mean, those that occur."""
-    dark = {"path_effects": _OUTLINE, "linewidth": 1.5}
+    dark = {"path_effects": OUTLINE, "linewidth": 1.5}
     n2 = float(ds.attrs["natural_roll_frequency"])
     verdict = np.asarray(ds["verdict"])
     calm = verdict == Kind.COURSE_IN_CALM_WATER

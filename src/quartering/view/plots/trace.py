@@ -25,8 +25,16 @@ def trace_picture(trace: xr.Dataset, steady_roll: float | None, title: str, note
             words = f"steady motion, ±{steady_roll:.3g}°" if side > 0 else None
             panels[0].axhline(side * steady_roll, color=style.INK, linestyle="--", linewidth=0.9, label=words)
         panels[0].legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), frameon=False, borderaxespad=0.2)
+    lost = trace.attrs.get("capsize_time")
+    if lost is not None:  # the history ends there
+        for ax in panels:
+            ax.axvline(lost, color=style.WARNING_INK, linewidth=1.2)
+        words = f"capsize after {lost:.3g} s, past {trace.attrs['capsize_angle']:.3g}° "
+        panels[0].text(
+            lost, 0.97, words, transform=panels[0].get_xaxis_transform(), ha="right", va="top", color=style.WARNING_INK
+        )
     panels[-1].set_xlabel("time [s]")
-    panels[-1].set_xlim(0.0, float(trace["time"][-1]))
+    panels[-1].set_xlim(0.0, float(trace["time"][-1]) if lost is None else 1.01 * lost or 1.0)
     made.align_ylabels(panels)
     style.title(made, title)
     style.footnote(made, note)

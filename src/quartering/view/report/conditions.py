@@ -92,8 +92,9 @@ def sensitivities(source: Source, condition: Condition) -> Sensitivities | None:
     per_tenth = ds[["roll", "exponent"]] * 0.1
     if not np.isfinite(per_tenth["exponent"]).any():
         return None
-    order = np.argsort(-sum(_share(per_tenth[name].values) for name in ("roll", "exponent")))[:_PARAMETERS]
-    return Sensitivities(condition.where, [_line(ds, per_tenth, int(i)) for i in order])
+    order = np.argsort(-sum(_share(per_tenth[name].values) for name in ("roll", "exponent")))
+    dials = [int(i) for i in order if str(ds["parameter"].values[i]) != "kg"]  # GM and KG are one dial
+    return Sensitivities(condition.where, [_line(ds, per_tenth, i) for i in dials[:_PARAMETERS]])
 
 
 def _share(change: np.ndarray) -> np.ndarray:

@@ -19,7 +19,8 @@ from quartering.view.report.source import Source
 from quartering.view.report.tables import Row, Table
 from quartering.view.wording import sea_words
 
-_MOST_LENGTHS, _MOST_HEIGHTS = 6, 4
+_LENGTHS_OF_A_SHEET, _MOST_HEIGHTS = 6, 10
+"""Diagrams of a page, and wave heights that are drawn: a sweep may have a hundred."""
 
 
 class Guidance(NamedTuple):
@@ -68,11 +69,21 @@ def guidance(source: Source, openings: float | None) -> Guidance:
         diagrams = [_diagram(cut, failure, words) for words, cut in waves]
         rows += [_summary(title, d, words) for d, (words, _) in zip(diagrams, waves, strict=True)]
         if i in shown:
-            chosen = [diagrams[j] for j in _spread(len(diagrams), _MOST_LENGTHS)]
-            sheets.append((title, inline_svg(guidance_picture(chosen, limit), f"Polar diagrams, {title}")))
-    drawn = sum(min(len(heights[i][1]), _MOST_LENGTHS) for i in shown)
+            sheets += _sheets(title, diagrams, limit)
+    drawn = sum(len(heights[i][1]) for i in shown)
     left_out = f"{len(rows) - drawn} of {len(rows)} waves have no diagram" if drawn < len(rows) else ""
     return Guidance(limit, _limits(vanishing, openings), sheets, _summary_table(rows), left_out)
+
+
+def _sheets(title: str, diagrams: list[Diagram], limit: float) -> list[tuple[str, Markup]]:
+    """Every diagram of one wave height, a page of them at a time."""
+    made = []
+    pages = range(0, len(diagrams), _LENGTHS_OF_A_SHEET)
+    for number, first in enumerate(pages, 1):
+        words = title if len(pages) == 1 else f"{title}, sheet {number} of {len(pages)}"
+        chosen = diagrams[first : first + _LENGTHS_OF_A_SHEET]
+        made.append((words, inline_svg(guidance_picture(chosen, limit), f"Polar diagrams, {words}")))
+    return made
 
 
 def _limits(vanishing: float, openings: float | None) -> list[str]:

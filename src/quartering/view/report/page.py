@@ -19,6 +19,7 @@ from quartering.motion.status import Status
 from quartering.motion.steady.motion import capsize_advice
 from quartering.references import cite
 from quartering.stability.kind import Kind
+from quartering.view.report.client import first_page
 from quartering.view.report.conditions import judged, sensitivities, worst_conditions
 from quartering.view.report.failure_modes import criteria_section
 from quartering.view.report.guidance import guidance
@@ -51,10 +52,9 @@ def report_page(source: Source, service_speed: float | None = None) -> str:
         maps=map_svgs(result),
         by_roll=by_roll,
         by_margin=by_margin,
-        judged=[
-            judged(source, f"Largest roll of all: {by_roll[0].roll_peak:.3g} deg over a cycle", by_roll[0]),
-            judged(source, "Least stable motion of all", by_margin[0]),
-        ],
+        short=first_page(source, by_roll[0]),
+        largest=f"Largest roll of all: {by_roll[0].roll_peak:.3g} deg over a cycle",
+        judged=[judged(source, "Least stable motion of all", by_margin[0])],
         sensitivities=sensitivities(source, by_margin[0] if by_margin[0].exponent > 0 else by_roll[0]),
         counts=_counts(source),
         criteria=None if service_speed is None else criteria_section(ship, service_speed),

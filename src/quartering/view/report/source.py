@@ -33,7 +33,7 @@ _SAME = (
 )  # fmt: skip
 """Attributes of a result that must be those of the ship it is reported with."""
 
-_FROUDE_NUMBERS = {"report": (0.15, 0.2, 0.25), "guidance": (0.05, 0.1, 0.15, 0.2, 0.25)}
+_FROUDE_NUMBERS = {"report": (0.15, 0.2, 0.25), "guidance": (0.04, 0.07, 0.1, 0.13, 0.16, 0.19, 0.22, 0.25)}
 _STEEPNESS = 1 / 50
 
 
@@ -155,7 +155,7 @@ def _usual_map(one: Ship) -> xr.Dataset:
 
 
 def _usual_sweep(one: Ship) -> xr.Dataset:
-    """Five speeds, all headings, waves of 0.5 to 2 ship lengths, three heights of about L/50, L/33 and L/25."""
+    """Eight speeds, all headings, waves of 0.5 to 2 ship lengths, three heights of about L/50, L/33 and L/25."""
     heights = [max(0.5, round(2 * share * one.hull.length) / 2) for share in (0.02, 0.03, 0.04)]
     lengths = np.array([0.5, 0.75, 1.0, 1.25, 1.5, 2.0]) * one.hull.length
     return sweep(one, _speeds(one, "guidance"), np.arange(0.0, 181.0, 5.0), lengths, sorted(set(heights)))
