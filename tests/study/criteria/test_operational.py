@@ -84,6 +84,23 @@ def test_acceleration_counts_where_it_is_known_and_cells_without_an_answer_stay_
     assert not (found["simplified"] == 3).any()
 
 
+@pytest.mark.filterwarnings("ignore:.*steeper than")
+def test_the_forms_agree_with_the_advice_of_the_map_itself():
+    """`guidance` judges by its own intervals, by largest motions or by rates: the same limits give the same advice."""
+    asked = {
+        "hs": [4.0, 10.0],
+        "tz": [8.0, 10.0],
+        "speed": [0.0, 8.0],
+        "heading": [30.0, 60.0, 90.0, 120.0],
+        "hours": 0,
+    }
+    for judge, form in (("largest", "deterministic"), ("rate", "probabilistic")):
+        found = qt.guidance(qt.ship("s175"), spreading="cos2", judge=judge, **asked)
+        advised = qt.operational_guidance(found)
+        np.testing.assert_array_equal(advised[form], found["recommended"])
+        assert len(np.unique(found["recommended"])) > 1
+
+
 def test_page_and_table_hold_every_loading():
     ds = qt.operational_guidance(seas(2))
     page = operational_page(ds)
