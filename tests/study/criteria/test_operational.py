@@ -84,7 +84,7 @@ def test_acceleration_counts_where_it_is_known_and_cells_without_an_answer_stay_
     assert not (found["simplified"] == 3).any()
 
 
-@pytest.mark.filterwarnings("ignore:.*steeper than")
+@pytest.mark.filterwarnings("ignore::quartering.RangeWarning")
 def test_the_forms_agree_with_the_advice_of_the_map_itself():
     """`guidance` judges by its own intervals, by largest motions or by rates: the same limits give the same advice."""
     asked = {
