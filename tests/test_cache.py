@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from quartering import cache
-from quartering.cache import cache_folder, remembered
+from quartering.cache import cache_folder, cached
 from quartering.hull.file.read import ship
 from quartering.hull.lines.immersed import strips
 from quartering.hydro.strip import table
@@ -75,31 +75,31 @@ def broken(data, how):
 
 @pytest.mark.parametrize("how", ["cut short", "one bit", "empty", "foreign"])
 def test_a_damaged_file_is_made_anew(folder, how):
-    made = remembered("name", lambda: {"a": np.arange(100.0)})
+    made = cached("name", lambda: {"a": np.arange(100.0)})
     path = folder / "name.npz"
     path.write_bytes(broken(path.read_bytes(), how))
-    again = remembered("name", lambda: {"a": np.arange(100.0) + 1})
+    again = cached("name", lambda: {"a": np.arange(100.0) + 1})
     assert again["a"].tolist() == (made["a"] + 1).tolist()
-    assert remembered("name", lambda: pytest.fail("not kept"))["a"].tolist() == again["a"].tolist()
+    assert cached("name", lambda: pytest.fail("not kept"))["a"].tolist() == again["a"].tolist()
 
 
 def test_a_whole_file_under_another_name_is_not_believed(folder):
-    remembered("one", lambda: {"a": np.zeros(3)})
+    cached("one", lambda: {"a": np.zeros(3)})
     (folder / "one.npz").rename(folder / "two.npz")
-    assert remembered("two", lambda: {"a": np.ones(3)})["a"].tolist() == [1.0, 1.0, 1.0]
+    assert cached("two", lambda: {"a": np.ones(3)})["a"].tolist() == [1.0, 1.0, 1.0]
 
 
 def test_a_folder_that_cannot_be_written_is_no_error(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("in the way")
     monkeypatch.setenv(cache.PLACE, str(tmp_path / "file" / "kept"))
-    assert remembered("name", lambda: {"a": np.ones(1)})["a"].tolist() == [1.0]
+    assert cached("name", lambda: {"a": np.ones(1)})["a"].tolist() == [1.0]
 
 
 def test_off_keeps_nothing(tmp_path, monkeypatch):
     monkeypatch.setenv(cache.PLACE, "off")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     assert cache_folder() is None
-    remembered("name", lambda: {"a": np.ones(1)})
+    cached("name", lambda: {"a": np.ones(1)})
     assert not list(tmp_path.iterdir())
 
 
@@ -116,13 +116,13 @@ def test_the_usual_folder_is_the_one_of_the_desktop_standard(tmp_path, monkeypat
 def test_the_files_unused_for_longest_go_when_there_is_no_room(folder, monkeypatch):
     monkeypatch.setattr(cache, "LARGEST", 3 * 8 * 1100)
     for k, name in enumerate("abc"):
-        remembered(name, lambda: {"a": np.zeros(1000)})
+        cached(name, lambda: {"a": np.zeros(1000)})
         os.utime(folder / f"{name}.npz", (1e9 + k, 1e9 + k))
-    remembered("a", lambda: pytest.fail("was kept"))  # used now
+    cached("a", lambda: pytest.fail("was kept"))  # used now
     abandoned = folder / ".x.npz.1.2.part"
     abandoned.write_bytes(b"killed")
     os.utime(abandoned, (time.time() - 7200,) * 2)
-    remembered("d", lambda: {"a": np.zeros(1000)})
+    cached("d", lambda: {"a": np.zeros(1000)})
     assert sorted(file.name for file in folder.iterdir()) == ["a.npz", "c.npz", "d.npz"]
 
 

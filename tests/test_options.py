@@ -20,7 +20,7 @@ from quartering.study.case.read import case_grid
 from quartering.view.cli import app
 from quartering.view.console.ship_options import command_options
 from quartering.view.explorer.calls import VerdictCall
-from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.ship_registry import ShipRegistry
 
 ROOT = Path(__file__).parents[1]
 S60 = qt.ship("series60-cb60")
@@ -107,7 +107,7 @@ def test_studies_cases_and_the_service_refuse_an_option_in_the_same_words(name, 
         case_grid(file)
     call = {"ship": "series60-cb60", "speed": 5, "heading": 30, "wave_length": 100, "wave_height": 1}
     with pytest.raises(qt.InputError) as of_service:
-        VerdictCall(**call, **{**beside, name: given}).loaded(Fleet())
+        VerdictCall(**call, **{**beside, name: given}).loaded(ShipRegistry())
     assert words in str(of_sweep.value)
     assert words in str(of_service.value)
     assert str(of_case.value) == f"{file}, line 7: {words}"
@@ -347,7 +347,7 @@ from quartering.hull.file.new import write_ship
 from quartering.study.case.read import case_grid, case_schema
 from quartering.view.explorer.calls import VerdictCall
 from quartering.view.explorer.dials import scales_of
-from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.ship_registry import ShipRegistry
 from quartering.view.explorer.state import LOADING, State
 from typer.testing import CliRunner
 from quartering.view.cli import app
@@ -372,7 +372,7 @@ print(json.dumps({
     "refused": CliRunner().invoke(app, ["hull", "box", "--ice-class", "99"]).output,
     "dial": "ice_class" in LOADING and list(scales_of(OPTIONS["ice_class"], box)[0][2:4]),
     "state": State(ice_class=0.7).query(),
-    "service": VerdictCall(**call).loaded(Fleet()).value("ice_class"),
+    "service": VerdictCall(**call).loaded(ShipRegistry()).value("ice_class"),
     "new": "# ice_class: 1 m" in open(folder + "/new.yaml").read(),
     "ship schema": "ice_class" in json.loads(ship_schema())["properties"]["loading"]["properties"],
     "case schema": "ice_class" in case_schema(),

@@ -11,8 +11,8 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.view.cli import app
 from quartering.view.explorer.api import serve_api
-from quartering.view.explorer.fleet import Fleet
-from quartering.view.explorer.turns import Turns
+from quartering.view.explorer.job_queue import JobQueue
+from quartering.view.explorer.ship_registry import ShipRegistry
 
 SHIP = qt.ship("series60-cb60")
 CONDITION = {"speed": 5, "heading": 30, "wave_length": 100, "wave_height": 1}
@@ -58,7 +58,7 @@ FAULTS = {
 def service():
     """Answer of the service to a call, without a socket."""
     server = FastAPI()
-    serve_api(server, Fleet(), Turns())
+    serve_api(server, ShipRegistry(), JobQueue())
 
     async def asked(path, whole):
         transport = httpx.ASGITransport(app=server)

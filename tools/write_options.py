@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from quartering.hull.autopilot import Autopilot, Rudder
-    from quartering.hull.own_database import Database
+    from quartering.hull.user_database import Database
 
 {words}
 

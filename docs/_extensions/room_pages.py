@@ -75,6 +75,6 @@ def _documents_something(path: Path) -> bool:
     return any(
         isinstance(node, (ast.FunctionDef, ast.ClassDef))
         and not node.name.startswith("_")
-        and not any(ast.unparse(decorator) in ("kernel", "inner", "abreast") for decorator in node.decorator_list)
+        and not any(ast.unparse(decorator) in ("kernel", "inner", "batch_kernel") for decorator in node.decorator_list)
         for node in ast.parse(path.read_text()).body
     )

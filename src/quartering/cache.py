@@ -34,16 +34,8 @@ _CHECK: Final = hashlib.sha256().digest_size
 def cache_folder() -> Path | None:
     """Folder of the files, whether it exists yet or not.
 
-    Returns
-    -------
-    Path or None    $QUARTERING_CACHE; else `quartering` in the user's cache folder, where the system keeps it; None when it
-                    is "off" or the user has no home
-
-    Examples
-    --------
-    >>> folder = cache_folder()
-    >>> folder is None or folder.is_absolute()
-    True
+    Returns $QUARTERING_CACHE; else `quartering` in the user's cache folder, where the system keeps it; None when it is
+        "off" or the user has no home
     """
     named = os.environ.get(PLACE, "")
     if named:
@@ -52,22 +44,12 @@ def cache_folder() -> Path | None:
     return usual if usual.is_absolute() else None  # no home
 
 
-def remembered(name: str, make: Callable[[], Arrays]) -> Arrays:
+def cached(name: str, make: Callable[[], Arrays]) -> Arrays:
     """Load arrays by key from the disk cache; compute and store them if absent.
 
-    Parameters
-    ----------
-    name : str         digest of all the arrays follow from: inputs and source
-    make : callable    gives the arrays
-
-    Returns
-    -------
-    mapping of str to array    contiguous and writeable, equal to the last bit however they were come by
-
-    Examples
-    --------
-    >>> remembered("two", lambda: {"a": np.ones(2)})["a"].tolist()
-    [1.0, 1.0]
+    name: digest of all the arrays follow from: inputs and source
+    make: gives the arrays
+    Returns contiguous and writeable, equal to the last bit however they were come by
     """
     folder = cache_folder()
     path = None if folder is None else folder / f"{name}.npz"

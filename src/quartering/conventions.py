@@ -48,8 +48,6 @@ class InputError(ValueError):
 def as_float(value: Any) -> Any:
     """A whole number too large for floating point made infinite; anything else as it is.
 
-    Examples
-    --------
     >>> as_float(10**400), as_float(3), as_float("3 m")
     (inf, 3, '3 m')
     """
@@ -151,18 +149,7 @@ _BY_SYMBOL: Final = ("gm", "kg", "gyradius_roll", "gyradius_yaw")
 def written(name: str) -> str:
     """A quantity as titles, tables and sentences write it.
 
-    Parameters
-    ----------
-    name : str    of a condition, a loading value, a coefficient
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> [written(name) for name in ("gm", "gyradius_roll", "roll_damping", "wave_height", "K_p")]
-    ['GM', 'k_xx', 'added roll damping', 'wave height', 'K_p']
+    name: of a condition, a loading value, a coefficient
     """
     if name in _BY_SYMBOL:
         return SYMBOLS[name].symbol
@@ -174,16 +161,8 @@ def written(name: str) -> str:
 def in_unit(unit: str) -> str:
     """A unit after a number, nothing for what has none.
 
-    Parameters
-    ----------
-    unit : str    "1" for what has none
+    unit: "1" for what has none
 
-    Returns
-    -------
-    str
-
-    Examples
-    --------
     >>> in_unit("m"), in_unit("1")
     (' m', '')
     """
@@ -193,17 +172,9 @@ def in_unit(unit: str) -> str:
 def headed(name: str, unit: str) -> str:
     """Head of a column or label of an axis: a quantity and, in brackets, its unit.
 
-    Parameters
-    ----------
-    name : str    of a condition, a loading value, a coefficient
-    unit : str    "1" for what has none
+    name: of a condition, a loading value, a coefficient
+    unit: "1" for what has none
 
-    Returns
-    -------
-    str
-
-    Examples
-    --------
     >>> headed("gyradius_roll", "m"), headed("K_p", "1")
     ('k_xx [m]', 'K_p')
     """
@@ -216,20 +187,11 @@ _SECTORS: Final = ((15.0, "following"), (75.0, "stern quartering"), (105.0, "bea
 def sector(heading: float) -> str:
     """Name of the sector a heading lies in.
 
-    Parameters
-    ----------
-    heading : float    mu, any sign or turn [deg]
+    heading: mu, any sign or turn [deg]
+    Returns "following" (below 15), "stern quartering" (15-75), "beam" (75-105), "bow" (105-165) or "head"
 
-    Returns
-    -------
-    str    "following" (below 15), "stern quartering" (15-75), "beam" (75-105), "bow" (105-165) or "head"
-
-    Notes
-    -----
     Source: [H71] Fig. 1; sector limits as in common seakeeping practice.
 
-    Examples
-    --------
     >>> sector(30.0), sector(-90.0), sector(180.0)
     ('stern quartering', 'beam', 'head')
     """

@@ -18,18 +18,8 @@ _UNSAID = ("provenance", "source", "references")
 def fingerprint(value: Any) -> str:
     """Digest of every number in a record, the texts that only tell of sources left out.
 
-    Parameters
-    ----------
-    value : Any    number, text, array, mapping, sequence, or a record of such
-
-    Returns
-    -------
-    str            32 hexadecimal digits; equal for equal content in any process
-
-    Examples
-    --------
-    >>> fingerprint({"gm": 1.0}) == fingerprint(dict(gm=1.0)) != fingerprint({"gm": 1.5})
-    True
+    value: number, text, array, mapping, sequence, or a record of such
+    Returns 32 hexadecimal digits; equal for equal content in any process
     """
     digest = hashlib.sha256()
     _feed(digest, value)
@@ -61,18 +51,8 @@ def _feed(digest: Any, value: Any) -> None:
 def source_digest(*parts: str) -> str:
     """Digest of the source files of rooms and of single files, with the files beside the rooms.
 
-    Parameters
-    ----------
-    *parts : str    rooms such as "hydro", or files such as "study/grid.py"
-
-    Returns
-    -------
-    str             16 hexadecimal digits, equal for equal installations
-
-    Examples
-    --------
-    >>> len(source_digest("hydro")), source_digest("hydro") == source_digest("hull")
-    (16, False)
+    *parts: rooms such as "hydro", or files such as "study/grid.py"
+    Returns 16 hexadecimal digits, equal for equal installations
     """
     digest = hashlib.sha256()
     for part in (".", *parts):

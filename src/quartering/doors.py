@@ -30,23 +30,8 @@ _ADVICE: Final = {
 def takes(**kinds: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Refuse arguments that are not of the kinds named.
 
-    Parameters
-    ----------
-    **kinds : str    argument -> name of its class, or of several, "Ship, Hull, None"; so no room is imported for it
-
-    Returns
-    -------
-    callable    a decorator; the function raises `InputError` before anything else
-
-    Examples
-    --------
-    >>> @takes(ship="Ship")
-    ... def length(ship):
-    ...     return ship.hull.length
-    >>> length([1, 2])
-    Traceback (most recent call last):
-    ...
-    quartering.conventions.InputError: ship = [1, 2] is no Ship; give one, such as quartering.ship("wigley")
+    **kinds: argument -> name of its class, or of several, "Ship, Hull, None"; so no room is imported for it
+    Returns a decorator; the function raises `InputError` before anything else
     """
 
     def checked(function: Callable[P, R]) -> Callable[P, R]:

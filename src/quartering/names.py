@@ -55,26 +55,10 @@ class Term(NamedTuple):
 def term(name: str) -> Term:
     """Take a coefficient name apart.
 
-    Parameters
-    ----------
-    name : str    such as "Y_v", "K_vpp", "K_phi5", "N_rdot", "K_p|p|", or "m", "I_x", "I_z", "I_xz"
+    name: such as "Y_v", "K_vpp", "K_phi5", "N_rdot", "K_p|p|", or "m", "I_x", "I_z", "I_xz"
+    Returns row and factors
 
-    Returns
-    -------
-    Term    row and factors
-
-    Raises
-    ------
-    InputError    the name is not of this form
-
-    Notes
-    -----
     Source: [Abkowitz64] notation.
-
-    Examples
-    --------
-    >>> term("K_vpp"), term("K_phi5").factors.count("phi")
-    (Term(row='K', factors=('v', 'p', 'p')), 5)
     """
     if name in _BODY:
         row, factor = _BODY[name]
@@ -97,26 +81,10 @@ def term(name: str) -> Term:
 def canonical(name: str) -> str:
     """The one spelling of a coefficient name under which the tables list it.
 
-    Parameters
-    ----------
-    name : str    any spelling `term` understands
+    name: any spelling `term` understands
+    Returns cubic letters in the order of CUBIC_MONOMIALS, powers of phi as in RESTORING_NAMES; others unchanged
 
-    Returns
-    -------
-    str    cubic letters in the order of CUBIC_MONOMIALS, powers of phi as in RESTORING_NAMES; others unchanged
-
-    Raises
-    ------
-    InputError    the name is not a coefficient name
-
-    Notes
-    -----
     Source: [H71] equation (2) for the order of the letters.
-
-    Examples
-    --------
-    >>> canonical("Y_vvr"), canonical("K_phi3"), canonical("K_p|p|")
-    ('Y_rvv', 'K_phiphiphi', 'K_p|p|')
     """
     row, factors = term(name)
     if "|" in name or name in _BODY:
@@ -129,26 +97,10 @@ def canonical(name: str) -> str:
 def dimension(name: str) -> tuple[int, int, int]:
     """Powers of kilogram, metre and second in the unit of a coefficient.
 
-    Parameters
-    ----------
-    name : str    any spelling `term` understands
+    name: any spelling `term` understands
+    Returns (int, int, int): powers of kg, m and s
 
-    Returns
-    -------
-    (int, int, int)    powers of kg, m and s
-
-    Raises
-    ------
-    InputError    the name is not a coefficient name
-
-    Notes
-    -----
     Unit of the force or moment over the units of the factors.  Source: [Abkowitz64], the dimensional rule.
-
-    Examples
-    --------
-    >>> dimension("Y_v"), dimension("K_ppp")
-    ((1, 0, -1), (1, 2, 1))
     """
     row, factors = term(name)
     metre = (1 if row == "Y" else 2) - sum(factor in ("v", "vdot") for factor in factors)
@@ -159,26 +111,10 @@ def dimension(name: str) -> tuple[int, int, int]:
 def unit(name: str) -> str:
     """Unit of a coefficient, as printed.
 
-    Parameters
-    ----------
-    name : str    any spelling `term` understands
+    name: any spelling `term` understands
+    Returns SI; radians are left out
 
-    Returns
-    -------
-    str    SI; radians are left out
-
-    Raises
-    ------
-    InputError    the name is not a coefficient name
-
-    Notes
-    -----
     Source: [Abkowitz64], the dimensional rule.
-
-    Examples
-    --------
-    >>> unit("Y_vdot"), unit("K_r"), unit("Y_vvv"), unit("K_phi")
-    ('kg', 'kg m2/s', 'kg s/m2', 'kg m2/s2')
     """
     if name == DRAG_NAME:
         return "1"
@@ -191,20 +127,11 @@ def unit(name: str) -> str:
 def barred(name: str) -> tuple[str, ...]:
     """Factors that stand between modulus bars.
 
-    Parameters
-    ----------
-    name : str    any spelling `term` understands
+    name: any spelling `term` understands
+    Returns such as ("p",) for "K_p|p|"
 
-    Returns
-    -------
-    tuple of str    such as ("p",) for "K_p|p|"
-
-    Notes
-    -----
     Source: [Abkowitz64] notation, with the bars of later manoeuvring models.
 
-    Examples
-    --------
     >>> barred("K_p|p|"), barred("K_ppp")
     (('p',), ())
     """
@@ -214,25 +141,11 @@ def barred(name: str) -> tuple[str, ...]:
 def checked_values(where: str, values: Mapping[str, float]) -> dict[str, float]:
     """Values by coefficient name, refused when a name is unknown or a value is not a finite number.
 
-    Parameters
-    ----------
-    where : str                          ship or file named in the message
-    values : mapping of str to float     by name
+    where: ship or file named in the message
+    values: by name
 
-    Returns
-    -------
-    dict of str to float
-
-    Raises
-    ------
-    InputError    unknown name (the message gives the nearest known one), or a value that is not a finite number
-
-    Notes
-    -----
     Source: [Abkowitz64] notation.
 
-    Examples
-    --------
     >>> checked_values("my ship", {"K_ppp": 2})
     {'K_ppp': 2.0}
     """

@@ -194,30 +194,9 @@ def _number(given: float | str, of: Option, sizes: Sizes) -> float:
 def checked(of: Option, given: Any, where: str = "", sizes: Sizes = NO_SHIP) -> Any:
     """A value in the option's own unit (SI, degrees), or one of its words.
 
-    Parameters
-    ----------
-    of : Option
-    given : float or str    a number, a number with its unit, or a word
-    where : str             ship, file and line, or option of the command line it was given by; the message begins with it
-    sizes : Sizes           of the ship [m]; limits and units that need it are left out where it is not known
-
-    Returns
-    -------
-    float or str
-
-    Raises
-    ------
-    Refused    not a number, an unknown unit, out of its range, another word: what was given, the range, and the likely slip
-               (the unit that would make sense of the number, the nearest word)
-
-    Examples
-    --------
-    >>> checked(option("gyradius_roll"), "0.38 B", sizes=Sizes(120.0, 16.0, 6.5))
-    6.08
-    >>> checked(option("roll_damping"), 5)
-    Traceback (most recent call last):
-    ...
-    quartering.options.Refused: roll_damping = 5; it is from 0 to 1, or ikeda or ikeda-simplified; did you mean 5 %? Try 0.05
+    given: a number, a number with its unit, or a word
+    where: ship, file and line, or option of the command line it was given by; the message begins with it
+    sizes: of the ship [m]; limits and units that need it are left out where it is not known
     """
     given = as_float(given)
     if not of.numeric:
@@ -353,13 +332,7 @@ def _text(of: Option, given: Any, where: str) -> Any:
 
 
 def quoted(given: Any, longest: int = 60) -> str:
-    """What was given as a message repeats it: whole, or its beginning.
-
-    Examples
-    --------
-    >>> quoted("straight"), len(quoted([0.5] * 1000))
-    ("'straight'", 60)
-    """
+    """What was given as a message repeats it: whole, or its beginning."""
     text = repr(given)
     return text if len(text) <= longest else f"{text[: longest - 3]}..."
 
@@ -496,13 +469,7 @@ def options(
     group: str | None = None,
     kinds: tuple[Kind, ...] | None = None,
 ) -> Iterator[Option]:
-    """Options of a place, of a group (all that are no part of one by default), that are axes of a study.
-
-    Examples
-    --------
-    >>> [one.name for one in options(place="loading", axis=True)][:3]
-    ['gm', 'kg', 'gyradius_roll']
-    """
+    """Options of a place, of a group (all that are no part of one by default), that are axes of a study."""
     for one in OPTIONS.values():
         wanted = (place in (None, one.place), axis in (None, one.axis), group in (None, one.group))
         if all(wanted) and (kinds is None or one.kind in kinds):
@@ -512,25 +479,7 @@ def options(
 def option(name: str, where: str = "") -> Option:
     """The option of a name.
 
-    Parameters
-    ----------
-    name : str
-    where : str    the message begins with it
-
-    Returns
-    -------
-    Option
-
-    Raises
-    ------
-    Refused        no such option: the nearest name, and those there are
-
-    Examples
-    --------
-    >>> option("gyradius_rol")
-    Traceback (most recent call last):
-    ...
-    quartering.options.Refused: gyradius_rol is unknown; did you mean gyradius_roll?
+    where: the message begins with it
     """
     if name not in OPTIONS:
         raise unknown(name, OPTIONS, where)
@@ -545,13 +494,7 @@ def unknown(name: str, known: Mapping[str, Any] | tuple[str, ...], where: str = 
 
 
 def parts(group: str) -> dict[str, Option]:
-    """Parts of a group by their key in a file.
-
-    Examples
-    --------
-    >>> list(parts("rudder"))
-    ['area', 'aspect']
-    """
+    """Parts of a group by their key in a file."""
     return {one.path[-1]: one for one in options(group=group)}
 
 
@@ -565,22 +508,10 @@ def no_coefficients(name: str, given: Any) -> Refused:
 def part_values(of: Option, given: Any, where: str, sizes: Sizes) -> dict[str, float] | None:
     """Values of a group by key, from a mapping, a sequence in the order of its parts, or text such as "1,10s,2s".
 
-    Parameters
-    ----------
-    of : Option         a group
-    given : Any         "none" for none
-    where, sizes        as for `checked`
+    of: a group
+    given: "none" for none
+    as for `checked`
 
-    Returns
-    -------
-    dict of str to float, or None for "none"
-
-    Raises
-    ------
-    Refused             a key that is unknown or missing, too many values, what `checked` refuses
-
-    Examples
-    --------
     >>> part_values(option("autopilot"), "1,10s", "my ship", NO_SHIP)
     {'gain': 1.0, 'rate_gain': 10.0, 'lag': 0.0}
     """
@@ -612,32 +543,18 @@ def part_values(of: Option, given: Any, where: str, sizes: Sizes) -> dict[str, f
 
 
 def ship_options() -> list[Option]:
-    """What `Ship.with_` takes: every option that is no condition.
-
-    Examples
-    --------
-    >>> {"gm", "water_density", "values", "bilge_keel_length"} <= {one.name for one in ship_options()}
-    True
-    """
+    """What `Ship.with_` takes: every option that is no condition."""
     return [one for one in OPTIONS.values() if one.place != "condition"]
 
 
 def loading_axes() -> tuple[str, ...]:
-    """Names of the numbers of a ship a study may vary.
-
-    Examples
-    --------
-    >>> loading_axes()[:3]
-    ('draught', 'gm', 'kg')
-    """
+    """Names of the numbers of a ship a study may vary."""
     return tuple(one.name for one in ship_options() if one.axis and one.numeric)
 
 
 def choice_axes() -> dict[str, tuple[str, ...]]:
     """Axes of words, each with its words; a study numbers them in this order.
 
-    Examples
-    --------
     >>> choice_axes()["velocities"]
     ('relative', 'absolute')
     """

@@ -8,17 +8,7 @@ from pathlib import Path
 
 
 def publish(path: Path, data: bytes) -> None:
-    """Write a file atomically: temporary file, fsync, rename.
-
-    Parameters
-    ----------
-    path : Path
-    data : bytes
-
-    Raises
-    ------
-    OSError    the disk is full, or refuses otherwise; what stood there before still does
-    """
+    """Write a file atomically: temporary file, fsync, rename."""
     part = path.with_name(f".{path.name}.{os.getpid()}.{threading.get_ident()}.part")
     try:
         with open(part, "wb") as file:

@@ -11,25 +11,13 @@ from numpy.typing import NDArray
 def rowwise(rows: NDArray[Any], matrix: NDArray[Any]) -> NDArray[Any]:
     """Each row times a matrix, every row by a product of its own.
 
-    Parameters
-    ----------
-    rows : (n, k) float or complex
-    matrix : (k, m)
+    rows (n, k)
+    matrix (k, m)
+    Returns (n, m)
 
-    Returns
-    -------
-    (n, m)
-
-    Notes
-    -----
     ``rows @ matrix`` is one product for the library of linear algebra, which takes rows four or eight at a time and the rest
     otherwise: the last digit of a row then depends on how many rows there are, and where it stands among them. A condition's
     numbers may depend on nothing but the condition.
-
-    Examples
-    --------
-    >>> rowwise(np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([[1.0], [1.0]])).tolist()
-    [[3.0], [7.0]]
     """
     return np.asarray(np.matmul(rows[:, None, :], matrix)[:, 0])
 
@@ -37,23 +25,11 @@ def rowwise(rows: NDArray[Any], matrix: NDArray[Any]) -> NDArray[Any]:
 def contracted(one: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
     """Sum of products over the last axis, of few elements, in one order.
 
-    Parameters
-    ----------
-    one, other : (..., j)    that broadcast
+    one, other (..., j): that broadcast
+    Returns (...)
 
-    Returns
-    -------
-    (...)
-
-    Notes
-    -----
     `numpy.einsum` goes through its axes in an order that it chooses by their lengths and strides, and so adds up one row alone
     in another way than many.
-
-    Examples
-    --------
-    >>> contracted(np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([1.0, 10.0])).tolist()
-    [21.0, 43.0]
     """
     with np.errstate(invalid="ignore", over="ignore"):  # a row without an answer is not finite, and says so itself
         total = one[..., 0] * other[..., 0]

@@ -44,20 +44,8 @@ class Table(NamedTuple):
 def read_any_text(path: str | Path) -> str:
     """Text of a file in UTF-8, UTF-16 or the 8-bit code of western Windows.
 
-    Parameters
-    ----------
-    path : str or Path
+    Returns without the mark of the byte order
 
-    Returns
-    -------
-    str    without the mark of the byte order
-
-    Raises
-    ------
-    InputError    a file that cannot be read, or that is no text
-
-    Examples
-    --------
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     file = Path(folder) / "my.csv"
@@ -88,32 +76,11 @@ def read_any_text(path: str | Path) -> str:
 def read_table(path: str | Path) -> Table:
     """Rows of a table, whichever way its columns are parted.
 
-    Parameters
-    ----------
-    path : str or Path    columns parted by tab, semicolon, comma or blanks; decimals with a point, or, where the comma does
-                          not part columns, with a comma; ``#`` starts a comment
+    path: columns parted by tab, semicolon, comma or blanks; decimals with a point, or, where the comma does not part
+        columns, with a comma; ``#`` starts a comment
 
-    Returns
-    -------
-    Table
-
-    Raises
-    ------
-    InputError    no text
-
-    Notes
-    -----
     A tab or a semicolon in the first row parts the columns; without them a comma that is followed by more than
     the decimals of one number; without commas, blanks.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     file = Path(folder) / "my.csv"
-    ...     _ = file.write_text("x;0;0,5\\r\\n-30;4,9;5\\r\\n")
-    ...     read_table(file).rows
-    [['x', '0', '0.5'], ['-30', '4.9', '5']]
     """
     kept: list[str] = []
     numbers: list[int] = []
@@ -152,8 +119,6 @@ def _blanks_part(lines: list[str]) -> bool:
 def is_number(word: str) -> bool:
     """Is a cell a number?
 
-    Examples
-    --------
     >>> is_number("1e3"), is_number("ms")
     (True, False)
     """
@@ -196,8 +161,6 @@ class Columns(NamedTuple):
 def columns_of(rows: list[list[str]]) -> Columns:
     """Names and units of columns: "x [mm]" in the header, or a row of units below it.
 
-    Examples
-    --------
     >>> columns_of([["time", "roll"], ["ms", "deg"], ["0", "10"]])
     Columns(names=['time', 'roll'], units=['ms', 'deg'], rows=2)
     """

@@ -23,15 +23,11 @@ Result = TypeVar("Result")
 def in_threads(kernel: Callable[..., Any], count: int, *arrays: Any, smallest: int = 16) -> None:
     """Run ``kernel(first, last, *arrays)`` over ``range(count)`` in blocks, on all cores.
 
-    Parameters
-    ----------
-    kernel : compiled function    writes its results into some of the arrays
-    count : int                   number of conditions
-    *arrays                       passed on unchanged
-    smallest : int                conditions that are worth a block of their own; blocks are multiples of it
+    kernel: writes its results into some of the arrays
+    count: number of conditions
+    passed on unchanged
+    smallest: conditions that are worth a block of their own; blocks are multiples of it
 
-    Notes
-    -----
     Blocks are a fraction of each core's share, so that a core that meets harder conditions does not hold the others up.
     Inside work that `spread` has already put on a thread, the kernel runs there and then.
     """
@@ -55,14 +51,8 @@ def workers() -> int:
 def alone(work: Callable[[Item], Result], item: Item) -> Result:
     """Do a piece of work on this thread only, as one of many that others do at the same time.
 
-    Parameters
-    ----------
-    work : function    of one item
-    item : Any
-
-    Returns
-    -------
-    Any                its result
+    work: of one item
+    Returns its result
     """
     before = getattr(_inside, "busy", False)
     _inside.busy = True
@@ -75,17 +65,10 @@ def alone(work: Callable[[Item], Result], item: Item) -> Result:
 def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tuple[int, Result]]:
     """Do a piece of work for each item on all cores, and hand the results over as they are done.
 
-    Parameters
-    ----------
-    work : function    of one item; spends its time in compiled code
-    items : sequence
+    work: of one item; spends its time in compiled code
+    Yields (int, result): index of the item, and its result; the first item comes first, done alone so that kernels
+        compile once
 
-    Yields
-    ------
-    (int, result)      index of the item, and its result; the first item comes first, done alone so that kernels compile once
-
-    Notes
-    -----
     Stopping the iteration (an interrupt, an error) drops the items not yet begun.
     """
 
@@ -108,12 +91,6 @@ def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tu
 def small_matrices() -> AbstractContextManager[Any]:
     """Solve linear systems on one thread while the body runs.
 
-    Returns
-    -------
-    context manager
-
-    Notes
-    -----
     Matrices of a hundred unknowns are solved faster by one core than shared by several; on a busy machine, seven times. And
     the last digits do not depend on how many cores there are.
     """

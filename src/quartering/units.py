@@ -58,20 +58,11 @@ NO_SHIP: Final = Sizes()
 def wave_length_of(period: float) -> float:
     """Length of the deep-water wave of a period.
 
-    Parameters
-    ----------
-    period : float    seen from a fixed point [s]
+    period: seen from a fixed point [s]
+    Returns g T^2 / (2 pi) [m]
 
-    Returns
-    -------
-    float             g T^2 / (2 pi) [m]
-
-    Notes
-    -----
     Source: [Lewis89] ch. VIII, waves on deep water.
 
-    Examples
-    --------
     >>> round(wave_length_of(10.0), 2)
     156.13
     """
@@ -81,8 +72,6 @@ def wave_length_of(period: float) -> float:
 def units_of(kind: Kind, sizes: Sizes = NO_SHIP) -> tuple[str, ...]:
     """Units a quantity may be written in, where the sizes of a ship are known those of the ship among them.
 
-    Examples
-    --------
     >>> units_of("speed", Sizes(100.0))
     ('m/s', 'kn', 'km/h', 'Fn')
     """
@@ -107,24 +96,9 @@ _PATTERN: Final = re.compile(
 def split_quantity(value: float | str, what: str = "value") -> tuple[float, str]:
     """Take a value apart into its number and its unit.
 
-    Parameters
-    ----------
-    value : float or str    such as 4.5, "4.5 m", "0.38B"
-    what : str              what the value is, for the message
-
-    Returns
-    -------
-    number : float
-    unit : str    "" when none is given
-
-    Raises
-    ------
-    InputError    no number, or one that is not finite
-
-    Examples
-    --------
-    >>> split_quantity("0.38 B")
-    (0.38, 'B')
+    value: such as 4.5, "4.5 m", "0.38B"
+    what: what the value is, for the message
+    Returns unit: "" when none is given
     """
     value = as_float(value)
     if isinstance(value, bool) or not isinstance(value, (Real, str)):
@@ -153,30 +127,14 @@ def quantity(
 ) -> float:
     """Value in SI (angles in degrees) of a number, or of a number with a unit.
 
-    Parameters
-    ----------
-    value : float or str              4.5, "4.5 m", "18 kn", "0.38 B", "1.2L", "0.25 Fn", "5 %"
-    kind : str                        "length", "speed", "mass", "angle", "time", "density", "area", "ratio" or "wave length",
-                                      which a period gives too: "9 s"
-    length, beam, draught : float     what L, B and T stand for [m]; left out, those units are refused
-    what : str                        name used in messages; the kind when left out
+    value: 4.5, "4.5 m", "18 kn", "0.38 B", "1.2L", "0.25 Fn", "5 %"
+    kind: "length", "speed", "mass", "angle", "time", "density", "area", "ratio" or "wave length", which a period gives
+        too: "9 s"
+    length, beam, draught: what L, B and T stand for [m]; left out, those units are refused
+    what: name used in messages; the kind when left out
+    Returns in m, m/s, kg, deg, s, kg/m3, m2 or 1
 
-    Returns
-    -------
-    float    in m, m/s, kg, deg, s, kg/m3, m2 or 1
-
-    Raises
-    ------
-    InputError    not a number, not finite, or a unit this kind does not have
-
-    Notes
-    -----
     L, B and T multiply lengths, "Fn" is sqrt(g L) for speeds.  Source: SI definitions, 1 kn = 1852 m/h, 1 ft = 0.3048 m.
-
-    Examples
-    --------
-    >>> round(quantity("18 kn", "speed"), 4), quantity("0.5 B", "length", beam=20.0), quantity("20 deg", "angle")
-    (9.26, 10.0, 20.0)
     """
     name = what or kind
     number, unit = split_quantity(value, name)

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 import pytest
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
-from quartering.hull.file.refusals import allowed, own_words
+from quartering.hull.file.refusals import allowed, user_words
 
 pytestmark = pytest.mark.quick
 
@@ -44,7 +44,7 @@ def test_each_kind_of_refusal_has_our_words(kind: Any, given: Any, words: str):
     with pytest.raises(ValidationError) as refused:
         TypeAdapter(kind).validate_python(given)
     assert allowed(refused.value.errors()[0]) == words
-    assert own_words(refused.value.errors()[0]) is None
+    assert user_words(refused.value.errors()[0]) is None
 
 
 def test_what_is_not_finite_is_said():

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from quartering.hydro.section.lewis import lewis_contour, lewis_forms
-from quartering.hydro.strip.table import own_outlines, radiation_table
+from quartering.hydro.strip.table import radiation_table, user_outlines
 
 LEWIS_LIKE = 0.01
 """Largest distance of a Lewis-like contour from its form, over the root of its area."""
@@ -17,7 +17,7 @@ _SAMPLES = 96
 
 def lewis_like(strips):
     """Which sections (s,) lie within 1 % of their Lewis form."""
-    outlines, which = own_outlines(strips)
+    outlines, which = user_outlines(strips)
     forms = lewis_forms(strips.half_breadth, strips.draught, strips.area)
     corners, _ = lewis_contour(forms, np.linspace(0.0, np.pi / 2.0, _SAMPLES))
     like = ~(forms.clipped | forms.stretched)

@@ -25,7 +25,7 @@ from quartering.hydro.section.lewis import (
 )
 from quartering.hydro.section.multipole import radiation
 from quartering.hydro.section.outline import section_outline, strip_outline
-from quartering.hydro.strip.table import default_frequencies, own_outlines, radiation_table
+from quartering.hydro.strip.table import default_frequencies, radiation_table, user_outlines
 from tests.hydro.section_cases import bare_strips, read_table
 
 REFERENCE = read_table("sections_reference.csv") + read_table("rectangles_reference.csv")
@@ -342,11 +342,11 @@ def test_every_section_of_every_hull_is_solved_on_its_contour(name):
 
 def test_equal_sections_are_solved_once_and_each_has_the_answer():
     box = strips(ship("box").hull)
-    assert len(own_outlines(box)[0]) == 1
+    assert len(user_outlines(box)[0]) == 1
     mixed = replace(box, half_breadth=box.half_breadth.copy(), y=box.y.copy(), dy=box.dy.copy())
     for part in (mixed.y, mixed.dy, mixed.half_breadth):
         part[3] *= 0.5
-    outlines, which = own_outlines(mixed)
+    outlines, which = user_outlines(mixed)
     assert (len(outlines), which[3], set(np.delete(which, 3).tolist())) == (2, 1, {0})
     one, other = (radiation_table(s, [0.7], 1025.0) for s in (box, mixed))
     np.testing.assert_array_equal(np.delete(one.a, 3, axis=1), np.delete(other.a, 3, axis=1))

@@ -8,8 +8,8 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import RangeWarning
-from quartering.hull.own_database import database_of
-from quartering.hydro.database.check import likeness, soundness
+from quartering.hull.user_database import database_of
+from quartering.hydro.database.check import soundness, strip_agreement
 from quartering.hydro.database.dataset import write_capytaine, write_wamit
 
 S60 = qt.ship("series60-cb60")
@@ -58,13 +58,13 @@ def test_a_database_of_another_point_or_scale_is_told():
     own = qt.hydrodynamics(S60, [0.6]).added_mass[0].to_numpy()
     moved = own.copy()
     moved[0, 1] -= 3.0 * own[0, 0]
-    (found,) = likeness(moved, own, S60.hull.draught)
+    (found,) = strip_agreement(moved, own, S60.hull.draught)
     ours = -own[0, 1] / own[0, 0]
     assert f"{ours + 3.0:.3g} m below the calm plane, by strip theory {ours:.3g} m" in found
-    assert "half a hull" in likeness(own / 2, own, S60.hull.draught)[0]
+    assert "half a hull" in strip_agreement(own / 2, own, S60.hull.draught)[0]
     shifted = own.copy()
     shifted[0, 2] += S60.hull.length / 2 * own[0, 0]
-    assert "forward of midship" in likeness(shifted, own, S60.hull.draught)[0]
+    assert "forward of midship" in strip_agreement(shifted, own, S60.hull.draught)[0]
 
 
 def test_a_ship_warns_once_of_a_database_about_another_point(tmp_path):

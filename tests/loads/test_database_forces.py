@@ -11,7 +11,7 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import MODES, RangeWarning
-from quartering.hull.own_database import database_of
+from quartering.hull.user_database import database_of
 from quartering.hydro.database.capytaine import read_capytaine_file, write_capytaine_file
 from quartering.hydro.database.dataset import write_capytaine
 from tests.loads.own_file import S60, of_strips

@@ -8,9 +8,9 @@ import xarray as xr
 
 import quartering as qt
 from quartering.conventions import GRAVITY, InputError
-from quartering.hull.own_database import database_of
+from quartering.hull.user_database import database_of
 from quartering.hydro.database.dataset import write_capytaine, write_wamit
-from quartering.hydro.source.user_database import own_database
+from quartering.hydro.source.user_database import user_database
 from quartering.loads.comparison import compare_forces
 from quartering.loads.forces import ship_force_phasors
 from quartering.study.grid import grid
@@ -156,7 +156,7 @@ def test_a_file_that_changes_under_a_ship_is_noticed(folder, tmp_path):
     shutil.copy(folder / "own.nc", tmp_path / "a.nc")
     ship = ship_from(tmp_path, "a.nc", gm=0.77)
     shutil.copy(folder / "few.nc", tmp_path / "a.nc")
-    own_database.cache_clear()
+    user_database.cache_clear()
     with pytest.raises(InputError, match="changed or gone since the ship was read"):
         qt.coefficients(ship, 0.5, 5.0)
 

@@ -1,4 +1,4 @@
-"""Capsizes on the way to a motion, many conditions abreast, against integration by another code with its own steps."""
+"""Capsizes on the way to a motion, many conditions in a batch, against integration by another code with its own steps."""
 
 import numpy as np
 import pytest

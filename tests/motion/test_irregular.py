@@ -19,7 +19,7 @@ INERTIA = [[1.0, 0.05, 0.0], [0.02, 1.0, 0.01], [0.0, 0.03, 1.0]]
 MODEL = Model(INERTIA, TERMS, 1.0, (0, 0, 0), (0, 0, 0), force_mean=(0.0, 0.01, 0.0))
 FREQUENCY = np.array([0.6, 0.83, 1.1])
 FORCE = np.array([[0.05, 0.02 + 0.03j, 0.01j], [0.02j, 0.05, 0.02], [0.03, -0.04, 0.01]])
-PHASE = np.random.default_rng(4).uniform(0, 2 * np.pi, (40, 3))  # more than a row abreast
+PHASE = np.random.default_rng(4).uniform(0, 2 * np.pi, (40, 3))  # more than a batch
 
 
 def by_scipy(phase, duration):

@@ -149,7 +149,7 @@ def test_batch_is_single_to_1e_12_with_strips_and_a_spline():
 
 
 def test_batch_is_single_to_1e_12():
-    """Two codes of the same equations: conditions abreast, and one at a time over the instants of its cycle."""
+    """Two codes of the same equations: conditions in a batch, and one at a time over the instants of its cycle."""
     models = [dragged_model(0.5 + 0.02 * i, 0.6 + 0.01 * i) for i in range(20)]
     batch = joined([m.system for m in models] + [raw_model(RAW[1]).system])
     u, status, _ = harmonic_balance(batch, (1, 3))

@@ -8,13 +8,13 @@ import pytest
 
 import quartering as qt
 import quartering.compiled
-from quartering.stability.ahead import NOTICE, compiled
+from quartering.stability.precompile import NOTICE, compiled
 
 
 def test_compilation_is_announced_once_and_only_when_the_cache_is_cold(tmp_path):
     """A fresh cache folder has nothing in it, whatever this machine has compiled before."""
     code = (
-        "from quartering.stability.ahead import announce_compilation, compiled; print(compiled());"
+        "from quartering.stability.precompile import announce_compilation, compiled; print(compiled());"
         " announce_compilation(); announce_compilation()"
     )
     cold = subprocess.run(

@@ -5,7 +5,7 @@ import pytest
 
 import quartering as qt
 from quartering.study.case.read import case_grid
-from quartering.study.loadings import loaded, own_value
+from quartering.study.loadings import loaded, user_value
 
 SHIP = qt.ship("series60-cb60")
 AT = {"speed": 7.5, "heading": [60.0, 80.0], "wave_length": 150.0, "wave_height": 2.0}
@@ -65,7 +65,7 @@ def test_keels_of_the_ship_stand_for_the_size_not_given():
     wider = loaded(own, {"bilge_keel_breadth": 0.5})
     assert wider.bilge_keels == (30.0, 0.5)
     assert wider.roll_method == "ikeda-simplified"
-    assert [own_value(wider, f"bilge_keel_{size}") for size in ("length", "breadth")] == [30.0, 0.5]
+    assert [user_value(wider, f"bilge_keel_{size}") for size in ("length", "breadth")] == [30.0, 0.5]
 
 
 @pytest.mark.parametrize(

@@ -24,13 +24,13 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.hull.formats.meshes import box_triangles
-from quartering.hull.own_database import database_of
+from quartering.hull.user_database import database_of
 from quartering.hydro.database.capytaine import read_capytaine_file, write_capytaine_file
 from quartering.hydro.database.dataset import write_capytaine, write_wamit
 from quartering.view.cli import app
 from quartering.view.explorer.api import _examined
 from quartering.view.explorer.calls import VerdictCall
-from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.ship_registry import ShipRegistry
 from tests.loads.own_file import of_strips
 
 SECONDS = 12
@@ -245,7 +245,7 @@ def noise_of_call(random, _):
         found = VerdictCall.model_validate(json.loads(json.dumps(call)))
     except ValidationError:
         raise qt.InputError("refused by the description") from None
-    _examined(found, SOUND["fleet"])
+    _examined(found, SOUND["registry"])
     return ""
 
 
@@ -434,7 +434,7 @@ def prepare(folder):
     write_wamit(found, folder / "sound", box)
     wave = qt.Wave(120.0, 2.0)
     one = box.with_(database=database_of(folder / "sound.nc", "test"))
-    SOUND.update(ship=box, wave=wave, capytaine=folder / "sound.nc", wamit=folder / "sound", fleet=Fleet())
+    SOUND.update(ship=box, wave=wave, capytaine=folder / "sound.nc", wamit=folder / "sound", registry=ShipRegistry())
     SOUND["roll"] = float(np.abs(qt.steady_motion(qt.equations(one, wave, 0.0, 60.0)).amplitude[1]))
 
 

@@ -14,10 +14,10 @@ import uvicorn
 from fastapi import HTTPException
 
 from quartering.view.explorer import guard, patience
-from quartering.view.explorer.fleet import Fleet
 from quartering.view.explorer.guard import Guard
+from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.problems import plain_names, without_paths
-from quartering.view.explorer.turns import Turns
+from quartering.view.explorer.ship_registry import ShipRegistry
 
 pytestmark = pytest.mark.quick
 
@@ -133,23 +133,23 @@ def test_a_body_that_trickles_is_refused(monkeypatch):
 
 def test_a_place_in_the_line_is_free_when_its_caller_leaves():
     async def scene():
-        turns, begun = Turns(), threading.Event()
+        jobs, begun = JobQueue(), threading.Event()
         held = threading.Event()
 
         def long():
             begun.set()
             held.wait(60)
 
-        first = asyncio.ensure_future(turns.take("one", long))
+        first = asyncio.ensure_future(jobs.take("one", long))
         while not begun.is_set():
             await asyncio.sleep(0.01)
-        others = [asyncio.ensure_future(turns.take("many", lambda: 1 / 0)) for _ in range(50)]
-        last = asyncio.ensure_future(turns.take("last", lambda: "served"))
+        others = [asyncio.ensure_future(jobs.take("many", lambda: 1 / 0)) for _ in range(50)]
+        last = asyncio.ensure_future(jobs.take("last", lambda: "served"))
         await asyncio.sleep(0)
         for other in others:
             other.cancel()
         await asyncio.gather(*others, return_exceptions=True)
-        assert list(turns._lines) == ["last"]
+        assert list(jobs._lines) == ["last"]
         held.set()
         await first
         return await last
@@ -176,12 +176,12 @@ def test_visitors_see_no_path_of_this_machine(said, shown):
 def test_a_ship_file_is_named_without_its_place(tmp_path):
     (tmp_path / "mine.yaml").write_text("base: wigley\nname: mine\n")
     (tmp_path / "wigley").write_text("base: wigley\nname: another\n")
-    fleet = Fleet(str(tmp_path / "mine.yaml"))
-    assert fleet.first == "mine.yaml"
-    assert fleet.known("mine.yaml").ship.name == "mine"
-    assert not any(str(tmp_path) in words for pair in fleet.options().items() for words in pair)
+    registry = ShipRegistry(str(tmp_path / "mine.yaml"))
+    assert registry.first == "mine.yaml"
+    assert registry.known("mine.yaml").ship.name == "mine"
+    assert not any(str(tmp_path) in words for pair in registry.options().items() for words in pair)
     with pytest.raises(ValueError, match="unknown") as refused:
-        fleet.known("nothing")
+        registry.known("nothing")
     assert str(tmp_path) not in str(refused.value)
 
 

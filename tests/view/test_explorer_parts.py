@@ -1,4 +1,4 @@
-"""What the explorer is made of, without a browser: the link, the turns, uploads, the case file."""
+"""What the explorer is made of, without a browser: the link, the jobs, uploads, the case file."""
 
 import asyncio
 import threading
@@ -18,11 +18,11 @@ from quartering.view.cli import app
 
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
-from quartering.view.explorer.answers import noting, scene
+from quartering.view.explorer.computations import noting, scene
 from quartering.view.explorer.downloads import case_file, map_dataset, netcdf, picture, report
-from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.job_queue import JobQueue
+from quartering.view.explorer.ship_registry import ShipRegistry
 from quartering.view.explorer.state import STARTING, State
-from quartering.view.explorer.turns import Turns
 from quartering.view.explorer.uploads import LARGEST, Sizes, hull_of_upload
 
 BARGE = "x,0,4,6\n" + "\n".join(f"{x},5,5,5" for x in (-30, -10, 10, 30))
@@ -75,7 +75,7 @@ def test_a_link_that_cannot_be_is_refused_with_the_reason(query, reason):
 @pytest.mark.parametrize("name", ["/etc/passwd", "../my.yaml", "library/wigley.yaml", "", "upload-0123"])
 def test_no_file_of_the_server_is_opened_by_its_name(name):
     with pytest.raises(InputError):
-        Fleet().known(name)
+        ShipRegistry().known(name)
 
 
 def test_an_uploaded_barge_has_the_volume_of_a_box():
@@ -110,17 +110,17 @@ def test_clients_take_turns_and_what_is_given_up_is_skipped():
     done = []
 
     async def run():
-        turns, hold = Turns(), threading.Event()
-        first = asyncio.create_task(turns.take("many", hold.wait))
+        queue, hold = JobQueue(), threading.Event()
+        first = asyncio.create_task(queue.take("many", hold.wait))
         await asyncio.sleep(0.01)
-        jobs = [asyncio.create_task(turns.take("many", lambda i=i: done.append(f"many {i}"))) for i in range(4)]
+        jobs = [asyncio.create_task(queue.take("many", lambda i=i: done.append(f"many {i}"))) for i in range(4)]
         await asyncio.sleep(0.01)
-        one = asyncio.create_task(turns.take("one", lambda: done.append("one")))
+        one = asyncio.create_task(queue.take("one", lambda: done.append("one")))
         await asyncio.sleep(0.01)
         jobs[1].cancel()
         hold.set()
         await asyncio.gather(first, one, *jobs, return_exceptions=True)
-        turns.close()
+        queue.close()
 
     asyncio.run(run())
     assert done == ["many 0", "one", "many 2", "many 3"]
@@ -128,15 +128,15 @@ def test_clients_take_turns_and_what_is_given_up_is_skipped():
 
 def test_the_server_answers_others_while_a_computation_runs():
     async def run():
-        turns = Turns()
+        jobs = JobQueue()
         go_on = threading.Event()
-        slow = asyncio.create_task(turns.take("a", lambda: go_on.wait(600)))
+        slow = asyncio.create_task(jobs.take("a", lambda: go_on.wait(600)))
         for _ in range(5):  # were the loop held up, it would come to the end of this only after the computation
             await asyncio.sleep(0.01)
         assert not slow.done()
         go_on.set()
         heard = await slow
-        turns.close()
+        jobs.close()
         return heard
 
     assert asyncio.run(run())
@@ -147,9 +147,9 @@ def test_an_error_in_a_turn_reaches_its_own_waiter_only():
         raise InputError("no such thing")
 
     async def run():
-        turns = Turns()
-        found = await asyncio.gather(turns.take("a", fail), turns.take("b", lambda: 7), return_exceptions=True)
-        turns.close()
+        jobs = JobQueue()
+        found = await asyncio.gather(jobs.take("a", fail), jobs.take("b", lambda: 7), return_exceptions=True)
+        jobs.close()
         return found
 
     failed, fine = asyncio.run(run())
@@ -167,7 +167,7 @@ def test_an_error_in_a_turn_reaches_its_own_waiter_only():
 )
 def test_the_case_file_gives_the_map_again_by_the_command_line(tmp_path, changes):
     state = STARTING.changed(heading=52.0, **changes)
-    of = scene(state, Fleet().known(state.ship))
+    of = scene(state, ShipRegistry().known(state.ship))
     name, content = case_file(state, of)
     (tmp_path / name).write_bytes(content)
     made = CliRunner().invoke(app, ["sweep", str(tmp_path / name), "-o", str(tmp_path / "result")])
@@ -185,7 +185,7 @@ def test_the_case_file_gives_the_map_again_by_the_command_line(tmp_path, changes
 
 def test_the_map_goes_home_as_picture_and_as_dataset(tmp_path):
     state = State(ship="wigley", steepness=0.01)
-    of = scene(state, Fleet().known("wigley"))
+    of = scene(state, ShipRegistry().known("wigley"))
     assert picture(of, "png").startswith(b"\x89PNG")
     assert b"<svg" in picture(of, "svg")[:2000]
     (tmp_path / "map.nc").write_bytes(netcdf(of))
@@ -197,13 +197,13 @@ def test_the_map_goes_home_as_picture_and_as_dataset(tmp_path):
 
 def test_the_report_goes_home_where_there_is_one():
     pytest.importorskip("quartering.view.report", reason="no report yet")
-    of = scene(State(ship="wigley", steepness=0.01), Fleet().known("wigley"))
+    of = scene(State(ship="wigley", steepness=0.01), ShipRegistry().known("wigley"))
     assert b"Wigley" in report(of)
 
 
 def test_waves_that_break_are_left_out_of_the_map():
     state = State(ship="wigley", wave_height=8.0, wave_length=100.0, speed=20.0)
-    of = scene(state, Fleet().known("wigley"))
+    of = scene(state, ShipRegistry().known("wigley"))
     assert all(wave.steepness <= 1 / 7 for wave in of.waves)
     shown, notes = noting(lambda: map_dataset(of))()
     assert shown["roll"].sizes["wave_length"] == len(of.waves) < 20

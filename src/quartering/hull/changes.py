@@ -14,10 +14,10 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.hull import Hull, at_draught, scaled, with_depth
 from quartering.hull.lines.sense import check_proportions
 from quartering.hull.loading import Loading, loaded_alike, reloaded
-from quartering.hull.own_database import DATABASE_IS, Database, database_of, database_of_keys
-from quartering.hull.own_measured import measured_source
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.roll_period import gyradius_of_period
+from quartering.hull.user_database import DATABASE_IS, Database, database_of, database_of_keys
+from quartering.hull.user_measured import measured_source
 from quartering.names import term
 from quartering.options import (
     OPTIONS,
@@ -51,26 +51,8 @@ def sizes_of(hull: Hull) -> Sizes:
 def changed(ship: Ship, given: Mapping[str, Any], where: str | None = None) -> Ship:
     """A ship with some options changed.
 
-    Parameters
-    ----------
-    ship : Ship
-    given : mapping of str to value    options of `quartering.options`; None keeps what the ship has
-    where : str                        ship or file named in messages
-
-    Returns
-    -------
-    Ship
-
-    Raises
-    ------
-    Refused       an unknown option, a value out of its range, two that say one thing
-    InputError    a hull, a loading or a file that cannot be
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> changed(ship("box"), {"openings": "40 deg"}).value("openings")
-    40.0
+    given: options of `quartering.options`; None keeps what the ship has
+    where: ship or file named in messages
     """
     where = ship.name if where is None else where
     wanted = {name: value for name, value in given.items() if value is not None}

@@ -57,29 +57,15 @@ def reloaded(
 ) -> Loading:
     """Loading with some values changed, checked, and GM and KG tied by the hull's KM.
 
-    Parameters
-    ----------
-    name : str                              ship or file named in messages
-    hull : Hull                             at the draught of the loading
-    loading : Loading                       what is not given is taken from here
-    gm, kg : float                          at most one of them, in their ranges [m]
-    gyradius_roll, gyradius_yaw : float     [m]
-    roll_damping : float or str             fraction of critical, or the word of a component method, which has none
+    name: ship or file named in messages
+    hull: at the draught of the loading
+    loading: what is not given is taken from here
+    gm, kg: at most one of them, in their ranges [m]
+    gyradius_roll, gyradius_yaw: [m]
+    roll_damping: fraction of critical, or the word of a component method, which has none
 
-    Returns
-    -------
-    Loading
-
-    Raises
-    ------
-    Refused    GM not above 0, or G more than a draught below the keel
-
-    Notes
-    -----
     KG = KM - GM.  Source: [Lewis88] ch. 2.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.hull import box_hull
     >>> box = box_hull(100.0, 20.0, 5.0, 10.0)
     >>> round(reloaded("box", box, Loading(1.0, 8.17, 7.0, 25.0), kg=6.0).gm, 4)
@@ -113,8 +99,6 @@ def reloaded(
 def loaded_alike(loading: Loading, values: Mapping[str, float | str]) -> Loading:
     """Loading with radii of gyration and roll damping changed; by a component method the damping is no fraction.
 
-    Examples
-    --------
     >>> loaded_alike(Loading(1.0, 6.0, 5.0, 25.0), {"roll_damping": "ikeda"}).roll_damping
     0.0
     """

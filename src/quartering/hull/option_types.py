@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from quartering.hull.autopilot import Autopilot, Rudder
-    from quartering.hull.own_database import Database
+    from quartering.hull.user_database import Database
 
 Datum = Literal["keel", "waterline"]
 Linear = Literal["default", "strip"]

@@ -15,18 +15,7 @@ _WIDEST = 0.25
 def roll_method(roll_damping: float | str) -> RollMethod:
     """The method a given roll damping names; a number is a fraction of critical.
 
-    Parameters
-    ----------
-    roll_damping : float or str    0.05, "5 %", "ikeda" or "ikeda-simplified", which the table of options allows
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> roll_method("ikeda"), roll_method("5 %")
-    ('ikeda', 'fraction')
+    roll_damping: 0.05, "5 %", "ikeda" or "ikeda-simplified", which the table of options allows
     """
     word = roll_damping.strip() if isinstance(roll_damping, str) else ""
     return word if word in _WORDS else "fraction"
@@ -35,21 +24,11 @@ def roll_method(roll_damping: float | str) -> RollMethod:
 def roll_damping_note(method: RollMethod, keels: BilgeKeels | None) -> str:
     """Where the roll damping of a component method comes from.
 
-    Parameters
-    ----------
-    method : str                      "ikeda" or "ikeda-simplified"
-    keels : (float, float) or None    length and breadth of one bilge keel [m]
+    method: "ikeda" or "ikeda-simplified"
+    keels (float, float): length and breadth of one bilge keel [m]
 
-    Returns
-    -------
-    str
-
-    Notes
-    -----
     Source: the methods' own papers, [Himeno81] and [Kawahara09].
 
-    Examples
-    --------
     >>> roll_damping_note("ikeda", (30.0, 0.4))
     'estimated: component method of Ikeda on the lines, bilge keels 30 x 0.4 m'
     """
@@ -60,26 +39,12 @@ def roll_damping_note(method: RollMethod, keels: BilgeKeels | None) -> str:
 def checked_bilge_keels(where: str, length: float, beam: float, keels: BilgeKeels) -> BilgeKeels | None:
     """Bilge keels of a ship, refused when their size cannot be right.
 
-    Parameters
-    ----------
-    where : str              ship or file named in the message
-    length, beam : float     of the ship [m]
-    keels : (float, float)   length and breadth of one of the pair [m]; 0 for none
+    where: ship or file named in the message
+    length, beam: of the ship [m]
+    keels (float, float): length and breadth of one of the pair [m]; 0 for none
 
-    Returns
-    -------
-    (float, float) or None
-
-    Raises
-    ------
-    InputError    a length above the ship's, a breadth above a quarter of the beam, either not above 0
-
-    Notes
-    -----
     Source: [Ikeda78c] for the keels meant.
 
-    Examples
-    --------
     >>> checked_bilge_keels("my ship", 120.0, 16.0, (30.0, 0.4))
     (30.0, 0.4)
     """

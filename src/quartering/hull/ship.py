@@ -12,9 +12,9 @@ from quartering.hull.changes import changed
 from quartering.hull.lines.hull import Hull
 from quartering.hull.loading import Loading
 from quartering.hull.option_types import Drag, Hydrodynamics, Linear, Righting, ShipOptions, Velocities
-from quartering.hull.own_database import Database
-from quartering.hull.own_measured import MeasuredFile
 from quartering.hull.roll_method import BilgeKeels, RollMethod, roll_damping_note
+from quartering.hull.user_database import Database
+from quartering.hull.user_measured import MeasuredFile
 from quartering.notebook import ShownInNotebooks
 from quartering.options import OPTIONS, checked, described, option, signature
 from quartering.units import Sizes

@@ -20,25 +20,9 @@ if TYPE_CHECKING:
 def number(ship: Ship | None, name: str, given: float | str) -> float:
     """One value of an option in SI or degrees.
 
-    Parameters
-    ----------
-    ship : Ship or None    whose L, B and T are meant
-    name : str             of the option
-    given : float or str   7.5, "15kn", "0.25Fn", "1.2L"
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InputError             what `quartering.options.checked` refuses
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> number(ship("wigley"), "wave_length", "1.2L")
-    120.0
+    ship: whose L, B and T are meant
+    name: of the option
+    given: 7.5, "15kn", "0.25Fn", "1.2L"
     """
     return _one(_named(name), given, NO_SHIP if ship is None else ship.sizes)
 
@@ -46,25 +30,9 @@ def number(ship: Ship | None, name: str, given: float | str) -> float:
 def numbers(ship: Ship | None, name: str, given: ArrayLike) -> NDArray[np.float64]:
     """One value or several of an option in SI or degrees.
 
-    Parameters
-    ----------
-    ship : Ship or None    whose L, B and T are meant
-    name : str             of the option
-    given : () or (n,)     numbers, or text with a unit, as for `number`
-
-    Returns
-    -------
-    () or (n,) float
-
-    Raises
-    ------
-    InputError             what `quartering.options.checked` refuses
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> numbers(ship("wigley"), "speed", ["10kn", 3.0]).round(3).tolist()
-    [5.144, 3.0]
+    ship: whose L, B and T are meant
+    name: of the option
+    given: numbers, or text with a unit, as for `number`
     """
     one, sizes = _named(name), NO_SHIP if ship is None else ship.sizes
     if _has_text(given):
@@ -83,17 +51,7 @@ def numbers(ship: Ship | None, name: str, given: ArrayLike) -> NDArray[np.float6
 
 
 def count(name: str, given: Any, least: int, usual: int) -> int:
-    """A whole number of something.
-
-    Raises
-    ------
-    InputError    no whole number, or less than the least
-
-    Examples
-    --------
-    >>> count("points", 400, 2, 400)
-    400
-    """
+    """A whole number of something."""
     if isinstance(given, bool) or not isinstance(given, (Integral, np.integer)) or int(given) < least:
         raise InputError(f"{name} = {quoted(given)}; it is a whole number of {least} or more; try {usual}")
     return int(given)
@@ -130,11 +88,5 @@ def _is_list(given: Any) -> bool:
 
 
 def condition(ship: Ship | None, speed: float | str, heading: float | str) -> tuple[float, float]:
-    """Speed [m/s] and heading [deg] of a condition.
-
-    Examples
-    --------
-    >>> condition(None, "10 m/s", 30)
-    (10.0, 30.0)
-    """
+    """Speed [m/s] and heading [deg] of a condition."""
     return number(ship, "speed", speed), number(ship, "heading", heading)

@@ -16,24 +16,10 @@ _BY_ANGLE = ("Y_phi", "K_phi", "N_phi")
 def state_matrix(c: Coefficients, condition: int = 0) -> Floats:
     """Matrix A of d/dt (v, phi, p, r) = A (v, phi, p, r) for small motions without waves.
 
-    Parameters
-    ----------
-    c : Coefficients
-    condition : int    which of its conditions
+    condition: which of its conditions
+    Returns (4, 4): [SI and 1/s]
 
-    Returns
-    -------
-    (4, 4) float    [SI and 1/s]
-
-    Notes
-    -----
     Source: [H71] equations (2) and (3), linear part.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> state_matrix(coefficients(ship("wigley"), 0.5, 0.0))[1].tolist()
-    [0.0, 0.0, 1.0, 0.0]
     """
     restoring = [c.terms[name].value[condition] for name in _BY_ANGLE]
     right = np.column_stack([c.linear[condition, :, 0], restoring, c.linear[condition, :, 1:]])
@@ -44,31 +30,13 @@ def state_matrix(c: Coefficients, condition: int = 0) -> Floats:
 def calm_water_exponents(ship: Ship, speed: float) -> NDArray[np.complex128]:
     """Exponents of the four small motions of a ship in calm water.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : float    U [m/s]
+    speed: U [m/s]
+    Returns (4,): the two sway-yaw (course) roots, then the two roll roots [1/s]; a real part above zero is unstable
 
-    Returns
-    -------
-    (4,) complex    the two sway-yaw (course) roots, then the two roll roots [1/s]; a real part above zero is unstable
-
-    Raises
-    ------
-    InputError    speed negative or not a number
-
-    Notes
-    -----
     Each root is taken with the water's coefficients at its own frequency: the course roots, which are slow, at
     omega -> 0 (no waves made); the roll roots at the natural roll frequency n2. In either system the roll pair is the
     pair nearest to +- i n2.
     Source: [H71] equation (3), linear part.  Valid: straight course, upright, no rudder.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> calm_water_exponents(ship("series60-cb60"), 8.6).shape
-    (4,)
     """
     n2 = coefficients(ship, 0.0, speed).roll_frequency
     c = coefficients(ship, [0.0, n2], speed)

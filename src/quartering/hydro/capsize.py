@@ -20,25 +20,10 @@ from quartering.names import RESTORING_NAMES, RESTORING_POWERS
 def capsize_limit(ship: Ship) -> CapsizeLimit:
     """Roll angle that counts as a capsize, in every study and history of a ship.
 
-    Parameters
-    ----------
-    ship : Ship
+    Returns the least of the vanishing angle, the ship's `openings` and 90 deg
 
-    Returns
-    -------
-    CapsizeLimit    the least of the vanishing angle, the ship's `openings` and 90 deg
-
-    Notes
-    -----
     Where righting coefficients are given, or multiplied, the moment of the equations counts if it vanishes sooner.
     Source: `vanishing_angle`.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> box = ship("box").with_(righting="spline")
-    >>> capsize_limit(box).reason, capsize_limit(box.with_(openings="40 deg")).words
-    ('vanishing', '40 deg, where unprotected openings go under')
     """
     return least_limit(vanishing_of_equations(ship), ship.value("openings"))
 

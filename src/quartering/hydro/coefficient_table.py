@@ -106,17 +106,10 @@ class Coefficients:
     def table(self, condition: int = 0) -> tuple[Entry, ...]:
         """Every coefficient of one condition with unit, source and kind, in a fixed order.
 
-        Parameters
-        ----------
-        condition : int    which of the n conditions
+        condition: which of the n conditions
+        Returns rigid body; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r without its -m U); restoring; cubic; further
+            terms; rudder, beside an autopilot. What is estimated says so in its source
 
-        Returns
-        -------
-        tuple of Entry    rigid body; Y_vdot .. N_rdot; Y_v .. N_r (hydrodynamic, Y_r without its -m U); restoring;
-                          cubic; further terms; rudder, beside an autopilot. What is estimated says so in its source.
-
-        Notes
-        -----
         Source: [H71] equation (2) for the terms; each entry names its own.
         """
         return tuple(
@@ -139,22 +132,10 @@ def in_order(terms: Mapping[str, Term]) -> dict[str, Term]:
 def rigid_inertia(body: Mapping[str, float]) -> Floats:
     """Inertia matrix of the ship without water.
 
-    Parameters
-    ----------
-    body : mapping    "m" [kg], "I_x", "I_z", "I_xz" [kg m2]
+    body: "m" [kg], "I_x", "I_z", "I_xz" [kg m2]
+    Returns (3, 3): sway, roll, yaw about G
 
-    Returns
-    -------
-    (3, 3) float    sway, roll, yaw about G
-
-    Notes
-    -----
     Source: [H71] equation (1).
-
-    Examples
-    --------
-    >>> rigid_inertia({"m": 2.0, "I_x": 3.0, "I_z": 5.0, "I_xz": 0.5}).tolist()
-    [[2.0, 0.0, 0.0], [0.0, 3.0, -0.5], [0.0, -0.5, 5.0]]
     """
     cross = -body["I_xz"]
     return np.array([[body["m"], 0.0, 0.0], [0.0, body["I_x"], cross], [0.0, cross, body["I_z"]]])

@@ -17,22 +17,10 @@ from quartering.names import canonical
 def with_given(ship: Ship, terms: Mapping[str, Term], count: int) -> dict[str, Term]:
     """Coefficients after the ship's own values and factors.
 
-    Parameters
-    ----------
-    ship : Ship
-    terms : mapping of str to Term    of all sources together
-    count : int                       number of conditions
+    terms: of all sources together
+    count: number of conditions
+    Returns a given value stands in place of every source of it; a factor multiplies what is there
 
-    Returns
-    -------
-    dict of str to Term               a given value stands in place of every source of it; a factor multiplies what is there
-
-    Raises
-    ------
-    InputError                        a factor on what has no value; the message has the nearest name that has one
-
-    Examples
-    --------
     >>> from dataclasses import replace
     >>> from quartering.hull.file.read import ship
     >>> own = replace(ship("wigley"), overrides={"K_p|p|": -2.0}, multipliers={"K_p|p|": 0.5})

@@ -52,20 +52,8 @@ Terms = Mapping[str, Term]
 def added(sources: Iterable[Terms]) -> dict[str, Term]:
     """Coefficients of several sources, added up by name.
 
-    Parameters
-    ----------
-    sources : iterable of Terms    by canonical name, values of one length
-
-    Returns
-    -------
-    dict of str to Term            the kind of a sum is the first of `KINDS` among its parts, its words are theirs in that order
-
-    Examples
-    --------
-    >>> wave = Term(np.array([-1.0]), "strip", "wave damping of the strips")
-    >>> lift = Term(np.array([-2.0]), "regression", "estimated: Clarke's regression")
-    >>> added([{"Y_v": wave}, {"Y_v": lift}])["Y_v"][:3]
-    (array([-3.]), 'regression', "estimated: Clarke's regression; and wave damping of the strips")
+    sources: by canonical name, values of one length
+    Returns the kind of a sum is the first of `KINDS` among its parts, its words are theirs in that order
     """
     parts: dict[str, list[Term]] = {}
     for terms in sources:
@@ -83,34 +71,15 @@ def _sum(parts: list[Term]) -> Term:
 
 
 def named(names: Iterable[Iterable[str]], values: Floats) -> dict[str, Floats]:
-    """Entries of matrices (n, rows, columns) by the names of rows and columns.
-
-    Examples
-    --------
-    >>> named([["Y_v", "Y_p"]], np.array([[[1.0, 2.0]]]))
-    {'Y_v': array([1.]), 'Y_p': array([2.])}
-    """
+    """Entries of matrices (n, rows, columns) by the names of rows and columns."""
     return {name: values[:, i, j] for i, row in enumerate(names) for j, name in enumerate(row)}
 
 
 def estimates(entries: Iterable[Entry]) -> dict[str, list[str]]:
     """Names of the coefficients that are estimated, by the method that estimates them.
 
-    Parameters
-    ----------
-    entries : iterable of Entry    of `Coefficients.table`
-
-    Returns
-    -------
-    dict of str to list of str     "regression", "cross-flow drag", or the first clause of an estimate's own words -> names
-
-    Examples
-    --------
-    >>> from quartering.hydro.coefficient_table import Entry
-    >>> drag = Entry("K_ppp", -1.0, "kg m2 s", "estimated: cross-flow drag, C_D 0.8", "cross-flow")
-    >>> own = Entry("K_pphiphi", -1.0, "kg m2/s", "estimated: eddies of a heeled hull, scaled", "estimated")
-    >>> estimates([drag, own])
-    {'cross-flow drag': ['K_ppp'], 'eddies of a heeled hull': ['K_pphiphi']}
+    entries: of `Coefficients.table`
+    Returns "regression", "cross-flow drag", or the first clause of an estimate's own words -> names
     """
     found: dict[str, list[str]] = {}
     for entry in entries:

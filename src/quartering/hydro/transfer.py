@@ -19,22 +19,10 @@ from quartering.hull.lines.section import Floats
 def transfer_matrix(x: float, z: float) -> Floats:
     """Velocities at O from velocities at G.
 
-    Parameters
-    ----------
-    x, z : float    position of O from G, + forward and + down [m]
+    x, z: position of O from G, + forward and + down [m]
+    Returns (3, 3): T of V_O = T V_G, in (v, p, r)
 
-    Returns
-    -------
-    (3, 3) float    T of V_O = T V_G, in (v, p, r)
-
-    Notes
-    -----
     Source: [Abkowitz64], rigid-body kinematics.
-
-    Examples
-    --------
-    >>> transfer_matrix(2.0, 0.5).tolist()
-    [[1.0, -0.5, 2.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
     """
     return np.array([[1.0, -z, x], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
 
@@ -42,23 +30,11 @@ def transfer_matrix(x: float, z: float) -> Floats:
 def transfer(matrix: ArrayLike, x: float, z: float) -> Floats:
     """Move an inertia or a linear matrix from O to G.
 
-    Parameters
-    ----------
-    matrix : (..., 3, 3) float    about O, rows Y, K, N, columns v, p, r (or accelerations); no rigid-body terms
-    x, z : float                  position of O from G, + forward and + down [m]; opposite signs move back
+    matrix (..., 3, 3): about O, rows Y, K, N, columns v, p, r (or accelerations); no rigid-body terms
+    x, z: position of O from G, + forward and + down [m]; opposite signs move back
+    Returns (..., 3, 3): T' matrix T, about G
 
-    Returns
-    -------
-    (..., 3, 3) float    T' matrix T, about G
-
-    Notes
-    -----
     Source: [Abkowitz64], rigid-body kinematics.  Subtract m U from Y_r after the move, never before.
-
-    Examples
-    --------
-    >>> transfer([[-2.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]], 3.0, 0.5)[2].tolist()
-    [-6.0, 3.0, -18.0]
     """
     to_o = transfer_matrix(x, z)
     moved: Floats = to_o.T @ np.asarray(matrix, dtype=float) @ to_o
@@ -78,22 +54,10 @@ _SHARE: Final = _SPREAD / _SPREAD.sum(axis=0)
 def cubic_tensor(cubic: ArrayLike) -> Floats:
     """Symmetric tensor of the ten velocity cubics.
 
-    Parameters
-    ----------
-    cubic : (..., 10) float    complete coefficients in the order of CUBIC_MONOMIALS
+    cubic (..., 10): complete coefficients in the order of CUBIC_MONOMIALS
+    Returns (..., 3, 3, 3): t with cubic(V) = sum t_ijm V_i V_j V_m: each coefficient over its number of permutations
 
-    Returns
-    -------
-    (..., 3, 3, 3) float    t with cubic(V) = sum t_ijm V_i V_j V_m: each coefficient over its number of permutations
-
-    Notes
-    -----
     Source: [H71] equation (4).
-
-    Examples
-    --------
-    >>> float(cubic_tensor([0, 0, 0, 3.0, 0, 0, 0, 0, 0, 0])[0, 1, 1])
-    1.0
     """
     values = np.asarray(cubic, dtype=float)
     tensor: Floats = (values @ _SHARE.T).reshape(*values.shape[:-1], 3, 3, 3)
@@ -103,25 +67,11 @@ def cubic_tensor(cubic: ArrayLike) -> Floats:
 def transfer_cubic(cubic: ArrayLike, x: float, z: float) -> Floats:
     """Move the cubic coefficients of all three rows from O to G.
 
-    Parameters
-    ----------
-    cubic : (3, 10) float    rows Y, K, N about O, columns in the order of CUBIC_MONOMIALS
-    x, z : float             position of O from G, + forward and + down [m]; opposite signs move back
+    cubic (3, 10): rows Y, K, N about O, columns in the order of CUBIC_MONOMIALS
+    x, z: position of O from G, + forward and + down [m]; opposite signs move back
+    Returns (3, 10): the same forces about G
 
-    Returns
-    -------
-    (3, 10) float    the same forces about G
-
-    Notes
-    -----
     t_G[k,i,j,m] = T_lk t_O[l,a,b,c] T_ai T_bj T_cm.  Source: [Abkowitz64] expansion, rigid-body kinematics.
-
-    Examples
-    --------
-    >>> about_o = np.zeros((3, 10))
-    >>> about_o[0, 0] = -1.0  # Y_vvv
-    >>> transfer_cubic(about_o, 0.0, 2.0)[1, :2].tolist()  # K_vvv = -z Y_vvv, K_ppp = z^4 Y_vvv
-    [2.0, -16.0]
     """
     to_o = transfer_matrix(x, z)
     tensor = np.einsum("lk,labc,ai,bj,cm->kijm", to_o, cubic_tensor(cubic), to_o, to_o, to_o)

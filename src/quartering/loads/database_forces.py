@@ -12,7 +12,7 @@ from quartering.conventions import GRAVITY, MODES, RangeWarning
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.immersed import strips
 from quartering.hull.lines.strips import has_transom
-from quartering.hull.own_database import Database
+from quartering.hull.user_database import Database
 from quartering.hydro.source.record import AtRest, Hydrodynamics, Phasors
 from quartering.hydro.strip.moments import section_table
 from quartering.loads.stations import Stations
@@ -38,14 +38,7 @@ _HEADINGS: Final = (30.0, 60.0, 90.0, 120.0, 150.0)
 def warn_of_forces(source: Hydrodynamics) -> None:
     """One warning for a database and hull of wave forces whose size or phases are not those of strips.
 
-    Parameters
-    ----------
-    source : Hydrodynamics    with forces at zero speed; others than databases are passed over
-
-    Warns
-    -----
-    RangeWarning    parts of the sway force of another size; modes and parts whose phases differ, by how much, and which sign
-                    would explain it
+    source: with forces at zero speed; others than databases are passed over
     """
     database = source.ship.database
     if source.kind != "database" or database is None:
@@ -100,28 +93,19 @@ def _by_strips(hull: Hull, density: float, sigma: Floats, mu: Floats) -> AtRest:
 def phase_findings(theirs: AtRest, of_strips: AtRest, draught: float, turn: Phasors | float = 1.0) -> list[str]:
     """What tells that the phases of a database's forces have another sign than those of its ship.
 
-    Parameters
-    ----------
-    theirs : mapping       "froude_krylov" and "diffraction", or "total": (n, 3) phasors in sway, roll, yaw about midship at the
-                           calm plane
-    of_strips : mapping    "froude_krylov" and "diffraction" of the same waves
-    draught : float        [m]
-    turn : (n,) complex    e^{i k x cos mu} with x of midship in the file's axes, from whose origin its phases count
+    theirs: "froude_krylov" and "diffraction", or "total": (n, 3) phasors in sway, roll, yaw about midship at the calm
+        plane
+    of_strips: "froude_krylov" and "diffraction" of the same waves
+    draught: [m]
+    turn (n,): e^{i k x cos mu} with x of midship in the file's axes, from whose origin its phases count
+    Returns nothing, or the modes and parts, the mean difference of the phases, and the sign that would explain it
 
-    Returns
-    -------
-    list of str    nothing, or the modes and parts, the mean difference of the phases, and the sign that would explain it
-
-    Notes
-    -----
     The phases of forces that are not small are compared by the mean of cos(difference), each weighted by both amplitudes. Over
     the ships of the library and panels it is 0.83 or more (0.97 or more for the sum); with imaginary parts of the other sign -1
     to 0.6 in roll. In yaw the force is nearly real about midship, so that the other sign leaves 0.7 to 0.9: it is told where
     it explains the forces better. A phasor F of a file turns into -turn^2 F* about midship if the file has the other sign.
     Valid: waves of 0.7 L and more.  Source: strip theory of [STF70]; the thresholds are this library's.
 
-    Examples
-    --------
     >>> ours = np.exp(1j * np.linspace(0.0, 1.0, 8))[:, None] * np.array([1.0, 2.0, 9.0])
     >>> phase_findings({"total": ours}, {"froude_krylov": ours}, 4.0)
     []

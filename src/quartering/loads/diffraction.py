@@ -28,23 +28,16 @@ def contour_diffraction(
 ) -> Phasors:
     """Diffraction sway force, roll moment and yaw moment of many conditions, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    stations : Stations        positions, weights and aft end
-    table : SectionTable       radiation potentials on the section contours, over frequency
-    wavenumber : (n,) float    k > 0 [1/m]
-    speed : (n,) float         U >= 0 [m/s]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
-    density : float            of the water [kg/m3]
-    speed_terms : bool         keep the terms with U; without them the speed acts through the encounter frequency alone
+    stations: positions, weights and aft end
+    table: radiation potentials on the section contours, over frequency
+    wavenumber (n,): k > 0 [1/m]
+    speed (n,): U >= 0 [m/s]
+    heading (n,): mu: 0 following, 90 beam, 180 head [deg]
+    density: of the water [kg/m3]
+    speed_terms: keep the terms with U; without them the speed acts through the encounter frequency alone
+    Returns (n, 3): phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw about G [N
+        m/m]
 
-    Returns
-    -------
-    (n, 3) complex             phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw
-                               about G [N m/m]
-
-    Notes
-    -----
     With G_j(x) = rho int psi_j (u.n) ds, u the wave's orbital velocity on the contour and x_A the aft end,
 
         Y = -i w int G2 dx - U G2(x_A),  K likewise with G4,  N = -int (i w x + U) G2 dx - U x_A G2(x_A)
@@ -54,20 +47,6 @@ def contour_diffraction(
     end); where lift takes the place of those, the terms here go too.
     Source: [STF70] exciting force, body axes x forward, z down.  Valid: deep water, slender ship, and w sqrt(B/g) not
     small when U > 0 (the speed terms assume that the section's wave is short against the ship).
-
-    Examples
-    --------
-    One metre of a half circle in a long beam wave: its displaced mass, as added mass, times the water's acceleration g k.
-
-    >>> from quartering.hull.lines.strips import Strips
-    >>> from quartering.hydro.strip.table import radiation_table
-    >>> one, blank = np.ones(1), np.zeros((1, 1))
-    >>> circle = Strips(0 * one, one, blank, blank, blank, blank, one, one, one * np.pi / 2)
-    >>> table = radiation_table(circle, [0.01], density=1025.0, method="lewis")
-    >>> place = Stations(x=0 * one, weight=one, z0=0.0, x_aft=0.0, transom=False)
-    >>> Y = contour_diffraction(place, table, [1e-5], [0.0], [90.0])[0, 0]
-    >>> round(float(Y.real / (-1025.0 * np.pi / 2 * 9.81e-5)), 3)
-    1.0
     """
     k, U, mu = (a.copy() for a in np.broadcast_arrays(*(np.asarray(v, float) for v in (wavenumber, speed, heading))))
     along, across = heading_components(mu)

@@ -48,21 +48,8 @@ LIFT_FOR_SPEED_TERMS: Final = (
 def form_words(ship: Ship, form: Form) -> str:
     """What a form of the wave force of a ship is, and where it comes from.
 
-    Parameters
-    ----------
-    ship : Ship
-    form : str
-
-    Returns
-    -------
-    str
-
-    Notes
-    -----
     Source: `FORMS`.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> form_words(ship("box").with_(ends="strips", velocities="absolute"), "stf") == FORMS["stf"]
     True
@@ -76,16 +63,8 @@ def form_words(ship: Ship, form: Form) -> str:
 def keeps_speed_terms(ship: Ship) -> bool:
     """Does the diffraction of a ship keep its terms with U?
 
-    Parameters
-    ----------
-    ship : Ship
+    Returns not where lift on the velocity relative to the water takes their place, as among the derivatives
 
-    Returns
-    -------
-    bool    not where lift on the velocity relative to the water takes their place, as among the derivatives
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> keeps_speed_terms(ship("box")), keeps_speed_terms(ship("box").with_(linear="strip"))
     (False, True)
@@ -98,27 +77,11 @@ def ship_force_phasors(
 ) -> tuple[Phasors, Phasors, Floats]:
     """Froude-Krylov and diffraction force of a ship at many conditions, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    ship, wavenumber, speed, heading, form    as in `wave_force_phasors`
+    as in `wave_force_phasors`
+    Returns as `wave_force_phasors`, from where `wave_source` has them. `ship_lift_phasors` is the third part of the
+        force
 
-    Returns
-    -------
-    tuple    as `wave_force_phasors`, from where `wave_source` has them. `ship_lift_phasors` is the third part of the force
-
-    Raises
-    ------
-    InputError    what `wave_force_phasors` and `wave_source` refuse
-
-    Notes
-    -----
     Source: [H71] eqs. (B-3)-(B-11); [STF70] exciting force.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> ship_force_phasors(ship("box"), [0.1], [0.0], [90.0])[0].shape
-    (1, 3)
     """
     k, U, mu = (v.copy() for v in np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading))))
     return wave_source(ship, form).phasors(k, U, mu, keeps_speed_terms(ship))
@@ -129,23 +92,8 @@ def relative_phasors(
 ) -> Phasors:
     """Force of lift and measured or given added mass in moving water, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    ship, wavenumber, speed, heading, form    as in `wave_force_phasors`
-
-    Returns
-    -------
-    (n, 3) complex    phasors of e^{i |omega| t}; 0 in form "paper" and with velocities "absolute"
-
-    Raises
-    ------
-    InputError        what `coefficients` refuses
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> bool(abs(relative_phasors(ship("box"), [0.1], [5.0], [90.0])[0, 0]) > 0)
-    True
+    as in `wave_force_phasors`
+    Returns (n, 3): phasors of e^{i |omega| t}; 0 in form "paper" and with velocities "absolute"
     """
     k, U, mu = np.broadcast_arrays(*(_column(v) for v in (wavenumber, speed, heading)))
     if form == "paper" or ship.velocities == "absolute":

@@ -24,21 +24,14 @@ def froude_krylov(
 ) -> Phasors:
     """Froude-Krylov sway force, roll moment and yaw moment of many waves, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    strips : Strips            section contours; their place along the ship is read from stations
-    stations : Stations        the same sections seen from G
-    wavenumber : (n,) float    k > 0 [1/m]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
-    density : float            of the water [kg/m3]
+    strips: section contours; their place along the ship is read from stations
+    stations: the same sections seen from G
+    wavenumber (n,): k > 0 [1/m]
+    heading (n,): mu: 0 following, 90 beam, 180 head [deg]
+    density: of the water [kg/m3]
+    Returns (n, 3): phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw about G [N
+        m/m]
 
-    Returns
-    -------
-    (n, 3) complex             phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw
-                               about G [N m/m]
-
-    Notes
-    -----
     Per section, with the starboard contour from keel to waterline, zeta the depth and P = i rho g e^{i k1 x}:
 
         Y' = 2 rho g e^{i k1 x} int e^{-k zeta} sin(k2 y) dz
@@ -48,19 +41,6 @@ def froude_krylov(
     The last integral is the pressure on the tapering ends (n_x), turned into a section integral by Gauss's theorem, so
     bow, stern and a transom below water are all counted as wetted.
     Source: [H71] eq. (B-3), equal to (B-4).  Valid: deep water, linear wave, mean position, port-starboard symmetry.
-
-    Examples
-    --------
-    A box 100 x 20 x 5 m in a long beam sea feels its displaced mass times the acceleration of the water.
-
-    >>> side = dict(y=np.full((1, 1), 10.0), z=np.full((1, 1), 2.5), dy=np.zeros((1, 1)), dz=np.full((1, 1), -5.0))
-    >>> box = Strips(x=np.zeros(1), weight=np.array([100.0]), half_breadth=np.array([10.0]), draught=np.array([5.0]),
-    ...              area=np.array([100.0]), **side)
-    >>> amidships = Stations(x=box.x, weight=box.weight, z0=0.0, x_aft=-50.0, transom=True)
-    >>> k = 1e-5
-    >>> force = froude_krylov(box, amidships, [k], [90.0])[0, 0]
-    >>> round(float(force.real / (-1025.0 * 9.81 * 100 * 20 * 5 * k)), 3)
-    1.0
     """
     k, mu = np.broadcast_arrays(np.asarray(wavenumber, dtype=float), np.asarray(heading, dtype=float))
     along, across = heading_components(mu)

@@ -12,30 +12,13 @@ from quartering.loads.waves import Floats
 def frequency_weights(grid: ArrayLike, frequency: ArrayLike) -> tuple[NDArray[np.int64], Floats]:
     """First neighbour and cubic (four-point Lagrange) weights that interpolate a table at given frequencies.
 
-    Parameters
-    ----------
-    grid : (f,) float         frequencies of the table, ascending [rad/s]
-    frequency : (n,) float    where to interpolate, >= 0 [rad/s]; beyond the table's ends its end values are used
+    grid (f,): frequencies of the table, ascending [rad/s]
+    frequency (n,): where to interpolate, >= 0 [rad/s]; beyond the table's ends its end values are used
+    Returns first (n,): index of the first neighbour; weights (n, q): weights of grid points first .. first + q - 1, q =
+        min(4, f); each row adds up to 1
 
-    Returns
-    -------
-    first : (n,) int          index of the first neighbour
-    weights : (n, q) float    weights of grid points first .. first + q - 1, q = min(4, f); each row adds up to 1
-
-    Raises
-    ------
-    InputError                grid empty or not ascending, or a frequency that is negative or not a number
-
-    Notes
-    -----
     Source: [Abramowitz64] 25.2 (Lagrange).  Valid: exact for cubics; the end values stand for the limits of zero and
     infinite frequency, so the table must reach where its curves are flat.
-
-    Examples
-    --------
-    >>> first, weights = frequency_weights([0.0, 1.0, 2.0, 3.0], [1.5])
-    >>> first.tolist(), weights.tolist()
-    ([0], [[-0.0625, 0.5625, 0.5625, -0.0625]])
     """
     nodes, omega = np.asarray(grid, dtype=float), np.atleast_1d(np.asarray(frequency, dtype=float))
     if nodes.ndim != 1 or nodes.size == 0 or not (np.diff(nodes) > 0).all():
@@ -57,24 +40,11 @@ def frequency_weights(grid: ArrayLike, frequency: ArrayLike) -> tuple[NDArray[np
 def interpolated(values: ArrayLike, first: NDArray[np.int64], weights: Floats) -> NDArray[np.complex128]:
     """Values of a table between its frequencies.
 
-    Parameters
-    ----------
-    values : (f, ...) complex    the table [any unit]
-    first, weights               from frequency_weights
+    values (f, ...): the table [any unit]
+    from frequency_weights
+    Returns (n, ...): one entry a frequency [the unit of values]
 
-    Returns
-    -------
-    (n, ...) complex             one entry a frequency [the unit of values]
-
-    Notes
-    -----
     Source: [Abramowitz64] 25.2 (Lagrange).  Valid: as frequency_weights.
-
-    Examples
-    --------
-    >>> first, weights = frequency_weights([0.0, 1.0, 2.0, 3.0], [1.5])
-    >>> complex(interpolated([0.0, 1.0, 8.0, 27.0], first, weights)[0])
-    (3.375+0j)
     """
     table = np.asarray(values, dtype=complex)
     shape = (-1,) + (1,) * (table.ndim - 1)

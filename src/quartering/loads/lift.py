@@ -22,23 +22,8 @@ def ship_water_velocity(
 ) -> tuple[Phasors, Phasors]:
     """Velocity of the water across a ship and its rate of turn at half the draught, where the lift acts.
 
-    Parameters
-    ----------
-    ship, wavenumber, speed, heading    as in `water_velocity`
-
-    Returns
-    -------
-    w0, w1 : (n,) complex               as in `water_velocity`
-
-    Raises
-    ------
-    InputError                          what `encounter_frequency` refuses
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> ship_water_velocity(ship("box"), [0.05], [0.0], [30.0])[0].shape
-    (1,)
+    as in `water_velocity`
+    Returns w0, w1 (n,): as in `water_velocity`
     """
     return water_velocity(wavenumber, speed, heading, **_where(ship))
 
@@ -54,19 +39,12 @@ def moving_water_force(
 ) -> Phasors:
     """Force of moving water on a ship through lift and added mass, beside what its diffraction holds.
 
-    Parameters
-    ----------
-    lift : (n, 3, 3) float          velocity derivatives that act on the velocity relative to the water; columns v and r count
-    added_mass : (n, 3, 3) float    added mass that does, likewise
-    frequency : (n,) float          |omega| [rad/s]
-    water : two (n,) complex        w0, w1 of `water_velocity`, for e^{i |omega| t}
+    lift (n, 3, 3): velocity derivatives that act on the velocity relative to the water; columns v and r count
+    added_mass (n, 3, 3): added mass that does, likewise
+    frequency (n,): |omega| [rad/s]
+    water: w0, w1 of `water_velocity`, for e^{i |omega| t}
+    Returns (n, 3): sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
 
-    Returns
-    -------
-    (n, 3) complex                  sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
-
-    Notes
-    -----
     Lift acts on v - w0 and r - w1, and so does the added mass that a measured set or a given value has beyond that of the
     strips. The water's part goes to the side of the wave force:
 
@@ -76,12 +54,6 @@ def moving_water_force(
     signs at side and bottom.
     Source: momentum of a slender body in a stream that varies along it, closed form.  Valid: deep water, long waves against
     the section.
-
-    Examples
-    --------
-    >>> unit = np.eye(3)[None]
-    >>> moving_water_force(-unit, 0 * unit, [0.5], (np.array([2.0 + 0j]), np.array([0j])))[0, 0]
-    np.complex128(2+0j)
     """
     w = np.stack([water[0], water[1]], axis=-1)
     rate = 1j * np.abs(np.asarray(frequency, dtype=float))[:, None]
@@ -98,28 +70,12 @@ def ship_lift_phasors(
 ) -> Phasors:
     """Force of moving water on a ship with its coefficients at the same conditions; nothing with absolute velocities.
 
-    Parameters
-    ----------
-    ship : Ship
-    coefficients : Coefficients         of the ship at the n conditions
-    wavenumber, speed, heading : (n,)   as in `water_velocity`
+    coefficients: of the ship at the n conditions
+    wavenumber, speed, heading (n,): as in `water_velocity`
+    Returns (n, 3): as `moving_water_force`, per metre of wave amplitude
 
-    Returns
-    -------
-    (n, 3) complex                      as `moving_water_force`, per metre of wave amplitude
-
-    Raises
-    ------
-    InputError                          what `encounter_frequency` refuses
-
-    Notes
-    -----
     Measured forces by heel, c phi, are those of a heel relative to the surface: a ship that rides on a long slope has none.
     They add -c alpha, alpha the slope, as the Froude-Krylov force holds that of the hydrostatic moment.
-
-    Examples
-    --------
-    See `quartering.wave_forces`.
     """
     if ship.velocities == "absolute":
         return np.zeros((coefficients.frequency.size, 3), dtype=complex)

@@ -31,24 +31,17 @@ def relative_motion_diffraction(
 ) -> Phasors:
     """Diffraction force of many conditions from added mass and damping of the sections, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    strips : Strips            section contours, for the averages of the wave motion
-    stations : Stations        the same sections seen from G
-    table : SectionTable       section coefficients about the waterline point, over frequency
-    wavenumber : (n,) float    k > 0 [1/m]
-    speed : (n,) float         U >= 0 [m/s]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
-    form : str                 "paper" (as printed), "paper-corrected" (sign of the wave slope) or "relative-motion"
-    speed_terms : bool         keep the terms with U of "relative-motion", see `contour_diffraction`
+    strips: section contours, for the averages of the wave motion
+    stations: the same sections seen from G
+    table: section coefficients about the waterline point, over frequency
+    wavenumber (n,): k > 0 [1/m]
+    speed (n,): U >= 0 [m/s]
+    heading (n,): mu: 0 following, 90 beam, 180 head [deg]
+    form: "paper" (as printed), "paper-corrected" (sign of the wave slope) or "relative-motion"
+    speed_terms: keep the terms with U of "relative-motion", see `contour_diffraction`
+    Returns (n, 3): phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw about G [N
+        m/m]
 
-    Returns
-    -------
-    (n, 3) complex             phasors of e^{i omega t}, omega the signed encounter frequency: sway [N/m], roll and yaw
-                               about G [N m/m]
-
-    Notes
-    -----
     With <e^{-m k zeta} cos k2 y> the average over the section area and sinc = sin(k2 b)/(k2 b) over the waterline:
     "paper": u = i s sin(d) <m=1>, slope a = +k sin(d) sinc, Y' = (b22 + i s a22) u + (i s b24 - s^2 a24) a, K' in the
     same way, N' = x Y', with coefficients about G; s is the wave frequency, and the forward speed enters only through
@@ -60,19 +53,6 @@ def relative_motion_diffraction(
     about the waterline point, then K about G = K - z0 Y.
     Source: [H71] eqs. (B-5)-(B-11), with 2 sigma A/(k a) in (B-11); [STF70] for the speed terms.
     Valid: deep water; half breadth below about 0.3/k (the wave is long against the section).
-
-    Examples
-    --------
-    One metre of a half circle in a long beam wave: its displaced mass, as added mass, times the water's acceleration g k.
-
-    >>> from quartering.hydro.strip.table import radiation_table
-    >>> one, blank = np.ones(1), np.zeros((1, 1))
-    >>> circle = Strips(0 * one, one, blank, blank, blank, blank, one, one, one * np.pi / 2)
-    >>> table = radiation_table(circle, [0.01], density=1025.0, method="lewis")
-    >>> place = Stations(x=0 * one, weight=one, z0=0.0, x_aft=0.0, transom=False)
-    >>> Y = relative_motion_diffraction(circle, place, table, [1e-5], [0.0], [90.0], form="relative-motion")[0, 0]
-    >>> round(float(Y.real / (-1025.0 * np.pi / 2 * 9.81e-5)), 3)
-    1.0
     """
     k, U, mu = np.broadcast_arrays(*(np.asarray(v, dtype=float)[..., None] for v in (wavenumber, speed, heading)))
     along, across = heading_components(mu)
@@ -99,34 +79,15 @@ def relative_motion_diffraction(
 def section_average(strips: Strips, wavenumber: ArrayLike, heading: ArrayLike, *, depth_factor: float = 1.0) -> Floats:
     """Average of e^{-m k zeta} cos(k2 y) over each immersed section area, for many waves.
 
-    Parameters
-    ----------
-    strips : Strips            section contours, s of them
-    wavenumber : (n,) float    k > 0 [1/m]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
-    depth_factor : float       m: 1 as the paper averages, 2 for the consistent relative motion [1]
+    strips: section contours, s of them
+    wavenumber (n,): k > 0 [1/m]
+    heading (n,): mu: 0 following, 90 beam, 180 head [deg]
+    depth_factor: m: 1 as the paper averages, 2 for the consistent relative motion [1]
+    Returns (n, s): averages, at most 1 [1]
 
-    Returns
-    -------
-    (n, s) float               averages, at most 1 [1]
-
-    Notes
-    -----
     The area integral over y is done: int e^{-m k zeta} cos(k2 y) dA = -2 int e^{-m k zeta} y sinc(k2 y) dz along the
     starboard contour, keel to waterline. A section without breadth takes the average over its depth.
     Source: [H71] eq. (B-11).  Valid: port-starboard symmetry.
-
-    Examples
-    --------
-    A rectangle 2 x 1 m in a beam wave: sin(k b)/(k b) times (1 - e^{-k T})/(k T).
-
-    >>> depth, weight = np.polynomial.legendre.leggauss(8)
-    >>> side = dict(y=np.ones((1, 8)), z=0.5 + depth[None] / 2, dy=np.zeros((1, 8)), dz=-weight[None] / 2)
-    >>> one = np.ones(1)
-    >>> box = Strips(x=0 * one, weight=one, half_breadth=one, draught=one, area=2 * one, **side)
-    >>> exact = np.sin(0.3) / 0.3 * (1 - np.exp(-0.3)) / 0.3
-    >>> bool(abs(section_average(box, [0.3], [90.0])[0, 0] - exact) < 1e-14)
-    True
     """
     k = np.asarray(wavenumber, dtype=float)
     k2 = k * heading_components(heading)[1]

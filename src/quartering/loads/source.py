@@ -56,25 +56,8 @@ class WaveForces(NamedTuple):
 def wave_source(ship: Ship, form: Form = "stf", by: str | None = None) -> WaveForces:
     """Where the wave forces of a ship come from in one form: the one place that chooses.
 
-    Parameters
-    ----------
-    ship : Ship
-    form : str       "stf" comes from the ship's own source where that has forces, the others from strips
-    by : str         another source than the ship's own, see `source_of`
-
-    Returns
-    -------
-    WaveForces
-
-    Raises
-    ------
-    InputError       what `source_of` refuses
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> wave_source(ship("box").with_(ends="strips")).words == FORMS["stf"]
-    True
+    form: "stf" comes from the ship's own source where that has forces, the others from strips
+    by: another source than the ship's own, see `source_of`
     """
     own = source_of(ship, by)
     if own.at_rest is not None and form == "stf":

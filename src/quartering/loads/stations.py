@@ -48,25 +48,11 @@ class Stations:
 def stations(ship: Ship) -> Stations:
     """Sections of a ship seen from its centre of gravity.
 
-    Parameters
-    ----------
-    ship : Ship
+    Returns x from G, which lies over the centre of buoyancy (even keel)
 
-    Returns
-    -------
-    Stations    x from G, which lies over the centre of buoyancy (even keel)
-
-    Notes
-    -----
     The terms of the aft section are kept where the hull ends in a section with area (``has_transom``), as in the
     added mass and damping of the ship, and dropped for a pointed stern.
     Source: [STF70], end terms.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> round(stations(ship("box")).x_aft, 6), stations(ship("box")).transom, stations(ship("wigley")).transom
-    (-50.0, True, False)
     """
     hull, immersed = ship.hull, strips(ship.hull)
     x_g, z0 = hydrostatics(hull).lcb, ship.loading.kg - hull.draught

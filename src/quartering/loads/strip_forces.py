@@ -48,44 +48,20 @@ def wave_force_phasors(
 ) -> tuple[Phasors, Phasors, Floats]:
     """Froude-Krylov and diffraction force of many conditions, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    hull : Strips              section contours of the immersed hull
-    place : Stations           the same sections seen from G
-    table : SectionTable       section coefficients and potentials over frequency
-    wavenumber : (n,) float    k > 0 [1/m]
-    speed : (n,) float         U >= 0 [m/s]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
-    form : str                 diffraction: "stf", "relative-motion", "paper-corrected" or "paper"
-    density : float            of the water [kg/m3]
-    speed_terms : bool         keep the diffraction's terms with U, see `contour_diffraction`
+    hull: section contours of the immersed hull
+    place: the same sections seen from G
+    table: section coefficients and potentials over frequency
+    wavenumber (n,): k > 0 [1/m]
+    speed (n,): U >= 0 [m/s]
+    heading (n,): mu: 0 following, 90 beam, 180 head [deg]
+    form: diffraction: "stf", "relative-motion", "paper-corrected" or "paper"
+    density: of the water [kg/m3]
+    speed_terms: keep the diffraction's terms with U, see `contour_diffraction`
+    Returns froude_krylov (n, 3): sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}; diffraction (n,
+        3): the same; encounter_frequency (n,): omega, negative where the ship overtakes the wave [rad/s]; the force is
+        Re{phasor e^{i |omega| t}}
 
-    Returns
-    -------
-    froude_krylov : (n, 3) complex    sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
-    diffraction : (n, 3) complex      the same
-    encounter_frequency : (n,)        omega, negative where the ship overtakes the wave [rad/s]; the force is
-                                      Re{phasor e^{i |omega| t}}
-
-    Raises
-    ------
-    InputError                 unknown form, or a condition that is not finite
-
-    Notes
-    -----
     Source: [H71] eqs. (B-3)-(B-11); [STF70] exciting force.  Valid: deep water, linear wave, mean position.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.immersed import strips
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.hydro.strip.moments import section_table
-    >>> from quartering.loads.stations import stations
-    >>> box = ship("box")
-    >>> hull, place, table = strips(box.hull), stations(box), section_table(box.hull, 1025.0)
-    >>> _, diffraction, omega = wave_force_phasors(hull, place, table, [0.1, 0.1], [0.0, 20.0], [90.0, 0.0])
-    >>> omega.round(3).tolist(), bool((diffraction[1] == 0).all())    # the second overtakes a following sea
-    ([0.99, -1.01], True)
     """
     checked_form(form)
     k, U, mu = (

@@ -27,23 +27,12 @@ SHORTEST: Final = np.pi / FREQUENCY_RANGE[1] ** 2
 def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> None:
     """Say that a speed or a wave of a study is beyond what strip theory describes.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : (n,) float          U [m/s]
-    wave_length : (n,) float    [m]
+    speed (n,): U [m/s]
+    wave_length (n,): [m]
 
-    Warns
-    -----
-    RangeWarning                a Froude number above `FASTEST`, a wave shorter than `SHORTEST` times the beam
-
-    Notes
-    -----
     The limit of the speed is this library's choice; that of the wave is where w sqrt(B/2g) = 3.5, w^2 = 2 pi g/lambda.
     Source: [STF70] assumptions (slender hull, moderate speed); `default_frequencies`.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> warn_of_conditions(ship("wigley"), [5.0, 15.0], 100.0)
     """
@@ -69,18 +58,9 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> 
 def warn_outside_database(ship: Ship, outside: int, total: int) -> None:
     """Say that some conditions have no answer because the ship's own database does not hold them.
 
-    Parameters
-    ----------
-    ship : Ship
-    outside : int    number of such conditions; nothing is said of none
-    total : int      of all conditions
+    outside: number of such conditions; nothing is said of none
+    total: of all conditions
 
-    Warns
-    -----
-    RangeWarning     how many, and what the database holds
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> warn_outside_database(ship("wigley"), 0, 10)
     """
@@ -102,22 +82,10 @@ def conditions_held(
 ) -> NDArray[np.bool_]:
     """Which conditions a ship's own database holds coefficients and wave forces of; all of them without one.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber, speed, heading : (n,) float    [1/m, m/s, deg]
-    form : str                                 of the diffraction force; only "stf" takes its waves from the database
+    wavenumber, speed, heading (n,): [1/m, m/s, deg]
+    form: of the diffraction force; only "stf" takes its waves from the database
+    Returns (n,)
 
-    Returns
-    -------
-    (n,) bool
-
-    Raises
-    ------
-    InputError    what `encounter_frequency` refuses
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> conditions_held(ship("box"), np.array([0.1]), np.array([5.0]), np.array([90.0])).tolist()
     [True]

@@ -21,36 +21,19 @@ from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading
 def vertical_forces(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) -> tuple[Phasors, Phasors]:
     """Wave force in surge and heave and wave moment in pitch of many conditions, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber : (n,) float    k > 0 [1/m]
-    speed : (n,) float         U >= 0 [m/s]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
+    wavenumber (n,): k > 0 [1/m]
+    speed (n,): U >= 0 [m/s]
+    heading (n,): mu: 0 following, 90 beam, 180 head [deg]
+    Returns froude_krylov, diffraction (n, 3): phasors of e^{i omega t}, omega the signed encounter frequency, of a
+        crest at G at t = 0: surge [N/m] and heave, + down [N/m], pitch about G, + bow up [N m/m]; no diffraction in
+        surge
 
-    Returns
-    -------
-    froude_krylov, diffraction : (n, 3) complex    phasors of e^{i omega t}, omega the signed encounter frequency, of a crest at
-                               G at t = 0: surge [N/m] and heave, + down [N/m], pitch about G, + bow up [N m/m]; no diffraction
-                               in surge
-
-    Notes
-    -----
     With G3(x) = rho int psi3 (u.n) ds, u the orbital velocity on the contour and x_A the aft end of a transom,
 
         Z = -i w int G3 dx - U G3(x_A),  M = int (i w x + U) G3 dx + U x_A G3(x_A)
 
     The lever of the surge force is left out of the pitch moment, as in strip theory.
     Source: [STF70] exciting force.  Valid: deep water, slender ship.
-
-    Examples
-    --------
-    A box in a very long wave: its waterplane times the crest, upwards.
-
-    >>> from quartering.hull.file.read import ship
-    >>> one = [np.array([v]) for v in (1e-5, 0.0, 180.0)]
-    >>> round(float(vertical_forces(ship("box"), *one)[0][0, 1].real / (1025.0 * 9.81 * 2000.0)), 3)
-    -1.0
     """
     k, U, mu = (np.ascontiguousarray(v, dtype=float) for v in np.broadcast_arrays(wavenumber, speed, heading))
     place, hull, density = stations(ship), strips(ship.hull), ship.loading.density

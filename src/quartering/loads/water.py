@@ -16,26 +16,15 @@ def water_velocity(
 ) -> tuple[Phasors, Phasors]:
     """Velocity of the water across a ship and its rate of turn, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    wavenumber : (n,) float    k > 0 [1/m]
-    speed : (n,) float         U >= 0 [m/s]
-    heading : (n,) float       mu: 0 following, 90 beam, 180 head [deg]
-    length : float             L over which the line is fitted [m]
-    middle : float             x_M of the middle of that length, forward of G [m]
-    depth : float              d at which the velocity is taken, below the calm plane [m]
+    wavenumber (n,): k > 0 [1/m]
+    speed (n,): U >= 0 [m/s]
+    heading (n,): mu: 0 following, 90 beam, 180 head [deg]
+    length: L over which the line is fitted [m]
+    middle: x_M of the middle of that length, forward of G [m]
+    depth: d at which the velocity is taken, below the calm plane [m]
+    Returns w0 (n,): the line's value at G [(m/s)/m]; w1 (n,): its slope along the ship [(1/s)/m]; both phasors of e^{i
+        |omega| t}
 
-    Returns
-    -------
-    w0 : (n,) complex          the line's value at G [(m/s)/m]
-    w1 : (n,) complex          its slope along the ship [(1/s)/m]; both phasors of e^{i |omega| t}
-
-    Raises
-    ------
-    InputError                 what `encounter_frequency` refuses
-
-    Notes
-    -----
     A ship's sections move sideways with v + x r, in water that moves with w(x) = i sigma sin(delta) e^{-k d} e^{i k1 x},
     to first order in wave and motion; the factor is sigma, since it is a velocity of the water, seen from wherever. The
     line w0 + w1 x that comes nearest to w in the mean square over the length is, with X = k1 L/2 and W = w(x_M),
@@ -43,14 +32,6 @@ def water_velocity(
         w1 = W (6 i/L) (sin X - X cos X)/X^2,    w0 = W sin(X)/X - x_M w1
 
     Source: [STF70] wave kinematics; least squares, closed form.  Valid: deep water, linear wave.
-
-    Examples
-    --------
-    In a long beam wave the whole ship is in water of one velocity.
-
-    >>> w0, w1 = water_velocity([0.001], [5.0], [90.0], length=100.0, middle=0.0, depth=3.0)
-    >>> complex(w0[0]).imag.__round__(4), complex(w1[0]) == 0
-    (0.0987, True)
     """
     k, U, mu = np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, dtype=float)) for v in (wavenumber, speed, heading)))
     along, across = heading_components(mu)
@@ -68,24 +49,11 @@ def surface_slope(
 ) -> Phasors:
     """Slope across a ship of the surface of equal pressure, the mean over its length, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    wavenumber, speed, heading, length, middle, depth    as in `water_velocity`
+    as in `water_velocity`
+    Returns (n,): heel of a raft that rides on it [rad/m]; phasor of e^{i |omega| t}
 
-    Returns
-    -------
-    (n,) complex    heel of a raft that rides on it [rad/m]; phasor of e^{i |omega| t}
-
-    Raises
-    ------
-    InputError      what `encounter_frequency` refuses
-
-    Notes
-    -----
     -k sin(delta) e^{-k d} e^{i k1 x}, its mean over the length.  Source: [H71] eq. (B-7).  Valid: deep water, linear wave.
 
-    Examples
-    --------
     >>> surface_slope([0.01], [0.0], [90.0], length=100.0, middle=0.0, depth=0.0)
     array([-0.01+0.j])
     """

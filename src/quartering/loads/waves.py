@@ -138,27 +138,11 @@ def encounter_frequency(wave_frequency: ArrayLike, speed: ArrayLike, heading: Ar
 def heading_components(heading: ArrayLike) -> tuple[Floats, Floats]:
     """Cosine and sine of the paper's angle delta = 180 deg - mu, exact at the quadrants.
 
-    Parameters
-    ----------
-    heading : (...) float    mu: 0 following, 90 beam, 180 head [deg]
+    heading (...): mu: 0 following, 90 beam, 180 head [deg]
+    Returns along (...): cos(delta) = -cos(mu): k1 = k along [1]; across (...): sin(delta) = sin(mu): k2 = k across [1];
+        exactly 0 in head and following seas
 
-    Returns
-    -------
-    along : (...) float      cos(delta) = -cos(mu): k1 = k along [1]
-    across : (...) float     sin(delta) = sin(mu): k2 = k across [1]; exactly 0 in head and following seas
-
-    Raises
-    ------
-    InputError    a heading that is not a number
-
-    Notes
-    -----
     Source: [H71] Fig. 1 and list of symbols.  The wave phase is k1 x - k2 y + omega t.
-
-    Examples
-    --------
-    >>> [float(value) for value in heading_components(180.0)]
-    [1.0, 0.0]
     """
     mu = np.asarray(heading, dtype=float)
     _refuse(mu, np.isfinite(mu), "heading", "deg", "a number (0 following, 90 beam, 180 head)")
@@ -174,25 +158,11 @@ def folded(frequency: ArrayLike, phasor: ArrayLike) -> tuple[Floats, Phasors]:
     A ship that overtakes the wave meets it at a negative frequency. The same real signal, written with |omega|, has
     the conjugate phasor: its cosine part stays and its sine part changes sign.
 
-    Parameters
-    ----------
-    frequency : (n,) or () float        omega, of either sign [rad/s]
-    phasor : (n, ...) or (...) complex  amplitudes Q of Q e^{i omega t}, any unit
+    frequency (n,): omega, of either sign [rad/s]
+    phasor (n, ...): amplitudes Q of Q e^{i omega t}, any unit
+    Returns frequency (n,): |omega| [rad/s]; phasor: amplitudes of e^{i |omega| t}
 
-    Returns
-    -------
-    frequency : (n,) or () float        |omega| [rad/s]
-    phasor : like the input             amplitudes of e^{i |omega| t}
-
-    Notes
-    -----
     Source: [H71] list of symbols, extended to ships faster than the wave.  Valid: any frequency, zero included.
-
-    Examples
-    --------
-    >>> frequency, phasor = folded(-0.2, 3.0 - 1.0j)
-    >>> float(frequency), complex(phasor)
-    (0.2, (3+1j))
     """
     omega, Q = np.asarray(frequency, dtype=float), np.asarray(phasor, dtype=complex)
     overtaking = (omega < 0).reshape(omega.shape + (1,) * (Q.ndim - omega.ndim))
@@ -202,27 +172,11 @@ def folded(frequency: ArrayLike, phasor: ArrayLike) -> tuple[Floats, Phasors]:
 def least_encounter_frequency(length: ArrayLike) -> Floats:
     """Encounter frequency below which a harmonic solution has no meaning.
 
-    Parameters
-    ----------
-    length : (...) float    ship length L > 0 [m]
+    length (...): ship length L > 0 [m]
+    Returns (...): 1e-3 sqrt(g/L) [rad/s]; a condition with |omega| below it gets a status, not an answer
 
-    Returns
-    -------
-    (...) float             1e-3 sqrt(g/L) [rad/s]; a condition with |omega| below it gets a status, not an answer
-
-    Raises
-    ------
-    InputError              length not positive
-
-    Notes
-    -----
     The ship then rides with the wave (surf-riding, broaching), which is not a periodic motion.
     Source: [H71] list of symbols (omega near zero); the threshold is this library's choice.
-
-    Examples
-    --------
-    >>> round(float(least_encounter_frequency(121.92)), 6)
-    0.000284
     """
     L = np.asarray(length, dtype=float)
     _refuse(L, L > 0, "ship length", "m", "above zero")

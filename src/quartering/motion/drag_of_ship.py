@@ -27,27 +27,12 @@ def drag_strips(
 ) -> Strips:
     """Cross-flow drag of a ship at many conditions, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber, speed, heading : (m,) float    k > 0 [1/m], U [m/s], mu [deg]
-    points : int, optional                     strips that stand for all, see `gauss_of_stations`; None for a strip at every
-                                               station
+    wavenumber, speed, heading (m,): k > 0 [1/m], U [m/s], mu [deg]
+    points: strips that stand for all, see `gauss_of_stations`; None for a strip at every station
+    Returns the drag acts, and the water's velocity is taken, at half the draught of each section
 
-    Returns
-    -------
-    Strips    the drag acts, and the water's velocity is taken, at half the draught of each section
-
-    Notes
-    -----
     w = i sigma sin(delta) e^(-k T/2) e^(i k1 x) as in `water_velocity`, at the strip and not fitted.  Source: [Hoerner65] for
     the drag; wave kinematics, closed form.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> drag_strips(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0])).water.shape
-    (1, 20)
     """
     k, U, mu = (np.asarray(values, dtype=float)[:, None] for values in (wavenumber, speed, heading))
     sections, loading = strips(ship.hull), ship.loading

@@ -41,14 +41,9 @@ class Matching:
     def at_motion(self, system: System, amplitude: Floats) -> System:
         """Equations with u0 matched at the motion that |q| q gives.
 
-        Parameters
-        ----------
-        system : System           m h conditions, the h heights of one of the m conditions beside each other
-        amplitude : (m h,) float  of the wave [m]
-
-        Returns
-        -------
-        System                    where no motion is found, with u0 as it was
+        system: m h conditions, the h heights of one of the m conditions beside each other
+        amplitude (m h,): of the wave [m]
+        Returns where no motion is found, with u0 as it was
         """
         found, share = self.velocity(system, amplitude), self._share(system)
         more = np.where(found > 0, self.scale / np.where(found > 0, found, 1.0) - 1.0, 0.0)

@@ -51,13 +51,8 @@ class ShipSystem:
     def at_amplitude(self, amplitude: Floats) -> System:
         """Equations at given wave amplitudes.
 
-        Parameters
-        ----------
-        amplitude : (m, h) float    h wave amplitudes at each condition [m]
-
-        Returns
-        -------
-        System    m h conditions, the heights of one condition beside each other
+        amplitude (m, h): h wave amplitudes at each condition [m]
+        Returns m h conditions, the heights of one condition beside each other
         """
         count = amplitude.shape[1]
         spread = self.system.each(lambda array: np.repeat(array, count, axis=0)) if count > 1 else self.system
@@ -68,24 +63,10 @@ class ShipSystem:
 def nonlinear_terms(c: Coefficients, condition: int = 0) -> dict[str, float]:
     """Terms on the right that do not depend on the frequency: restoring, cubic and further ones, at one condition's speed.
 
-    Parameters
-    ----------
-    c : Coefficients
-    condition : int    which of its conditions; some terms differ between speeds
+    condition: which of its conditions; some terms differ between speeds
+    Returns name -> coefficient [SI]; what is zero at every condition left out
 
-    Returns
-    -------
-    dict of str to float    name -> coefficient [SI]; what is zero at every condition left out
-
-    Notes
-    -----
     Source: [H71] eq. (2).
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> nonlinear_terms(coefficients(ship("wigley"), 0.5, 5.0))["K_phi"] < 0
-    True
     """
     return {name: float(value[condition]) for name, value in c.nonlinear.items()}
 
@@ -105,25 +86,12 @@ def excitation(
 ) -> tuple[NDArray[np.complex128], Floats]:
     """Wave force on the hull per metre of amplitude, without lift, and encounter frequency of a ship at many conditions.
 
-    Parameters
-    ----------
-    ship, wavenumber, speed, heading, form    as in `ship_system`
+    as in `ship_system`
+    Returns force (m, 3): sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}; omega (m,): negative
+        where the ship overtakes the wave [rad/s]
 
-    Returns
-    -------
-    force : (m, 3) complex    sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
-    omega : (m,) float        negative where the ship overtakes the wave [rad/s]
-
-    Notes
-    -----
     Froude-Krylov and diffraction alone: they depend on the loading through the height of G only, and `ship_system` adds
     the lift of the loading.  Source: [H71] Appendix B, [STF70].
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> excitation(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0]))[0].shape
-    (1, 3)
     """
     pressure, scattered, omega = ship_force_phasors(ship, wavenumber, speed, heading, form)
     return pressure + scattered, omega
@@ -140,34 +108,14 @@ def ship_system(
 ) -> ShipSystem:
     """Equations of a ship at many conditions, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber : (m,) float    k > 0 [1/m]
-    speed : (m,) float         U >= 0 [m/s]
-    heading : (m,) float       mu: 0 following, 180 head [deg]
-    form : str                 of the diffraction force, see `wave_forces`
-    known : optional           what `excitation` gives, when it has been found already
+    wavenumber (m,): k > 0 [1/m]
+    speed (m,): U >= 0 [m/s]
+    heading (m,): mu: 0 following, 180 head [deg]
+    form: of the diffraction force, see `wave_forces`
+    known: what `excitation` gives, when it has been found already
 
-    Returns
-    -------
-    ShipSystem
-
-    Raises
-    ------
-    InputError    what `coefficients` and `wave_force_phasors` refuse
-
-    Notes
-    -----
     Added mass, damping and forces at the encounter frequency; where that is negative the conjugate force at its modulus.
     Source: [H71] eqs. (2), (3), Appendix B.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> at = ship_system(ship("wigley"), np.array([0.05]), np.array([5.0]), np.array([30.0]))
-    >>> at.system.count, bool(at.slow[0])
-    (1, False)
     """
     force, omega = excitation(ship, wavenumber, speed, heading, form) if known is None else known
     c = coefficients(ship, omega, speed)

@@ -28,32 +28,17 @@ Phasors = NDArray[np.complex128]
 def vertical_motion(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats, gyradius_pitch: float) -> Phasors:
     """Surge, heave and pitch of a ship in many regular waves, per metre of wave amplitude.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber : (n,) float    k > 0 [1/m]
-    speed : (n,) float         U >= 0 [m/s]
-    heading : (n,) float       mu: 0 following, 180 head [deg]
-    gyradius_pitch : float     k_yy without added mass [m]
+    wavenumber (n,): k > 0 [1/m]
+    speed (n,): U >= 0 [m/s]
+    heading (n,): mu: 0 following, 180 head [deg]
+    gyradius_pitch: k_yy without added mass [m]
+    Returns (n, 3): surge and heave of G, + down [m/m], and pitch, + bow up [rad/m], in axes that move with the mean
+        course: phasors of e^{i omega t}, omega the signed encounter frequency, of a crest at G at t = 0; NaN where the
+        ship keeps pace with the wave
 
-    Returns
-    -------
-    (n, 3) complex    surge and heave of G, + down [m/m], and pitch, + bow up [rad/m], in axes that move with the mean course:
-                      phasors of e^{i omega t}, omega the signed encounter frequency, of a crest at G at t = 0; NaN where the
-                      ship keeps pace with the wave
-
-    Notes
-    -----
     [-w^2 (M + A) + i w B + C] eta = F in heave and pitch; surge alone, with the added mass of a spheroid and no damping.
     C33 = rho g int b dx, C35 = -rho g int x b dx, C55 = rho g int x^2 b dx - rho g V (KG - KB).
     Source: [STF70]; surge [Lamb32].  Valid: small motions, slender ship.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> long = vertical_motion(ship("wigley"), np.array([1e-3]), np.zeros(1), np.array([180.0]), 25.0)
-    >>> round(float(long[0, 1].real), 2), round(float(long[0, 2].imag / 1e-3), 1)
-    (-1.0, 1.0)
     """
     k, U, mu = (np.asarray(v, dtype=float) for v in np.broadcast_arrays(wavenumber, speed, heading))
     omega = encounter_frequency(np.sqrt(GRAVITY * k), U, mu)
@@ -71,23 +56,9 @@ def vertical_motion(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floa
 def vertical_system(ship: Ship, omega: Floats, speed: Floats, gyradius_pitch: float) -> tuple[Floats, Floats, Floats]:
     """Mass with added mass, damping and stiffness in surge, heave and pitch about G, at signed encounter frequencies.
 
-    Parameters
-    ----------
-    ship : Ship
-    omega, speed : (n,) float    [rad/s], [m/s]
-    gyradius_pitch : float       [m]
-
-    Returns
-    -------
-    mass, damping : (n, 3, 3) float    [kg, kg m, kg m2; over s]
-    stiffness : (3, 3) float           [N/m, N, N m]
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> stiffness = vertical_system(ship("box"), np.array([0.5]), np.zeros(1), 25.0)[2]
-    >>> round(float(stiffness[1, 1] / (1025 * 9.81)), 6)
-    2000.0
+    omega, speed (n,): [rad/s], [m/s]
+    gyradius_pitch: [m]
+    Returns mass, damping (n, 3, 3): [kg, kg m, kg m2; over s]; stiffness (3, 3): [N/m, N, N m]
     """
     place, immersed, water = stations(ship), strips(ship.hull), hydrostatics(ship)
     density, weight = ship.loading.density, ship.loading.density * GRAVITY
@@ -117,22 +88,13 @@ def vertical_system(ship: Ship, omega: Floats, speed: Floats, gyradius_pitch: fl
 def lateral_motion(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floats) -> Phasors:
     """Sway, roll and yaw of a ship in many regular waves, per metre of wave amplitude, from its linear equations.
 
-    Parameters
-    ----------
-    ship, wavenumber, speed, heading    as in `vertical_motion`
+    as in `vertical_motion`
+    Returns (n, 3): sway of G [m/m], roll and yaw [rad/m], in axes that move with the mean course; phasors as those of
+        `vertical_motion`
 
-    Returns
-    -------
-    (n, 3) complex    sway of G [m/m], roll and yaw [rad/m], in axes that move with the mean course; phasors as those of
-                      `vertical_motion`
-
-    Notes
-    -----
     The equations of `equations` with their products left out, rudder amidships; d eta2/dt = v + U psi.
     Source: [H71] eq. (2), linear part.
 
-    Examples
-    --------
     Roll in a long beam wave is its slope.
 
     >>> from quartering.hull.file.read import ship

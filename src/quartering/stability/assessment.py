@@ -38,31 +38,13 @@ def assess(
 ) -> Assessment:
     """Judge the stability of periodic motions by every method.
 
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    accuracy : float          of the Floquet multipliers
-    detail : str              "full", or what a "map" needs: no shares of stable motions, no mean_jacobian
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`
+    orders: their harmonics
+    accuracy: of the Floquet multipliers
+    detail: "full", or what a "map" needs: no shares of stable motions, no mean_jacobian
 
-    Returns
-    -------
-    Assessment
-
-    Notes
-    -----
     Source: [H71] eqs. (8)-(15), completed; Floquet's theorem.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> from quartering.motion.steady.motion import steady_motions
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
-    >>> system = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0)).system
-    >>> u, orders, *_ = steady_motions(system)
-    >>> int(assess(system, u, orders).kind[0])
-    0
     """
     phasors, along = variation_along(system, u, orders)
     first = 1 if orders[0] == 0 else 0
@@ -78,16 +60,9 @@ def assess(
 def leading_growth(system: System, u: Floats, orders: tuple[int, ...], accuracy: float = 1e-6) -> Floats:
     """Real part of the leading Floquet exponent of many motions, and nothing else of `assess`.
 
-    Parameters
-    ----------
-    system, u, orders, accuracy    as in `assess`
+    as in `assess`
+    Returns (n,): as `assess` with detail="map" has it, to its accuracy; NaN where there is none [1/s]
 
-    Returns
-    -------
-    (n,) float                     as `assess` with detail="map" has it, to its accuracy; NaN where there is none [1/s]
-
-    Examples
-    --------
     >>> from quartering.motion.equations.system import Model
     >>> from quartering.motion.steady.motion import steady_motions
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}

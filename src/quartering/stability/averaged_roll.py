@@ -17,36 +17,18 @@ Floats = NDArray[np.float64]
 def threshold(ratio: ArrayLike, damping: ArrayLike) -> Floats:
     """Least variation h = GM_1/GM_mean with which roll grows near W = 2.
 
-    Parameters
-    ----------
-    ratio : (...) float      W, encounter frequency over natural frequency at the mean GM
-    damping : (...) float    zeta, of critical at the mean GM
+    ratio (...): W, encounter frequency over natural frequency at the mean GM
+    damping (...): zeta, of critical at the mean GM
+    Returns (...)
 
-    Returns
-    -------
-    (...) float
-
-    Notes
-    -----
     h = 2 sqrt((1 - W^2/4)^2 + (zeta W)^2): 4 zeta at W = 2.  Valid: small h; at W 10 % off, 2 to 3 % off.
-
-    Examples
-    --------
-    >>> float(threshold(2.0, 0.05))
-    0.2
     """
     W, zeta = np.asarray(ratio, dtype=float), np.asarray(damping, dtype=float)
     return np.asarray(2.0 * np.sqrt((1.0 - W**2 / 4.0) ** 2 + (zeta * W) ** 2))
 
 
 def averaged_growth(ratio: ArrayLike, damping: ArrayLike, variation: ArrayLike) -> Floats:
-    """Growth of roll in units of the natural frequency; -zeta where roll is not caught by the wave.
-
-    Examples
-    --------
-    >>> round(float(averaged_growth(2.0, 0.05, 0.3)), 6)
-    0.025
-    """
+    """Growth of roll in units of the natural frequency; -zeta where roll is not caught by the wave."""
     W, zeta, h = (np.asarray(v, dtype=float) for v in (ratio, damping, variation))
     inside = (h / (2.0 * W)) ** 2 - ((W**2 / 4.0 - 1.0) / W) ** 2
     return np.asarray(-zeta + np.sqrt(np.maximum(inside, 0.0)))
@@ -66,27 +48,15 @@ def averaged_amplitudes(
 ) -> Floats:
     """Steady amplitudes of roll of two periods, all roots, least first.
 
-    Parameters
-    ----------
-    ratio, damping, variation : float    W, zeta, h
-    cubic, fifth : float                 alpha3, alpha5
-    cubic_variation : float              h3
-    quadratic_damping, cubic_damping : float    delta, beta3
-    largest : float                      amplitude up to which roots are looked for [rad]
+    ratio, damping, variation: W, zeta, h
+    cubic, fifth: alpha3, alpha5
+    cubic_variation: h3
+    quadratic_damping, cubic_damping: delta, beta3
+    largest: amplitude up to which roots are looked for [rad]
+    Returns (k,): [rad]
 
-    Returns
-    -------
-    (k,) float    [rad]
-
-    Notes
-    -----
     With R = 1 - W^2/4 + 3/4 alpha3 A^2 + 5/8 alpha5 A^4 and I = (2 zeta + 8/(3 pi) delta (W/2) A + 3/4 beta3 (W/2)^2 A^2) W/2,
     (R/(h/2 + h3 A^2/2))^2 + (I/(h/2 + h3 A^2/4))^2 = 1.  Valid: amplitudes below 1 rad to 0.5 %.
-
-    Examples
-    --------
-    >>> averaged_amplitudes(2.0, 0.02, 0.3, cubic=-0.3).round(6).tolist()
-    [0.801577]
     """
     from scipy.optimize import brentq
 

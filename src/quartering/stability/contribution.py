@@ -24,31 +24,13 @@ _SAMPLES = 128
 def contributions(model: Model, motion: Motion, oscillating: bool) -> dict[str, float]:
     """Share of every named coefficient in the growth rate of the roll mode or of the slowest course mode.
 
-    Parameters
-    ----------
-    model : Model
-    motion : Motion        its steady motion
-    oscillating : bool     True for the roll mode, False for the non-oscillating (course) mode that grows most
+    motion: its steady motion
+    oscillating: True for the roll mode, False for the non-oscillating (course) mode that grows most
+    Returns term name -> part of the growth rate [1/s], the most destabilising first; with the share of phi' = p and
+        psi' = r (none in roll alone) they add up to the mode's growth rate by the mean variational matrix
 
-    Returns
-    -------
-    dict of str to float   term name -> part of the growth rate [1/s], the most destabilising first; with
-                           the share of phi' = p and psi' = r (none in roll alone) they add up to the mode's growth
-                           rate by the mean variational matrix
-
-    Notes
-    -----
     With l and r the left and right eigenvectors of the mean variational matrix (l r = 1), its eigenvalue is l J r, which is
     linear in the coefficients.  Source: first-order perturbation of eigenvalues; [H71] eq. (13) is its small-damping limit.
-
-    Examples
-    --------
-    >>> from quartering.motion.steady.motion import steady_motion
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
-    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
-    >>> parts = contributions(model, steady_motion(model), oscillating=True)
-    >>> min(parts, key=parts.get), round(parts["K_p"], 6)
-    ('K_p', -0.05)
     """
     inverse = np.linalg.inv(model.inertia)
     phases = 2 * np.pi * np.arange(_SAMPLES) / _SAMPLES

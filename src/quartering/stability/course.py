@@ -17,23 +17,14 @@ _VELOCITIES = [0, 2, 3]
 def course_matrix(mean: Floats, rho: Floats, linear: Floats) -> Floats:
     """Averaged equations of the sway-yaw modes; with an autopilot the heading and the rudder are added.
 
-    Parameters
-    ----------
-    mean : (n, 3, 3) float      mean of d(v', p', r')/d(v, p, r) over the motion
-    rho : (n, 3) float          shape of the free roll mode
-    linear : (n, 3 or 4, s)     linear part of the equations, for what an autopilot answers
+    mean (n, 3, 3): mean of d(v', p', r')/d(v, p, r) over the motion
+    rho (n, 3): shape of the free roll mode
+    linear (n, 3 or 4, s): linear part of the equations, for what an autopilot answers
+    Returns (n, 2, 2): rows and columns v, r; (n, 3, 3) with psi, (n, 4, 4) with psi and delta
 
-    Returns
-    -------
-    (n, 2, 2) float             rows and columns v, r; (n, 3, 3) with psi, (n, 4, 4) with psi and delta
-
-    Notes
-    -----
     The modes are e_k = v_k - rho_k p of k = sway, yaw, which do not oscillate.
     Source: [H71] eq. (8), averaged over the wave (an addition).  Valid: as `first_order`.
 
-    Examples
-    --------
     >>> course_matrix(np.diag([-0.1, -0.2, -0.3])[None], np.array([[0.0, 1.0, 0.0]]), np.zeros((1, 3, 4)))[0].tolist()
     [[-0.1, 0.0], [0.0, -0.3]]
     """
@@ -53,20 +44,11 @@ def course_matrix(mean: Floats, rho: Floats, linear: Floats) -> Floats:
 def course_rates(course: Floats) -> Floats:
     """Growth rates of the averaged sway-yaw modes.
 
-    Parameters
-    ----------
-    course : (n, s, s) float    from `course_matrix`
+    course (n, s, s): from `course_matrix`
+    Returns (n, s): real parts of the eigenvalues, the largest first [1/s]
 
-    Returns
-    -------
-    (n, s) float                real parts of the eigenvalues, the largest first [1/s]
-
-    Notes
-    -----
     Source: closed form for two modes, eigenvalues for more.
 
-    Examples
-    --------
     >>> course_rates(np.diag([-0.5, -0.25])[None]).tolist()
     [[-0.25, -0.5]]
     """
@@ -85,19 +67,12 @@ def _real_parts(matrix: Floats) -> Floats:
 def combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Floats, phasors: Complex) -> Floats:
     """Largest growth rate of roll combined with the slow modes through modulation at 2 omega, near n2 = 2 omega.
 
-    Parameters
-    ----------
-    w : (n,) float            omega [rad/s]
-    n2, rho, rate             from `roll_mode`
-    slow : (n, s, s) float    from `course_matrix`
-    phasors : (n, 4, 3, 4)    from `variational_harmonics`
+    w (n,): omega [rad/s]
+    from `roll_mode`
+    slow (n, s, s): from `course_matrix`
+    phasors (n, 4, 3, 4): from `variational_harmonics`
+    Returns (n,): [1/s]
 
-    Returns
-    -------
-    (n,) float                [1/s]
-
-    Notes
-    -----
     Source: [H71] eq. (8), averaged as its eqs. (13)-(15) are, for the combination the paper leaves out (an addition).
     Valid: as `first_order`.
     """

@@ -55,30 +55,18 @@ def change_of_stability(
 ) -> StabilityChange:
     """Derivatives of K2, index and leading exponent of a periodic motion by parameters of its equations.
 
-    Parameters
-    ----------
-    system : System          one condition
-    changes : System         derivatives of its arrays by each of m parameters, with its products
-    u : (3, b) float         the motion
-    du : (m, 3, b) float     its derivatives, from `change_of_motion`
-    orders : tuple of int    harmonics
-    rate : float             from `fastest_rate`, to choose steps [1/s]
+    system: one condition
+    changes: derivatives of its arrays by each of m parameters, with its products
+    u (3, b): the motion
+    du (m, 3, b): its derivatives, from `change_of_motion`
+    orders: harmonics
+    rate: from `fastest_rate`, to choose steps [1/s]
 
-    Returns
-    -------
-    StabilityChange
-
-    Notes
-    -----
     K2 follows from the mean of the variational matrix A(t), whose derivative along the motion is exact. The exponent is
     lambda with y' = A y = y(t) e^{lambda t}: at phases held, d lambda = <l dA r> + (lambda - <l A r>) d w / w, the mean over
     a cycle, with the right and left periodic vectors r, l and l r = 1. The mean is taken at equal phases: to rounding where
     the products are smooth, to 1e-6 with a modulus, drag by strips or a spline.  Source: [H71] eqs. (8)-(13); perturbation
     of a simple eigenvalue (closed form).  Valid: the leading multiplier is simple.
-
-    Examples
-    --------
-    See `quartering.sensitivity`.
     """
     u, du = turning(system.linear, u[None], orders)[0], turning(np.repeat(system.linear, len(du), axis=0), du, orders)
     symmetric = all(h % 2 == 1 for h in orders)

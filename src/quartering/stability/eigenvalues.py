@@ -228,23 +228,11 @@ def _all_values(first, last, matrices, values):
 def eigenvalues(matrices: Floats) -> NDArray[np.complex128]:
     """Eigenvalues of a batch of small real matrices, in no particular order.
 
-    Parameters
-    ----------
-    matrices : (n, m, m) float
+    matrices (n, m, m)
+    Returns (n, m): NaN where a matrix is not finite
 
-    Returns
-    -------
-    (n, m) complex    NaN where a matrix is not finite
-
-    Notes
-    -----
     Source: [Francis61] double-shift QR with the deflation and exceptional shifts of EISPACK's HQR; a matrix on which its
     sweeps do not settle is left to LAPACK.
-
-    Examples
-    --------
-    >>> sorted(eigenvalues(np.array([[[0.0, 1.0], [-4.0, 0.0]]]))[0].imag.tolist())
-    [-2.0, 2.0]
     """
     values = np.empty(matrices.shape[:2], complex)
     in_threads(_all_values, matrices.shape[0], np.require(matrices, float, ("C", "W")), values)

@@ -1,15 +1,15 @@
-"""Products and exponentials of 4 x 4 matrices (4, 4, W), a row of them abreast."""
+"""Products and exponentials of 4 x 4 matrices (4, 4, W), a batch of them."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import abreast
+from quartering.compiled import batch_kernel
 
 ROW = 32
-"""Conditions abreast: their matrices stay in the processor's fastest memory."""
+"""Conditions of a batch: their matrices stay in the processor's fastest memory."""
 
 
-@abreast
+@batch_kernel
 def product(a, b, out):
     """out = a b."""
     for i in range(4):
@@ -23,7 +23,7 @@ def product(a, b, out):
                 )
 
 
-@abreast
+@batch_kernel
 def commutator(a, b, scratch, out):
     """out = a b - b a."""
     product(a, b, out)
@@ -34,7 +34,7 @@ def commutator(a, b, scratch, out):
                 out[i, j, l] -= scratch[i, j, l]
 
 
-@abreast
+@batch_kernel
 def _halve(x, norm, halvings):
     """Halve each matrix until its norm is below 1/2; returns the largest number of ``halvings`` (W,)."""
     for l in range(ROW):
@@ -58,12 +58,10 @@ def _halve(x, norm, halvings):
     return most
 
 
-@abreast
+@batch_kernel
 def exponential(x, square, cube, part, norm, halvings, out):
     """out = exp(x) by its series to x^8 after halving x, and squaring as often; x is lost.
 
-    Notes
-    -----
     Source: closed form; below a norm of 1/2 what the series leaves out is below 6e-9.
     """
     most = _halve(x, norm, halvings)

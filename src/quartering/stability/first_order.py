@@ -127,27 +127,12 @@ def _in_roll(matrix: Floats) -> Complex:
 def roll_mode(rows: Any, linear: Any) -> tuple[Any, Any, Any]:
     """Free roll about a motion: frequency, shape, and growth rate away from resonance.
 
-    Parameters
-    ----------
-    rows : (n, 3, 4)            mean of d(v', p', r')/d(v, phi, p, r) over the motion; a stiffness that rights the ship
-    linear : (n, 3 or 4, s)     linear part of the equations, for what an autopilot answers
+    rows (n, 3, 4): mean of d(v', p', r')/d(v, phi, p, r) over the motion; a stiffness that rights the ship
+    linear (n, 3 or 4, s): linear part of the equations, for what an autopilot answers
+    Returns n2 (n,): [rad/s]; rho (n, 3): sway [m/rad], roll, yaw; rate (n,): K2/(2 n2) [1/s]
 
-    Returns
-    -------
-    n2 : (n,)       [rad/s]
-    rho : (n, 3)    sway [m/rad], roll, yaw
-    rate : (n,)     K2/(2 n2) [1/s]
-
-    Notes
-    -----
     Analytic in all its arguments, so complex ones give derivatives.  An autopilot without lag answers the heading in
     quadrature with the roll rate; with one, it damps roll through its yaw.  Source: [H71] eqs. (9)-(13).
-
-    Examples
-    --------
-    >>> rows = np.array([[[-1.0, 0, 0, 0], [0, -4.0, -0.2, 0], [0, 0, 0, -1.0]]])
-    >>> [float(one[0]) for one in roll_mode(rows, np.zeros((1, 3, 4)))[::2]]
-    [2.0, -0.1]
     """
     stiffness = rows[:, :, 1]
     n2, rho = np.sqrt(-stiffness[:, 1]), stiffness / stiffness[:, [1]]
@@ -161,36 +146,16 @@ def roll_mode(rows: Any, linear: Any) -> tuple[Any, Any, Any]:
 def first_order(system: System, phasors: Complex, displacement: Complex, detail: Detail = "full") -> FirstOrder:
     """First-order stability of periodic motions from the harmonics of their variational matrix.
 
-    Parameters
-    ----------
-    system : System              n conditions
-    phasors : (n, 4, 3, 4)       from `variational_harmonics`
-    displacement : (n, 3) complex    fundamental of sway [m], roll, yaw [rad]: phasors of e^{i w t}
-    detail : str                 "full", or what a "map" needs: mean_jacobian stays NaN
+    system: n conditions
+    phasors (n, 4, 3, 4): from `variational_harmonics`
+    displacement (n, 3): fundamental of sway [m], roll, yaw [rad]: phasors of e^{i w t}
+    detail: "full", or what a "map" needs: mean_jacobian stays NaN
+    Returns rows of NaN where the motion is NaN; where the mean roll stiffness is negative, n2 and what rests on it
 
-    Returns
-    -------
-    FirstOrder    rows of NaN where the motion is NaN; where the mean roll stiffness is negative, n2 and what rests on it
-
-    Notes
-    -----
     K2 = n2 sum_j rho_j <d p'/d V_j>; q = K2/(2 n2) +- sqrt(|k_m - i n2 d_m|^2/(16 n2^2) - (m omega/2 - n2)^2) with k_m, d_m
     the modulation of stiffness and damping at m omega (the paper keeps k_m alone).  Source: [H71] eqs. (8)-(15), with n2 t
     in every phase, restoring in all rows, cross averages and rho_3 kept; slow modes and combination are additions.
     Valid: damping small against omega and n2, n2 not near omega (use ``averaged``) unless stated.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> from quartering.motion.steady.motion import steady_motion
-    >>> from quartering.stability.variation import variational_harmonics
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
-    >>> motion = steady_motion(model)
-    >>> phasors = variational_harmonics(model.system, motion.coefficients[None], motion.orders)
-    >>> fundamental = np.array([[0, -0.014j, 0]])
-    >>> round(float(first_order(model.system, phasors, fundamental).k2[0]), 6)
-    -0.1
     """
     finite = np.isfinite(phasors).reshape(system.count, -1).all(axis=1) & system.finite
     phasors = np.where(finite[:, None, None, None], phasors, 0.0)

@@ -60,24 +60,15 @@ class Floquet:
 def steps_for(frequency: Floats, span: float, rate: Floats, highest: int, accuracy: float) -> NDArray[np.int64]:
     """Runge-Kutta steps that keep the error of the multipliers near a given accuracy.
 
-    Parameters
-    ----------
-    frequency : (n,) float         w [rad/s]
-    span : float                   fraction of the period integrated
-    rate : (n,) float              fastest rate in the variational equations, see `fastest_rate` [1/s]
-    highest : int                  highest harmonic of the motion
-    accuracy : float               relative to the larger of 1 and the multiplier
+    frequency (n,): w [rad/s]
+    span: fraction of the period integrated
+    rate (n,): fastest rate in the variational equations, see `fastest_rate` [1/s]
+    highest: highest harmonic of the motion
+    accuracy: relative to the larger of 1 and the multiplier
+    Returns (n,)
 
-    Returns
-    -------
-    (n,) int
-
-    Notes
-    -----
     The local error of the fourth-order method is (rate h)^5/120.  Source: closed form.
 
-    Examples
-    --------
     >>> steps_for(np.array([0.5]), 0.5, np.array([0.5]), 3, 1e-6).tolist()
     [84]
     """
@@ -90,22 +81,13 @@ def steps_for(frequency: Floats, span: float, rate: Floats, highest: int, accura
 def fastest_rate(phasors: Complex, mean_jacobian: Complex) -> Floats:
     """Upper bound on the eigenvalue modulus of the variational matrix over a cycle.
 
-    Parameters
-    ----------
-    phasors : (n, m, 3, 4)       harmonics of the variational matrix, the mean first
-    mean_jacobian : (n, 4)       eigenvalues of its mean [1/s]; NaN where they are not known: a bound takes their place
+    phasors (n, m, 3, 4): harmonics of the variational matrix, the mean first
+    mean_jacobian (n, 4): eigenvalues of its mean [1/s]; NaN where they are not known: a bound takes their place
+    Returns (n,): [1/s]
 
-    Returns
-    -------
-    (n,) float                   [1/s]
-
-    Notes
-    -----
     Largest of the mean's eigenvalues, the root of the largest stiffness, and the largest dampings on the diagonal.
     Source: Gershgorin-type estimate; used to choose steps only.
 
-    Examples
-    --------
     >>> stiff = np.zeros((1, 2, 3, 4), complex)
     >>> stiff[0, :, 1, 1] = [-1.0, 3.0]
     >>> fastest_rate(stiff, np.zeros((1, 4))).tolist()
@@ -143,39 +125,19 @@ def floquet(
 ) -> Floquet:
     """Floquet multipliers of periodic motions by integrating their variational equations.
 
-    Parameters
-    ----------
-    system : System              n conditions
-    u : (n, 3, b) float          motions, as from `harmonic_balance`; NaN rows come back as NaN
-    orders : tuple of int        their harmonics
-    rate : (n,) float            from `fastest_rate`, to choose the steps [1/s]
-    trace : (n,) float           mean trace of the variational matrix, for the Liouville check [1/s]
-    accuracy : float             of the multipliers
-    variation : optional         from `variation_along`; where it is given, the equations are smooth and the accuracy is
-                                 moderate, long steps of Magnus' series are taken in place of Runge-Kutta's
-    detail : str                 "full", or what a "map" needs: shares of unstable motions alone
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`; NaN rows come back as NaN
+    orders: their harmonics
+    rate (n,): from `fastest_rate`, to choose the steps [1/s]
+    trace (n,): mean trace of the variational matrix, for the Liouville check [1/s]
+    accuracy: of the multipliers
+    variation: from `variation_along`; where it is given, the equations are smooth and the accuracy is moderate, long
+        steps of Magnus' series are taken in place of Runge-Kutta's
+    detail: "full", or what a "map" needs: shares of unstable motions alone
 
-    Returns
-    -------
-    Floquet
-
-    Notes
-    -----
     A motion with odd harmonics only has a variational matrix of half the period, so half a cycle suffices: a half-period
     multiplier of -1 is a fold, +1 symmetry breaking, a complex pair on the unit circle a growing oscillation.
     Source: [H71] eq. (8) and Liouville's formula; [Blanes09].
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> from quartering.motion.steady.motion import steady_motion
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
-    >>> model = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0))
-    >>> motion = steady_motion(model)
-    >>> one, trace = np.array([1.0]), np.array([-1.6])
-    >>> result = floquet(model.system, motion.coefficients[None], motion.orders, one, trace, 1e-10)
-    >>> result.exponents[0].real.round(6).tolist()
-    [-0.05, -0.05, -0.5, -1.0]
     """
     symmetric = all(h % 2 == 1 for h in orders)
     span = 0.5 if symmetric else 1.0

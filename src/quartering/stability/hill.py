@@ -62,21 +62,14 @@ def exponents_of_batch(
 ) -> tuple[NDArray[np.complex128], Floats]:
     """Floquet exponents of periodic motions from the harmonics of their variational matrix.
 
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    reach : int               harmonics of the disturbance kept on each side (even ones alone for a symmetric motion)
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`
+    orders: their harmonics
+    reach: harmonics of the disturbance kept on each side (even ones alone for a symmetric motion)
+    Returns exponents (n, s): [1/s], the largest real part first; imaginary parts modulo the frequency; defect (n,):
+        |sum of the exponents - mean trace|, relative to the largest exponent: large when a wrong eigenvalue was taken;
+        then raise `reach` or trust `floquet`
 
-    Returns
-    -------
-    exponents : (n, s) complex    [1/s], the largest real part first; imaginary parts modulo the frequency
-    defect : (n,) float           |sum of the exponents - mean trace|, relative to the largest exponent: large when a wrong
-                                  eigenvalue was taken; then raise `reach` or trust `floquet`
-
-    Notes
-    -----
     With J(t) = sum_m J_m e^{i m w t} and a disturbance e^{lambda t} sum_m y_m e^{i m w t}, lambda is an eigenvalue of the
     block matrix J_{m-n} - i m w. Each true exponent appears many times, shifted by multiples of i w; the s whose
     eigenvectors are centred on m = 0 are the converged ones.  Source: Hill (1886), as in [Krack19].

@@ -66,20 +66,11 @@ _MEANING = {
 def linear_exponents(system: System) -> NDArray[np.complex128]:
     """Exponents of the linear motion without waves, with the coefficients of each condition.
 
-    Parameters
-    ----------
-    system : System     n conditions
+    system: n conditions
+    Returns (n, s): [1/s], the largest real part first; NaN where a coefficient is
 
-    Returns
-    -------
-    (n, s) complex      [1/s], the largest real part first; NaN where a coefficient is
-
-    Notes
-    -----
     Eigenvalues of the linear part in (v, phi, p, r), psi and delta of an autopilot.  Source: [H71] eq. (3), linear terms.
 
-    Examples
-    --------
     >>> from quartering.motion.equations.system import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> linear_exponents(Model(np.eye(3), terms, 0.8, (0, 0, 0), (0, 0, 0)).system)[0].real.round(3).tolist()
@@ -101,18 +92,10 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
 def growing_mode(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int64]:
     """Index of the mode that names the instability.
 
-    Parameters
-    ----------
-    result : Floquet
-    calm : (n, s) complex    calm-water exponents [1/s]
+    calm (n, s): calm-water exponents [1/s]
+    Returns (n,): the largest multiplier; but where the ship is course-unstable without waves, an unstable mode that is
+        not the course mode goes first, because that one is the wave's doing
 
-    Returns
-    -------
-    (n,) int    the largest multiplier; but where the ship is course-unstable without waves, an unstable mode that is not the
-                course mode goes first, because that one is the wave's doing
-
-    Notes
-    -----
     Source: participation of eigenvectors; a choice of this library.
     """
     unstable = np.abs(np.nan_to_num(result.multipliers)) > 1.0
@@ -123,17 +106,10 @@ def growing_mode(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.in
 def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
     """Mechanism of each motion's instability, or that it is stable.
 
-    Parameters
-    ----------
-    result : Floquet         n motions
-    calm : (n, s) complex    calm-water exponents [1/s]
+    result: n motions
+    calm (n, s): calm-water exponents [1/s]
+    Returns (n,): values of `Kind`
 
-    Returns
-    -------
-    (n,) int8    values of `Kind`
-
-    Notes
-    -----
     Symmetric motions: half-period multiplier real negative, a fold; real positive, symmetry breaking when roll carries it
     and course when sway and yaw do; complex, roll, combination or course by the share of roll.  Others: a negative
     multiplier is period doubling, a positive one a fold.  Source: symmetry of [H71] eq. (3); shares are this library's.
@@ -159,16 +135,9 @@ def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
 def near_fold(result: Floquet) -> NDArray[np.bool_]:
     """Stable motions on whose branch a fold is near.
 
-    Parameters
-    ----------
-    result : Floquet    n motions
+    result: n motions
+    Returns (n,)
 
-    Returns
-    -------
-    (n,) bool
-
-    Notes
-    -----
     At a fold of symmetric motions a half-period multiplier is -1, as the disturbance follows the motion into its mirror image;
     away from folds roll's two are complex.  Here: one that is real, below -1/2.  Only symmetric motions are told.
     Source: [Krack19]; the half is this library's.

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import abreast, kernel
+from quartering.compiled import batch_kernel, kernel
 from quartering.motion.equations.system import Floats
 from quartering.stability.exponential import ROW, commutator, exponential, product
 from quartering.threads import in_threads
@@ -30,7 +30,7 @@ _POINTS = 40
 _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
 
 
-@abreast
+@batch_kernel
 def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
     """Magnus' exponent of one step to sixth order from the matrices (3, 4, 4, W) at Gauss' three nodes."""
     for i in range(4):
@@ -58,7 +58,7 @@ def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
                 out[i, j, l] = a1[i, j, l] + a3[i, j, l] * (1.0 / 12.0) + out[i, j, l] * (1.0 / 240.0)
 
 
-@abreast
+@batch_kernel
 def _at_nodes(values, weights, node, matrix):
     """Variational matrices (3, 4, 4, W) at the three nodes from ``node`` on, interpolated from equal intervals (s, 12, W)."""
     for m in range(3):
@@ -158,31 +158,17 @@ def magnus_steps(
 ) -> tuple[NDArray[np.int64], Floats]:
     """Steps that keep the error of the multipliers below a given accuracy, and the unit of sway velocity to take.
 
-    Parameters
-    ----------
-    frequency : (n,) float         w > 0 [rad/s]
-    phasors : (n, m, 3, 4)         harmonics of the variational matrix, the mean first
-    rate : (n,) float              from `fastest_rate` [1/s]
-    span : float                   fraction of the period integrated
-    accuracy : float               relative to the larger of 1 and the multiplier; not below `FINEST`
+    frequency (n,): w > 0 [rad/s]
+    phasors (n, m, 3, 4): harmonics of the variational matrix, the mean first
+    rate (n,): from `fastest_rate` [1/s]
+    span: fraction of the period integrated
+    accuracy: relative to the larger of 1 and the multiplier; not below `FINEST`
+    Returns steps (n,): one of `STEPS`; 0 where even the most are not enough: integrate those otherwise; scale (n,):
+        sway velocity at which sway and the other equations weigh alike [m/s]
 
-    Returns
-    -------
-    steps : (n,) int               one of `STEPS`; 0 where even the most are not enough: integrate those otherwise
-    scale : (n,) float             sway velocity at which sway and the other equations weigh alike [m/s]
-
-    Notes
-    -----
     The error is that of the modulation alone: C M r^4/n^6 over half a cycle, with M the modulation relative to w^2
     (stiffness) and w (damping), r = rate/w >= 1 and C = 40, the largest found on seven loadings of four hulls in 2,400
     conditions each.  Source: [Blanes09] order of the method; the constant is measured, see tests.
-
-    Examples
-    --------
-    >>> gentle = np.zeros((1, 2, 3, 4), complex)
-    >>> gentle[0, :, 1, 1] = [-1.0, 0.05]
-    >>> magnus_steps(np.ones(1), gentle, np.ones(1), 0.5, 5e-6)[0].tolist()
-    [9]
     """
     sizes, mean = np.abs(phasors[:, 1:]).sum(axis=1), np.abs(phasors[:, 0])
     out, back = mean[:, 0, 1:].sum(axis=1), mean[:, 1:, 0].sum(axis=1)
@@ -204,30 +190,15 @@ def magnus_transition(
 ) -> Floats:
     """State transition matrices of the variational equations over one period of their matrix.
 
-    Parameters
-    ----------
-    along : (n, s, 3, 4) float    the matrix at equal intervals over its period, from `variation_along`
-    cycle : (n,) float            that period [s]
-    steps, scale : (n,)           from `magnus_steps`
-    kinks : bool                  the matrix is continuous only, as with drag |q| q
+    along (n, s, 3, 4): the matrix at equal intervals over its period, from `variation_along`
+    cycle (n,): that period [s]
+    steps, scale (n,): from `magnus_steps`
+    kinks: the matrix is continuous only, as with drag |q| q
+    Returns (n, 4, 4): state order (v, phi, p, r); NaN where steps are 0
 
-    Returns
-    -------
-    (n, 4, 4) float               state order (v, phi, p, r); NaN where steps are 0
-
-    Notes
-    -----
     Sixth-order Magnus series on Gauss nodes: a constant matrix is integrated exactly, so only the modulation costs steps.
     Source: [Blanes09].  Valid: equations that are smooth along the motion, or
     continuous with many samples.
-
-    Examples
-    --------
-    >>> calm = np.zeros((1, 3, 3, 4))
-    >>> calm[:, :, 0, 0] = -1.0
-    >>> phi = magnus_transition(calm, np.full(1, 2 * np.pi), np.array([4]), np.ones(1))[0]
-    >>> bool(np.isclose(phi[0, 0], np.exp(-2 * np.pi), rtol=1e-6))
-    True
     """
     samples = along.shape[1]
     where = np.searchsorted(STEPS, np.maximum(steps, STEPS[0]))

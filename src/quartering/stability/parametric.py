@@ -53,31 +53,11 @@ class RollGrowth(NamedTuple):
 def roll_growth(orbits: Orbits, damping: float) -> RollGrowth:
     """Growth of small roll on symmetric motions.
 
-    Parameters
-    ----------
-    orbits : Orbits      symmetric motions
-    damping : float      zeta, fraction of critical at the ship's GM: the whole damping of ``growth_roll_only``
+    orbits: symmetric motions
+    damping: zeta, fraction of critical at the ship's GM: the whole damping of ``growth_roll_only``
 
-    Returns
-    -------
-    RollGrowth
-
-    Notes
-    -----
     Sway, roll and yaw have the water's coefficients at half the encounter frequency, where parametric roll lives, and the
     ship's own lift and damping; drag |q| q has no part in a small motion.  Source: Floquet's theorem, closed form.
-
-    Examples
-    --------
-    In calm water roll decays as its damping says.
-
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.motion.steady_course.course import course
-    >>> from quartering.motion.steady_course.orbits import symmetric_orbits
-    >>> calm = course(ship("wigley"), 0.06, np.array([1e-6]), np.array([3.0]), np.array([180.0]))
-    >>> found = roll_growth(symmetric_orbits(calm), 0.05)
-    >>> bool(found.growth_roll_only[0] < 0)
-    True
     """
     course, n = orbits.course, orbits.course.count
     phase = 2 * np.pi * np.arange(POINTS) / POINTS
@@ -103,24 +83,12 @@ def roll_growth(orbits: Orbits, damping: float) -> RollGrowth:
 def hill_multipliers(stiffness: Floats, damping: Floats, period: Floats, steps: int = STEPS) -> Complex:
     """Multipliers (n, 2) of x'' + damping x' + stiffness(t) x = 0 over one period.
 
-    Parameters
-    ----------
-    stiffness : (n, t) float    at t equal steps of the period, the first at its beginning [1/s2]
-    damping : (n,) float        [1/s]
-    period : (n,) float         [s]
-    steps : int                 of its integration
+    stiffness (n, t): at t equal steps of the period, the first at its beginning [1/s2]
+    damping (n,): [1/s]
+    period (n,): [s]
+    steps: of its integration
 
-    Notes
-    -----
     The stiffness is its Fourier series between the samples; Runge-Kutta of order 4.
-
-    Examples
-    --------
-    Without variation they are those of a damped oscillator: |multiplier| = e^{-damping period/2}.
-
-    >>> found = hill_multipliers(np.full((1, 16), 1.0), np.array([0.2]), np.array([3.0]))
-    >>> (np.abs(found[0]) / np.exp(-0.3)).round(7).tolist()
-    [1.0, 1.0]
     """
     nodes = _nodes(stiffness, steps)
     matrix = np.zeros((*nodes.shape, 2, 2))
@@ -223,8 +191,6 @@ def _roll_pair(matrix: Floats) -> NDArray[np.int64]:
 def forced_growth(orbits: Orbits) -> tuple[float, complex]:
     """Growth [1/s] of a disturbance of the forced motion of one condition, that of the course left out, and its multiplier.
 
-    Notes
-    -----
     The multipliers nearest to those of the course in calm water are left out. Coefficients as in `doubled_multipliers`.
     """
     course, period = orbits.course, 2 * np.pi / float(orbits.course.numbers.omega[0])
@@ -241,20 +207,13 @@ def forced_growth(orbits: Orbits) -> tuple[float, complex]:
 def doubled_multipliers(course: Course, basis: Harmonics, x: Floats, mirrored: bool = True) -> Complex:
     """Multipliers (n, s) of motions of two periods (n, m) of one condition, each over one period and a mirror.
 
-    Parameters
-    ----------
-    course : Course       one condition, in the wave of the motions
-    basis : Harmonics     of two periods
-    x : (n, m) float
-    mirrored : bool       False: over one period alone, of motions of one period
+    course: one condition, in the wave of the motions
+    basis: of two periods
+    x (n, m)
+    mirrored: False: over one period alone, of motions of one period
+    Returns (n, s): of heave, pitch, their rates, v, phi, p, r and the autopilot's states; a motion whose largest is
+        below 1 in size is stable; infinite where the hull leaves its tables
 
-    Returns
-    -------
-    (n, s) complex        of heave, pitch, their rates, v, phi, p, r and the autopilot's states; a motion whose largest is
-                          below 1 in size is stable; infinite where the hull leaves its tables
-
-    Notes
-    -----
     phi(t + T) = -phi(t), h(t + T) = h(t), so a disturbance after one period, port and starboard exchanged, meets the equations
     it met before. The water's coefficients are those at omega in heave and pitch, at omega/2 in sway, roll and yaw.
     """

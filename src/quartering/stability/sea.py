@@ -37,26 +37,15 @@ class SeaStability(NamedTuple):
 def sea_stability(inertia: Floats, slopes: Floats, rudder: Floats, autopilot: Autopilot | None) -> SeaStability:
     """Stability of a motion in a sea by the mean slopes of all forces over it.
 
-    Parameters
-    ----------
-    inertia : (3, 3) float    at the frequency of roll [kg, kg m, kg m2]
-    slopes : (3, 4) float     E[d force/d(v, phi, p, r)] [N, N m]
-    rudder : (3,) float       forces per radian of rudder
-    autopilot : Autopilot, optional
+    inertia (3, 3): at the frequency of roll [kg, kg m, kg m2]
+    slopes (3, 4): E[d force/d(v, phi, p, r)] [N, N m]
+    rudder (3,): forces per radian of rudder
 
-    Returns
-    -------
-    SeaStability
-
-    Notes
-    -----
     For a Gaussian motion the gains of the response are those slopes, so one matrix J has both: its eigenvalues are the growth
     rates to first order, and K2 = n2 sum_j rho_j <d p'/d V_j> as in a regular wave, covariances in place of the averages.
     Second order adds growth by the noise in the stiffness, which is not counted.
     Source: [H71] eqs. (8)-(13), [Kazakov54].
 
-    Examples
-    --------
     >>> slopes = np.array([[-1.0, 0, 0, 0], [0, -4.0, -0.2, 0], [0, 0, 0, -1.0]])
     >>> found = sea_stability(np.eye(3), slopes, np.zeros(3), None)
     >>> round(found.n2, 6), round(found.k2, 6), found.slow.tolist()

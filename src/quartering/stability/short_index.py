@@ -23,21 +23,11 @@ Complex = NDArray[np.complex128]
 def roll_cubic(system: System, factors: str) -> Floats:
     """Coefficient (n,) of one velocity cubic in the canonical roll equation.
 
-    Parameters
-    ----------
-    system : System
-    factors : str    such as "ppp" or "prr"
+    factors: such as "ppp" or "prr"
+    Returns (n,): zero when the system has no such term
 
-    Returns
-    -------
-    (n,) float    zero when the system has no such term
-
-    Notes
-    -----
     Source: [H71] eq. (3).
 
-    Examples
-    --------
     >>> from quartering.motion.equations.system import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_prr": 0.3, "N_r": -1.0}
     >>> roll_cubic(Model(np.eye(3), terms, 1.0, (0, 0, 0), (0, 0, 0)).system, "prr").tolist()
@@ -64,20 +54,13 @@ def through_water(system: System, displacement: Complex) -> Complex:
 def short_index(system: System, displacement: Complex, n2: Floats, roll_axis: Floats | None, *, moving: bool) -> Floats:
     """What the amplitudes of sway, roll and yaw add to K2 in the paper's form [1/s2].
 
-    Parameters
-    ----------
-    system : System               n conditions
-    displacement : (n, 3) complex    fundamental of sway [m], roll, yaw: phasors of e^{i w t}
-    n2 : (n,) float               [rad/s]
-    roll_axis : (n,) float        rho_1 [m/rad]; None for the paper's 0.3 and 0.1
-    moving : bool                 with amplitudes through the water, in place of those over ground
+    system: n conditions
+    displacement (n, 3): fundamental of sway [m], roll, yaw: phasors of e^{i w t}
+    n2 (n,): [rad/s]
+    roll_axis (n,): rho_1 [m/rad]; None for the paper's 0.3 and 0.1
+    moving: with amplitudes through the water, in place of those over ground
+    Returns (n, 3): n2 w^2/2 times I1 P1^2, I2 P2^2 and I3 P3^2; K2 is their sum and n2 sum_j rho_j e_2j
 
-    Returns
-    -------
-    (n, 3) float    n2 w^2/2 times I1 P1^2, I2 P2^2 and I3 P3^2; K2 is their sum and n2 sum_j rho_j e_2j
-
-    Notes
-    -----
     Source: [H71] eq. (13).
     """
     of_drag = _cubics_of_strips(system, displacement)

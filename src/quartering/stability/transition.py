@@ -1,4 +1,4 @@
-"""State transition matrices of the variational equations by Runge-Kutta steps, conditions of equal steps abreast."""
+"""State transition matrices of the variational equations by Runge-Kutta steps, conditions of equal steps in a batch."""
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
@@ -9,14 +9,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import abreast, kernel
-from quartering.motion.equations.rates import enter_inputs, fill_lane, note_likeness, room_for, row_of_lanes, slopes
+from quartering.compiled import batch_kernel, kernel
+from quartering.motion.equations.rates import enter_inputs, fill_lane, note_equal_lanes, room_for, row_of_lanes, slopes
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.newton import states
 from quartering.threads import in_threads
 
-ABREAST: Final = 32
+BATCH: Final = 32
 """Most conditions in a row: their matrices (s, s) stay near the processor."""
 _OCTAVE = 8
 
@@ -24,15 +24,13 @@ _OCTAVE = 8
 def even_steps(steps: NDArray[np.int64]) -> NDArray[np.int64]:
     """Numbers of steps raised to one of eight an octave, so that many conditions take equally many.
 
-    Examples
-    --------
     >>> even_steps(np.array([100, 101, 500])).tolist()
     [108, 108, 512]
     """
     return np.ceil(2.0 ** (np.ceil(np.log2(steps) * _OCTAVE - 1e-9) / _OCTAVE)).astype(np.int64)
 
 
-@abreast
+@batch_kernel
 def _matrix_at(program, parts_lanes, factors, angle, periods, u, value, rate, waves, columns, sums, jacobian):
     """Rows of the variational matrix (k, s, W) at a phase of the motions."""
     for b in range(factors.size):
@@ -51,7 +49,7 @@ def _matrix_at(program, parts_lanes, factors, angle, periods, u, value, rate, wa
     slopes(program, parts_lanes, waves[1], waves[2], columns, sums, jacobian)
 
 
-@abreast
+@batch_kernel
 def _slope(program, jacobian, phi, out):
     """Derivative of phi (s, s, W): a state's row is that of the state it follows, or the right-hand side's."""
     size, width = phi.shape[0], phi.shape[2]
@@ -69,7 +67,7 @@ def _slope(program, jacobian, phi, out):
                     out[s, c, l] += jacobian[k, j, l] * phi[j, c, l]
 
 
-@abreast
+@batch_kernel
 def _advance(phi, slope, ahead, weight, stage, total):
     for a in range(phi.shape[0]):
         for b in range(phi.shape[0]):
@@ -97,7 +95,7 @@ def _march(first, last, program, parts, factors, periods, u, span, steps, rows, 
             for k in range(3):
                 for b in range(nb):
                     motion[k, b, l] = u[i, k, b]
-        note_likeness(lanes)
+        note_equal_lanes(lanes)
         for a in range(size):
             for b in range(size):
                 for l in range(width):
@@ -135,33 +133,15 @@ def transition_matrices(
 ) -> Floats:
     """State transition matrices of the variational equations, from phase zero over part of a cycle.
 
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    span : float              fraction of the period: 1 for the monodromy matrix, 0.5 for its symmetric root
-    steps : (n,) int          Runge-Kutta steps over the span
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`
+    orders: their harmonics
+    span: fraction of the period: 1 for the monodromy matrix, 0.5 for its symmetric root
+    steps (n,): Runge-Kutta steps over the span
+    Returns (n, s, s): state order (v, phi, p, r), with an autopilot psi and, with a lag, delta
 
-    Returns
-    -------
-    (n, s, s) float           state order (v, phi, p, r), with an autopilot psi and, with a lag, delta
-
-    Notes
-    -----
     Fourth-order Runge-Kutta; the error falls with the fourth power of the number of steps, with drag |q| q with the square at
     worst.  Source: [H71] eq. (8), as a first-order system.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> from quartering.motion.steady.motion import steady_motions
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
-    >>> u, orders, *_ = steady_motions(system)
-    >>> phi = transition_matrices(system, u, orders, 1.0, np.array([200]))[0]
-    >>> bool(np.isclose(phi[0, 0], np.exp(-2 * np.pi)))
-    True
     """
     transition = np.empty((system.count, system.states, system.states))
     moving = np.ascontiguousarray(turning(system.linear, u, orders))
@@ -169,6 +149,6 @@ def transition_matrices(
     given = (system.program, system.parts, factors, system.periods, moving, float(span))
     for count in np.unique(steps):
         own = np.flatnonzero(steps == count)
-        rows = np.pad(own, (0, -own.size % min(own.size, ABREAST)), mode="edge").reshape(-1, min(own.size, ABREAST))
+        rows = np.pad(own, (0, -own.size % min(own.size, BATCH)), mode="edge").reshape(-1, min(own.size, BATCH))
         in_threads(_march, len(rows), *given, int(count), rows, transition, smallest=1)
     return transition

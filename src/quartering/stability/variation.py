@@ -61,30 +61,13 @@ def variational_harmonics(
 ) -> NDArray[np.complex128]:
     """Harmonics of the variational matrix along periodic motions.
 
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    harmonics : (m,) int      wanted, 0 first; even ones where all of `orders` are odd (the others vanish)
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`
+    orders: their harmonics
+    harmonics (m,): wanted, 0 first; even ones where all of `orders` are odd (the others vanish)
+    Returns (n, m, 3, 4): phasors J_m of d(v', p', r')/d(v, phi, p, r): J(t) = J_0 + Re sum_m J_m e^{i m w t}
 
-    Returns
-    -------
-    (n, m, 3, 4) complex    phasors J_m of d(v', p', r')/d(v, phi, p, r): J(t) = J_0 + Re sum_m J_m e^{i m w t}
-
-    Notes
-    -----
     Exact for polynomial terms by the number of samples.  Source: [H71] eqs. (8)-(10), first-order form.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> from quartering.motion.steady.motion import steady_motions
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
-    >>> u, orders, *_ = steady_motions(system)
-    >>> variational_harmonics(system, u, orders)[0, 0, 1].real.round(12).tolist()
-    [0.0, -1.0, -0.1, 0.0]
     """
     return variation_along(system, u, orders, harmonics)[0]
 
@@ -94,21 +77,12 @@ def variation_along(
 ) -> tuple[NDArray[np.complex128], Floats]:
     """Harmonics of the variational matrix along periodic motions, and the matrix itself at equal intervals.
 
-    Parameters
-    ----------
-    system, u, orders, harmonics    as in `variational_harmonics`
+    as in `variational_harmonics`
+    Returns harmonics (n, m, 3, 4): as from `variational_harmonics`; along (n, s, 3, 4): at s equal intervals from phase
+        0, over half a cycle where all orders are odd
 
-    Returns
-    -------
-    harmonics : (n, m, 3, 4) complex    as from `variational_harmonics`
-    along : (n, s, 3, 4) float          at s equal intervals from phase 0, over half a cycle where all orders are odd
-
-    Notes
-    -----
     Source: [H71] eq. (8).
 
-    Examples
-    --------
     >>> from quartering.motion.equations.system import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system

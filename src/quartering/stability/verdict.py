@@ -91,27 +91,11 @@ class Verdict(ShownInNotebooks):
 def stability(model: Model, motion: Motion) -> Verdict:
     """Judge one motion by first-order theory and by Floquet multipliers, which decide.
 
-    Parameters
-    ----------
-    model : Model
-    motion : Motion    a steady motion of that model
+    motion: a steady motion of that model
+    Returns ``kind`` "no-answer" and NaN when the motion was not found
 
-    Returns
-    -------
-    Verdict            ``kind`` "no-answer" and NaN when the motion was not found
-
-    Notes
-    -----
     Source: [H71] eqs. (8)-(15) corrected and completed.  Valid: as the motion; multipliers to 1e-10 of the motion given,
     whose own harmonics are the larger error: ask for more of them when a verdict is close.
-
-    Examples
-    --------
-    >>> from quartering.motion.steady.motion import steady_motion
-    >>> terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_phiphiphi": -0.25, "K_ppp": -0.08, "N_r": -0.6}
-    >>> model = Model(np.eye(3), terms, 0.85, force_cos=(0, 0.05, 0), force_sin=(0, 0.12, 0))
-    >>> print(stability(model, steady_motion(model)).sentence)
-    stable: disturbances die out at 0.0325 1/s or faster; first-order theory says the same.
     """
     u = motion.coefficients[None]
     result = assess(slowed(model.system, motion.periods), u, motion.orders_with_mean, _ACCURACY)

@@ -53,27 +53,15 @@ def basin_integrity(
 ) -> Integrity:
     """Safe basins in a wave, in calm water and in waves of the same length and other heights.
 
-    Parameters
-    ----------
-    ship : Ship
-    wave : Wave
-    speed : float               U [m/s]
-    heading : float             mu [deg]
-    heights : sequence of float    further wave heights [m]
-    periods : int               of the wave, to go on for
-    progress : function(done, total), optional    called after each wave
+    speed: U [m/s]
+    heading: mu [deg]
+    heights: further wave heights [m]
+    periods: of the wave, to go on for
+    progress: called after each wave
 
-    Returns
-    -------
-    Integrity
-
-    Notes
-    -----
     The starts reach from upright to the capsize limit on both sides, and as far in roll rate as a free roll of that size.
     Source: [Thompson89].
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> found = basin_integrity(ship("wigley"), Wave(100.0, 1.0), 5.0, 60.0, [], periods=1)
     >>> found.wave_height.tolist(), float(found.integrity[0])

@@ -40,25 +40,11 @@ _BEYOND, _ALIKE = 1.1, 0.02
 def capsizes_on_the_way(model: Model) -> dict[Way, float]:
     """From which beginnings the ship capsizes before it comes to a steady motion, and after how long.
 
-    Parameters
-    ----------
-    model : Model
+    Returns "upright", from rest in the whole wave, ten periods; "raised", from rest in a third of the wave, two thirds
+        and the whole, ten periods each: the time of the capsize from the beginning [s]; empty when there is none
 
-    Returns
-    -------
-    dict             "upright", from rest in the whole wave, ten periods; "raised", from rest in a third of the wave, two thirds
-                     and the whole, ten periods each: the time of the capsize from the beginning [s]; empty when there is none
-
-    Notes
-    -----
     A stable motion attracts only what is near it: a transient may pass the model's ``capsize_limit`` first.
     Source: [H71] eq. (3), integrated; [Thompson89] for the use.
-
-    Examples
-    --------
-    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.1, "K_phiphiphi": 1.0}
-    >>> capsizes_on_the_way(Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0, 0)))
-    {}
     """
     times = capsizes_before(model.system, np.array([model.capsize_limit.radians]), width=_FEW)[0]
     return {way: float(time) for way, time in zip(get_args(Way), times, strict=True) if np.isfinite(time)}
@@ -82,26 +68,16 @@ def beside_motions(
 ) -> Asked:
     """Whether ships capsize before they come to their stable motions, and which others exist, asked where it may be.
 
-    Parameters
-    ----------
-    system : System         n conditions
-    judged : Assessment     of their motions
-    u : (n, 3, b) float     the motions, as from `steady_motions`
-    orders : tuple of int   their harmonics
-    peaks : (n,) float      largest roll over a cycle [rad]
-    limit : float           roll angle that counts as a capsize [rad]
+    system: n conditions
+    judged: of their motions
+    u (n, 3, b): the motions, as from `steady_motions`
+    orders: their harmonics
+    peaks (n,): largest roll over a cycle [rad]
+    limit: roll angle that counts as a capsize [rad]
 
-    Returns
-    -------
-    Asked
-
-    Notes
-    -----
     Asked of stable motions that roll past half the limit, and of those near a fold (`near_fold`), beside which a larger motion
     stands or none.  Source: [Thompson89] for the use; [Krack19].
 
-    Examples
-    --------
     See `judged` of `quartering.study.conditions`, which calls this.
     """
     way = np.full(system.count, int(OnTheWay.NOT_ASKED), dtype=np.int8)
@@ -124,7 +100,7 @@ def _seeds_beside(
 ) -> Iterator[tuple[int, tuple[int, ...], list[Floats]]]:
     """One-harmonic motions of conditions that have others than the known one: which condition, harmonics, motions.
 
-    From a grid of starts each, as far as 1.1 times the limit, all conditions abreast.
+    From a grid of starts each, as far as 1.1 times the limit, all conditions in one batch.
     """
     low, first = orders_for(system, 1), 1 if orders[0] == 0 else 0
     column, width = (1, 3) if low[0] == 0 else (0, 2)
@@ -145,28 +121,12 @@ def _seeds_beside(
 def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> list[float]:
     """Largest roll over a cycle of the other stable motions of the wave's period in one condition.
 
-    Parameters
-    ----------
-    model : Model
-    motion : Motion    the one that is known
-    harmonics : int    of the motions sought, odd; at least 3
+    motion: the one that is known
+    harmonics: of the motions sought, odd; at least 3
+    Returns the smallest first, below the model's ``capsize_limit`` [rad]
 
-    Returns
-    -------
-    list of float      the smallest first, below the model's ``capsize_limit`` [rad]
-
-    Notes
-    -----
     From the grid of one-harmonic starts and its motions carried over to more harmonics, as in `all_motions`, which looks
     further: for leaning motions and such of two periods too.  Source: [Krack19].
-
-    Examples
-    --------
-    >>> from quartering.motion.steady.motion import steady_motion
-    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.00808, "K_phiphiphi": 0.9795}
-    >>> model = Model(np.eye(3), terms, 0.83386, (0, 0.00918, 0), (0, 0, 0))
-    >>> [round(roll, 2) for roll in other_stable_motions(model, steady_motion(model, 3, start="rest"))]
-    [0.65]
     """
     system = model.system
     with small_matrices():
@@ -205,8 +165,6 @@ def _stable_rolls(
 def also_words(rolls: Iterable[float]) -> str:
     """Other stable motions in one wave by their largest roll over a cycle [deg]; nothing where there are none.
 
-    Examples
-    --------
     >>> also_words([27.71, 41.0]), also_words([math.nan])
     ('also 27.7, 41 deg', '')
     """

@@ -18,12 +18,12 @@ from quartering.motion.of_ship import ShipSystem
 from quartering.motion.status import OnTheWay, Status
 from quartering.motion.steady.missed import missed_roll
 from quartering.motion.steady.motion import roll_peaks, steady_motions, within_limits
-from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
+from quartering.stability.precompile import announce_compilation
 from quartering.study.beside import OTHERS, beside_motions
 from quartering.study.grid import Grid
-from quartering.study.shared import part_of, systems
+from quartering.study.loading_systems import part_of, systems
 from quartering.threads import spread
 
 Floats = NDArray[np.float64]
@@ -60,33 +60,17 @@ def evaluate(
 ) -> dict[str, NDArray[np.generic]]:
     """Response, first-order stability, Floquet exponents and verdict at many conditions.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : (m,) float            U [m/s]
-    heading : (m,) float          mu [deg]
-    wave_length : (m,) float      [m]
-    wave_height : (m, h) float    h heights at each of the m conditions, which share forces and coefficients [m]
-    harmonics : int               of the steady motion, as in `steady_motion`
-    form : str                    of the diffraction force
-    progress : function(done, total), optional    called after each block
+    speed (m,): U [m/s]
+    heading (m,): mu [deg]
+    wave_length (m,): [m]
+    wave_height (m, h): h heights at each of the m conditions, which share forces and coefficients [m]
+    harmonics: of the steady motion, as in `steady_motion`
+    form: of the diffraction force
+    progress: called after each block
+    Returns `RESULTS` with leading shape (m, h), and encounter_frequency (m,); angles in degrees
 
-    Returns
-    -------
-    dict of str to array          `RESULTS` with leading shape (m, h), and encounter_frequency (m,); angles in degrees
-
-    Notes
-    -----
     Where several motions exist, the one that a wave raised slowly from nothing leads to is judged.
     Source: [H71]; every number of a condition without an answer is NaN and its ``status`` says why.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> one = np.array([100.0])
-    >>> found = evaluate(ship("wigley"), np.array([5.0]), np.array([60.0]), one, np.array([[1.0, 2.0]]))
-    >>> found["verdict"].tolist(), found["exponent"].shape
-    ([[0, 0]], (1, 2))
     """
     announce_compilation()
     m, heights = wave_height.shape
@@ -121,26 +105,11 @@ def evaluate(
 def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
     """Response and stability of one block of a grid: a function of nothing but the two.
 
-    Parameters
-    ----------
-    grid : Grid
-    index : int    of the block
+    index: of the block
+    Returns `RESULTS` with leading shape (loadings, points, heights); encounter_frequency (points,); and beyond (), the
+        number of conditions that roll beyond the fit of the righting arm
 
-    Returns
-    -------
-    dict of str to array    `RESULTS` with leading shape (loadings, points, heights); encounter_frequency (points,); and beyond
-                            (), the number of conditions that roll beyond the fit of the righting arm
-
-    Notes
-    -----
     Source: [H71]; forces are shared by the loadings, see `systems`.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.grid import grid
-    >>> evaluate_block(grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0, gm=[1.0, 1.2]), 0)["roll"].shape
-    (2, 2, 1)
     """
     block = grid.blocks[index]
     u, mu, length = grid.points(block.points)
@@ -166,16 +135,11 @@ def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
 def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) -> dict[str, NDArray[np.generic]]:
     """Results of some conditions, flat: the heights of one condition beside each other.
 
-    Parameters
-    ----------
-    equations : ShipSystem      m conditions per metre of wave amplitude
-    height : (m, h) float       wave heights [m]
-    harmonics : int             of the steady motion
-    limit : float               roll angle that counts as a capsize [deg]
-
-    Returns
-    -------
-    dict of str to (m h, ...)   `RESULTS`
+    equations: m conditions per metre of wave amplitude
+    height (m, h): wave heights [m]
+    harmonics: of the steady motion
+    limit: roll angle that counts as a capsize [deg]
+    Returns `RESULTS`
     """
     system = equations.at_amplitude(0.5 * height)
     u, orders, status, _ = steady_motions(system, harmonics, start="rest")
@@ -203,11 +167,9 @@ def judged(equations: ShipSystem, height: Floats, harmonics: int, limit: float) 
 def warn_outside_range(name: str, beyond: int, fitted: float) -> None:
     """Say that some conditions roll beyond the angle up to which the righting arm is fitted [deg].
 
-    Parameters
-    ----------
-    name : str       of the ship
-    beyond : int     number of such conditions; nothing is said of none
-    fitted : float   [deg]
+    name: of the ship
+    beyond: number of such conditions; nothing is said of none
+    fitted: [deg]
     """
     if beyond:
         warnings.warn(

@@ -45,21 +45,12 @@ def labelled(
 ) -> xr.Dataset:
     """Dataset of the results of `evaluate`.
 
-    Parameters
-    ----------
-    ship : Ship
-    results : mapping of name to array     shaped as the dims, and for encounter_frequency as the wave dims
-    coordinates : mapping of name to (dims, values)
-    dims : sequence of str                 of every condition
-    wave_dims : sequence of str            those the encounter frequency depends on
-    form, harmonics                        as computed, for the record
+    results: shaped as the dims, and for encounter_frequency as the wave dims
+    dims: of every condition
+    wave_dims: those the encounter frequency depends on
+    as computed, for the record
+    Returns opens with plain ``xr.open_dataset`` after ``to_netcdf``
 
-    Returns
-    -------
-    xarray.Dataset    opens with plain ``xr.open_dataset`` after ``to_netcdf``
-
-    Examples
-    --------
     See `polar` and `sweep`, which call this.
     """
     return described(heading_of(ship, form=form, harmonics=harmonics), results, coordinates, dims, wave_dims)
@@ -74,18 +65,8 @@ def described(
 ) -> xr.Dataset:
     """Dataset of results with a heading that is known already.
 
-    Parameters
-    ----------
-    heading : mapping                      attributes of the whole, see `heading_of`
-    results, coordinates, dims, wave_dims  as in `labelled`; the arrays may be ones xarray reads when they are used
-
-    Returns
-    -------
-    xarray.Dataset
-
-    Examples
-    --------
-    See `labelled`.
+    heading: attributes of the whole, see `heading_of`
+    as in `labelled`; the arrays may be ones xarray reads when they are used
     """
     variables = {
         name: xr.Variable((*dims, *EXTRA_DIMS.get(name, ())), results[name], attributes(name)) for name in RESULTS
@@ -107,18 +88,8 @@ def amplitudes_named(ds: xr.Dataset) -> xr.Dataset:
 def attributes(name: str) -> dict[str, object]:
     """Units, meaning and letter of a variable, and the meaning of its flags.
 
-    Parameters
-    ----------
-    name : str    of a variable or coordinate
-
-    Returns
-    -------
-    dict          CF attributes; a coefficient's multiplier has units "1"
-
-    Examples
-    --------
-    >>> attributes("roll")["units"], attributes("verdict")["flag_meanings"].split()[1]
-    ('deg', 'stable')
+    name: of a variable or coordinate
+    Returns CF attributes; a coefficient's multiplier has units "1"
     """
     symbol = SYMBOLS.get(name)
     one = OPTIONS.get(name)
@@ -149,16 +120,8 @@ def made_by() -> str:
 def plain_attributes(values: Mapping[str, object]) -> dict[str, object]:
     """Attributes in types JSON knows, floats unchanged.
 
-    Parameters
-    ----------
-    values : mapping    of numbers, texts and lists of numbers
+    values: of numbers, texts and lists of numbers
 
-    Returns
-    -------
-    dict
-
-    Examples
-    --------
     >>> plain_attributes({"n": np.float64(0.5), "two": [np.float64(1.0), 2.0]})
     {'n': 0.5, 'two': [1.0, 2.0]}
     """
@@ -172,17 +135,8 @@ def plain_attributes(values: Mapping[str, object]) -> dict[str, object]:
 def heading_of(ship: Ship, *, form: Form, harmonics: int) -> dict[str, object]:
     """Attributes of a dataset: what a reader needs to know where the numbers come from.
 
-    Parameters
-    ----------
-    ship : Ship
-    form, harmonics    as computed
+    as computed
 
-    Returns
-    -------
-    dict of str to str, float or list of float
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> heading_of(ship("wigley"), form="stf", harmonics=1)["steady_motion"]
     'modified Struble method'

@@ -17,17 +17,9 @@ ROLL_LIMIT: Final = 40.0
 def failure_angle(vanishing: float, openings: float | None) -> float:
     """Roll angle past which a failure event is foreseen [deg].
 
-    Parameters
-    ----------
-    vanishing : float           angle of vanishing stability in calm water [deg]; infinite where there is none
-    openings : float or None    heel at which unprotected openings go under in calm water [deg]
+    vanishing: angle of vanishing stability in calm water [deg]; infinite where there is none
+    openings: heel at which unprotected openings go under in calm water [deg]
 
-    Returns
-    -------
-    float
-
-    Examples
-    --------
     >>> failure_angle(65.0, None), failure_angle(65.0, 25.0)
     (40.0, 25.0)
     """
@@ -37,14 +29,8 @@ def failure_angle(vanishing: float, openings: float | None) -> float:
 def failure_events(result: xr.Dataset, limit: float) -> xr.DataArray:
     """Conditions with a failure event: roll beyond the limit or past the capsize limit, at the motion or on the way to it.
 
-    Parameters
-    ----------
-    result : Dataset    of `polar` or `sweep`
-    limit : float       [deg]
-
-    Returns
-    -------
-    DataArray of bool
+    result: of `polar` or `sweep`
+    limit: [deg]
     """
     past = result["status"] == int(Status.BEYOND_CAPSIZE_LIMIT)
     return (result["roll_peak"] > limit) | past | capsizing(result)

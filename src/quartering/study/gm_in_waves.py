@@ -213,19 +213,9 @@ def righting_arm(
 def frozen_waves(floats: FloatingHull, wave: Wave, heading: float, share: Floats) -> Waves:
     """Waves whose crest has run a share of their length from midship.
 
-    Parameters
-    ----------
-    floats : FloatingHull
-    wave : Wave
-    heading : float       mu [deg]
-    share : (n,) float    of a wave length
+    heading: mu [deg]
+    share (n,): of a wave length
 
-    Returns
-    -------
-    Waves
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> waves = frozen_waves(floating_hull(ship("box")), Wave(100.0, 2.0), 180.0, np.array([0.25]))
     >>> round(float(waves.phase[0] / waves.along[0]), 3)    # a head sea runs aft
@@ -323,8 +313,6 @@ def _heading(ship: Ship, wave: Wave, mu: float, U: float, balance: str, pressure
 def sides_words(ship: Ship) -> str:
     """How high the lines of a ship go.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> sides_words(ship("s175"))
     'the lines end 11 m over the baseline; straight sides are assumed from there up to the deck at 15.4 m'

@@ -180,31 +180,12 @@ def grid(
 ) -> Grid:
     """All combinations of conditions and loadings, checked.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed, heading, wave_length, wave_height : (n,) float    [m/s, deg, m, m], or text with a unit
-    wave_period : (n,) float                                 in place of wave_length [s]
-    steepness : (n,) float                                   H/lambda, in place of wave_height [1]
-    harmonics, form                                          as in `sweep`
-    factors, values : mapping of str to (l,) float           factors on coefficients, and values of them, by name
-    **axes : (l,) float                                      loading values, or factors on coefficients, by name
-
-    Returns
-    -------
-    Grid
-
-    Raises
-    ------
-    InputError    an axis that is empty or not numbers, both or neither of wave_height and steepness, a wave that breaks, an
-                  unknown or impossible loading, an unknown form, harmonics that cannot be, more than `MOST_CONDITIONS`
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> some = grid(ship("wigley"), 5.0, [30, 60], 100.0, [1.0, 2.0], K_p=[0.5, 1.0])
-    >>> some.count, some.shape, len(some.blocks)
-    (8, (2, 1, 2, 1, 2), 1)
+    speed, heading, wave_length, wave_height (n,): [m/s, deg, m, m], or text with a unit
+    wave_period (n,): in place of wave_length [s]
+    steepness (n,): H/lambda, in place of wave_height [1]
+    as in `sweep`
+    factors, values: factors on coefficients, and values of them, by name
+    **axes (l,): loading values, or factors on coefficients, by name
     """
     conditions: dict[str, ArrayLike] = {"speed": speed, "heading": heading}
     conditions |= {"wave_length": _lengths(wave_length, wave_period, ship)} | _sea(wave_height, steepness)
@@ -257,24 +238,10 @@ def _extra(
 def axis(name: str, values: ArrayLike, ship: Ship | None = None) -> Floats:
     """Values of one axis as a checked, flat array.
 
-    Parameters
-    ----------
-    name : str             of an option, or for the message
-    values : (n,) float    numbers; with a ship also text with a unit, or a range "0..18 kn step 1"
-    ship : Ship            whose L, B and T are meant
-
-    Returns
-    -------
-    (n,) float
-
-    Raises
-    ------
-    InputError             empty, not finite numbers, or out of the range of the option
-
-    Examples
-    --------
-    >>> axis("speed", 7.5).tolist()
-    [7.5]
+    name: of an option, or for the message
+    values (n,): numbers; with a ship also text with a unit, or a range "0..18 kn step 1"
+    ship: whose L, B and T are meant
+    Returns (n,)
     """
     given: Any = values
     one = OPTIONS.get(name)

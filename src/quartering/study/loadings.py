@@ -27,30 +27,10 @@ VALUE: Final = "_value"
 def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
     """The ship with loading values set and coefficients multiplied.
 
-    Parameters
-    ----------
-    ship : Ship
-    values : mapping of str to float    gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; bilge_keel_length,
-                                        bilge_keel_breadth [m], which a ship without keels needs both of, 0 for none, and the
-                                        other axes of `quartering.options`, a word by its place; K_p
-                                        multiplies that coefficient, K_p_value gives it
-
-    Returns
-    -------
-    Ship                                with bilge keels: its roll damping by components, "ikeda" where it said a fraction
-
-    Raises
-    ------
-    InputError                          what `Ship.with_` refuses, one size of keels the ship does not have, keels beside a
-                                        roll_damping, a roll frequency the ship's own database does not hold
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> loaded(ship("wigley"), {"gm": 1.5, "K_p": 2.0}).loading.gm
-    1.5
-    >>> loaded(ship("s175"), {"bilge_keel_length": 44.0, "bilge_keel_breadth": 0.4}).roll_damping_words
-    'component method of Ikeda on the lines, bilge keels 44 x 0.4 m'
+    values: gm, kg, gyradius_roll, gyradius_yaw, draught [m], roll_damping; bilge_keel_length, bilge_keel_breadth [m],
+        which a ship without keels needs both of, 0 for none, and the other axes of `quartering.options`, a word by its
+        place; K_p multiplies that coefficient, K_p_value gives it
+    Returns with bilge keels: its roll damping by components, "ikeda" where it said a fraction
     """
     if not values:
         return ship
@@ -74,21 +54,9 @@ def loaded(ship: Ship, values: Mapping[str, float]) -> Ship:
 def coded(name: str, value: Any) -> Any:
     """The place of a word among those of an axis of words; any other value as it is.
 
-    Parameters
-    ----------
-    name : str    of the axis
-    value         a word, or a place already
+    name: of the axis
+    a word, or a place already
 
-    Returns
-    -------
-    number
-
-    Raises
-    ------
-    InputError    a word that is none of the axis', a place there is not; the message has the nearest word
-
-    Examples
-    --------
     >>> coded("velocities", "absolute"), coded("gm", 0.8)
     (1, 0.8)
     """
@@ -125,17 +93,9 @@ def _keels(ship: Ship, given: Mapping[str, float]) -> tuple[float, float]:
 def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
     """Ship stored in the manifest; its roll-damping method is the one the varied values imply.
 
-    Parameters
-    ----------
-    ship : Ship
-    loadings : mapping of str to (l,) float    values of loading l by name, as for `loaded`
+    loadings: values of loading l by name, as for `loaded`
+    Returns with the first damping, or its own keels or else the first; else as it is
 
-    Returns
-    -------
-    Ship                                       with the first damping, or its own keels or else the first; else as it is
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> keels = {"bilge_keel_length": np.full(2, 40.0), "bilge_keel_breadth": np.array([0.0, 0.4])}
     >>> base_of(ship("s175"), keels).roll_damping_words
@@ -146,28 +106,16 @@ def base_of(ship: Ship, loadings: Mapping[str, NDArray[np.float64]]) -> Ship:
         return ship
     first = {name: float(loadings[name][0]) for name in names}
     if ship.bilge_keels:  # a first breadth of 0 would take their length away with them
-        first |= {name: own_value(ship, name) for name in names if name in KEEL_AXES}
+        first |= {name: user_value(ship, name) for name in names if name in KEEL_AXES}
     return loaded(ship, first)
 
 
-def own_value(ship: Ship, name: str) -> float:
+def user_value(ship: Ship, name: str) -> float:
     """Present value of what a study may vary.
 
-    Parameters
-    ----------
-    ship : Ship
-    name : str    one of `LOADING_AXES`, or a coefficient
-
-    Returns
-    -------
-    float         in the unit of the option; 0 for what a ship does not have; 1 for a factor on a coefficient, NaN for a
-                  value of one that was not given
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> own_value(ship("wigley"), "draught"), own_value(ship("wigley"), "K_p")
-    (6.25, 1.0)
+    name: one of `LOADING_AXES`, or a coefficient
+    Returns in the unit of the option; 0 for what a ship does not have; 1 for a factor on a coefficient, NaN for a value
+        of one that was not given
     """
     if name == "roll_period":
         return 2.0 * math.pi / free_roll(ship).frequency

@@ -174,8 +174,6 @@ _EMPTY: Final[dict[str, Any]] = {
 def whole_damping(ship: Ship, speed: float) -> float:
     """Fraction of critical of roll alone: the `roll_damping` of the ship, or that of its small free roll by another method.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> whole_damping(ship("wigley").with_(roll_damping=0.03), 0.0)
     0.03

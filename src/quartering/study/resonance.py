@@ -22,19 +22,12 @@ def resonance_fields(
 ) -> dict[str, tuple[Floats, float]]:
     """Encounter frequency beside n2, 2 n2, and zero, at which the ship keeps pace with the wave.
 
-    Parameters
-    ----------
-    wave_length, heading : (...) float    broadcast [m, deg]
-    speed : float                         U [m/s]
-    roll_frequency : float                n2 [rad/s]
+    wave_length, heading (...): broadcast [m, deg]
+    speed: U [m/s]
+    roll_frequency: n2 [rad/s]
+    Returns a field and the level its line is drawn at: "resonance": abs(omega), n2; "twice": abs(omega), 2 n2; "pace":
+        omega, 0 [rad/s]
 
-    Returns
-    -------
-    dict of str to ((...) float, float)   a field and the level its line is drawn at: "resonance": abs(omega), n2; "twice":
-                                          abs(omega), 2 n2; "pace": omega, 0 [rad/s]
-
-    Examples
-    --------
     >>> at = resonance_fields(2 * np.pi * GRAVITY / 0.6**2, 0.0, 90.0, 0.6)
     >>> {name: (round(float(field), 12), level) for name, (field, level) in at.items()}
     {'resonance': (0.6, 0.6), 'twice': (0.6, 1.2), 'pace': (0.6, 0.0)}
@@ -48,23 +41,10 @@ def resonance_fields(
 def resonant_headings(ds: xr.Dataset) -> list[float]:
     """Headings at which the encounter frequency passes the natural frequency of roll.
 
-    Parameters
-    ----------
-    ds : Dataset      of `polar` or `sweep` over ``heading`` alone
+    ds: of `polar` or `sweep` over ``heading`` alone
+    Returns [deg], interpolated between the headings of the dataset
 
-    Returns
-    -------
-    list of float     [deg], interpolated between the headings of the dataset
-
-    Notes
-    -----
     Source: [H71] Figs. 5, 8: where it places the peak of roll.
-
-    Examples
-    --------
-    >>> found = {"heading": [0.0, 90.0], "encounter_frequency": ("heading", [0.2, 0.6])}
-    >>> resonant_headings(xr.Dataset(found, attrs={"natural_roll_frequency": 0.5}))
-    [67.5]
     """
     heading = np.asarray(ds["heading"], dtype=float)
     gap = np.abs(np.asarray(ds["encounter_frequency"])) - float(ds.attrs["natural_roll_frequency"])
@@ -75,27 +55,12 @@ def resonant_headings(ds: xr.Dataset) -> list[float]:
 def missed_resonance(grid: Grid) -> tuple[str, ...]:
     """Parts of a grid that step over the roll resonance without a condition inside its peak.
 
-    Parameters
-    ----------
-    grid : Grid
+    Returns for each axis (wave length, speed) and loading concerned: the widest range missed, and what to add
 
-    Returns
-    -------
-    tuple of str    for each axis (wave length, speed) and loading concerned: the widest range missed, and what to add
-
-    Notes
-    -----
     The peak reaches from n2 (1 - zeta) to n2 (1 + zeta) in encounter frequency, zeta the damping of free roll in calm
     water at that speed (closed form, half power).  Lines along which no neighbouring values lie on the two sides of n2 are
     not concerned, nor are waves within 6 degrees of ahead or astern, which do not roll the ship. Of many loadings nine are
     looked at.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.grid import grid
-    >>> missed_resonance(grid(ship("series60-cb60"), 5.0, [90.0], [60.0, 700.0], 1.0))[0][:42]
-    'wave lengths between 60 and 700 m step ove'
     """
     heading, length = grid.axes["heading"], grid.axes["wave_length"]
     speed = grid.axes["speed"]

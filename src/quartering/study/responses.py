@@ -110,19 +110,11 @@ def response_grid(
 ) -> xr.Dataset:
     """Responses per metre of wave amplitude over wave length, speed and heading.
 
-    Parameters
-    ----------
-    ship : Ship
-    lengths : sequence of float            of the waves [m]
-    speeds, headings : (u,), (h,) float    [m/s], [deg]
-    gyradius_pitch, place                  as for `responses`
+    lengths: of the waves [m]
+    speeds, headings (u,): [m/s], [deg]
+    as for `responses`
+    Returns (wave_length, speed, heading); variables as those of `responses`, units per metre
 
-    Returns
-    -------
-    Dataset    (wave_length, speed, heading); variables as those of `responses`, units per metre
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> dict(response_grid(ship("wigley"), [100.0, 200.0], np.zeros(1), np.array([90.0])).pitch.sizes)
     {'wave_length': 2, 'speed': 1, 'heading': 1}

@@ -15,8 +15,8 @@ from quartering.motion.equations.system import Floats, Model
 from quartering.motion.steady.harmonic import checked_harmonics, orders_for
 from quartering.motion.steady.motion import Start, roll_peaks, steady_motions, within_limits
 from quartering.options import quoted
-from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
+from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import ACCURACY
 from quartering.study.dataset import attributes, made_by
 from quartering.threads import spread

@@ -24,16 +24,6 @@ _MOST_TERMS: Final = 60
 def page_of(record: Any) -> str:
     """HTML of a record: its line, and below it a body plan or a table.
 
-    Parameters
-    ----------
-    record : Ship, Model, Motion or Verdict
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> page = page_of(ship("wigley"))
     >>> "<svg" in page, "GM [m]" in page

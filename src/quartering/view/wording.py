@@ -64,8 +64,6 @@ def froude(speed: float, length: float) -> float:
 def speed_words(speed: float, length: float) -> str:
     """A speed in m/s, knots and as Froude number.
 
-    Examples
-    --------
     >>> speed_words(8.65, 121.92)
     '8.65 m/s (16.8 kn, Fn 0.250)'
     """
@@ -76,8 +74,6 @@ def speed_words(speed: float, length: float) -> str:
 def duffing_words(beta: float, force: float, damping: float) -> str:
     """Duffing's equation with its numbers.
 
-    Examples
-    --------
     >>> duffing_words(-0.2, 0.1, 0.0), duffing_words(0.2, 0.3, 0.05)
     ("x'' + x - 0.2 x³ = 0.1 cos ωt", "x'' + 0.05 x' + x + 0.2 x³ = 0.3 cos ωt")
     """
@@ -88,8 +84,6 @@ def duffing_words(beta: float, force: float, damping: float) -> str:
 def metric_prefix(largest: float) -> tuple[float, str]:
     """Factor and prefix in which a largest value is written with few digits.
 
-    Examples
-    --------
     >>> metric_prefix(19.3e6), metric_prefix(250.0)
     ((1000000.0, 'M'), (1.0, ''))
     """
@@ -102,8 +96,6 @@ def metric_prefix(largest: float) -> tuple[float, str]:
 def exponents_words(exponents: Iterable[complex], digits: int = 3) -> str:
     """Complex exponents in a line, conjugate pairs once.
 
-    Examples
-    --------
     >>> exponents_words([-0.02 + 0.47j, -0.02 - 0.47j, -0.1])
     '-0.02 ± 0.47i, -0.1'
     """
@@ -119,17 +111,9 @@ def exponents_words(exponents: Iterable[complex], digits: int = 3) -> str:
 def estimated_words(estimated: Mapping[str, Sequence[str]], provenance: Mapping[str, str]) -> str:
     """What in a result is estimated or assumed, in one line.
 
-    Parameters
-    ----------
-    estimated : mapping of str to names   method of estimate -> coefficients, of `estimates`
-    provenance : mapping of str to str    where the ship's values come from: "assumed: .."
+    estimated: method of estimate -> coefficients, of `estimates`
+    provenance: where the ship's values come from: "assumed: .."
 
-    Returns
-    -------
-    str
-
-    Examples
-    --------
     >>> estimated_words({"regression": ["Y_v", "N_r"], "cross-flow drag": ["K_ppp"]}, {"gm": "assumed: 0.05 B"})
     'Estimated: velocity derivatives Y_v, N_r (regression); cubic damping K_ppp (cross-flow drag). Assumed: GM.'
     >>> estimated_words({"cross-flow drag": ["C_D"]}, {})
@@ -157,8 +141,6 @@ def _names(names: Sequence[str]) -> str:
 def provenance_of(text: str) -> dict[str, str]:
     """Where the loading values come from, out of the ``provenance`` attribute of a dataset.
 
-    Examples
-    --------
     >>> provenance_of("lines: published: X; Y; gm: assumed: 0.05 B; usual; kg: derived: from KM")
     {'gm': 'assumed', 'kg': 'derived'}
     """
@@ -176,13 +158,7 @@ def estimated_names(ds: xr.Dataset) -> list[str]:
 
 
 def estimates_of(attributes: Mapping[str, object]) -> dict[str, list[str]]:
-    """Estimated coefficients by method, out of the attributes of a dataset.
-
-    Examples
-    --------
-    >>> estimates_of({"estimated_by": "regression: Y_v, N_r; cross-flow drag: K_ppp"})
-    {'regression': ['Y_v', 'N_r'], 'cross-flow drag': ['K_ppp']}
-    """
+    """Estimated coefficients by method, out of the attributes of a dataset."""
     if "estimated_by" not in attributes:  # a file of an earlier version names them alone
         names = [name for name in str(attributes["estimated_coefficients"]).split(", ") if name]
         return {"estimates": names} if names else {}
@@ -199,14 +175,7 @@ def notes(ds: xr.Dataset) -> list[str]:
 
 
 def ship_notes(one: Ship) -> str:
-    """Small print of one condition: what is estimated, and by which version it was computed.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> ship_notes(ship("wigley")).startswith("Estimated: velocity derivatives")
-    True
-    """
+    """Small print of one condition: what is estimated, and by which version it was computed."""
     estimated = estimates(coefficients(one, 0.5, 0.0).table())
     ground = OVER_GROUND if one.velocities == "absolute" else ""
     damping = sentence(damping_words(one))
@@ -214,13 +183,7 @@ def ship_notes(one: Ship) -> str:
 
 
 def sentence(words: str) -> str:
-    """Words with a capital and a full stop.
-
-    Examples
-    --------
-    >>> sentence("added roll damping 5 % of critical")
-    'Added roll damping 5 % of critical.'
-    """
+    """Words with a capital and a full stop."""
     return f"{words[:1].upper()}{words[1:]}."
 
 
@@ -231,11 +194,9 @@ _MAP_OPTIONS = {"speed": "speed", "heading": "headings", "wave_length": "wave-le
 def edge_words(ds: xr.Dataset, advice: str, otherwise: str = "") -> list[str]:
     """That the largest roll of a result stands on an edge of it, a sentence for all edges; nothing where it stands inside.
 
-    Parameters
-    ----------
-    ds : Dataset    of `polar` or `sweep`
-    advice : str    how to go on past an edge, with the axis in the place of {}
-    otherwise : str    said after that
+    ds: of `polar` or `sweep`
+    advice: how to go on past an edge, with the axis in the place of {}
+    otherwise: said after that
     """
     edges = edges_of_largest(ds)
     if not edges:
@@ -257,8 +218,6 @@ def edge_words(ds: xr.Dataset, advice: str, otherwise: str = "") -> list[str]:
 def value_words(name: str, value: float, unit: str) -> str:
     """A value with its unit, or the word that it is the place of.
 
-    Examples
-    --------
     >>> value_words("gm", 0.8, "m"), value_words("velocities", 1.0, "1")
     ('0.8 m', 'absolute')
     """
@@ -270,8 +229,6 @@ def value_words(name: str, value: float, unit: str) -> str:
 def verdict_words(one: xr.Dataset) -> str:
     """Verdict of one condition of a result.
 
-    Examples
-    --------
     >>> import xarray as xr
     >>> verdict_words(xr.Dataset({"verdict": 1})), verdict_words(xr.Dataset({"verdict": 0, "capsizes_on_the_way": 3}))
     ('roll', 'stable motion, capsizes on the way')
@@ -294,8 +251,6 @@ def wave_words(ds: xr.Dataset) -> str:
 def more_harmonics_words(count: int, total: int, harmonics: int) -> str:
     """That some conditions want more harmonics than they were given.
 
-    Examples
-    --------
     >>> more_harmonics_words(12, 481, 1)
     '12 of 481 conditions need more harmonics than 1 (roll more than 1 % different, by estimate): harmonics 3 or more.'
     """
@@ -308,8 +263,6 @@ def more_harmonics_words(count: int, total: int, harmonics: int) -> str:
 def harmonics_of(ds: xr.Dataset) -> int:
     """Highest harmonic of the motions of a result, out of its attributes.
 
-    Examples
-    --------
     >>> import xarray as xr
     >>> harmonics_of(xr.Dataset(attrs={"steady_motion": "harmonic balance to order 5"}))
     5
@@ -321,8 +274,6 @@ def harmonics_of(ds: xr.Dataset) -> int:
 def sea_words(sea: str, value: float) -> str:
     """A wave height [m] or a steepness.
 
-    Examples
-    --------
     >>> sea_words("wave_height", 3.0), sea_words("steepness", 0.02)
     ('wave height 3 m', 'steepness 1/50')
     """
@@ -337,8 +288,6 @@ def steepness_words(steepness: float) -> str:
 def condition_words(ds: xr.Dataset) -> str:
     """What in a dataset of `quartering.vary` is the same everywhere: heading, speed and wave.
 
-    Examples
-    --------
     >>> import xarray as xr
     >>> at = {"heading": 30.0, "speed": 7.5, "wave_length": 150.0, "wave_height": ("wave_height", [2.0, 4.0])}
     >>> condition_words(xr.Dataset(coords=at, attrs={"ship_length": 121.92}))
@@ -383,13 +332,7 @@ def _is_coefficient(name: str) -> bool:
 def forces_note(compared: xr.Dataset) -> str:
     """What the forms of a comparison are, about which point, from which source, by which mesh.
 
-    Parameters
-    ----------
-    compared : Dataset    of `compare_forces`
-
-    Returns
-    -------
-    str
+    compared: of `compare_forces`
     """
     meanings = "; ".join(f"{form}: {MEANINGS[form]}" for form in map(str, compared["form"].to_numpy()))
     mesh = f" Panels: {compared.attrs['panels']}." if PANELS in compared["form"] else ""

@@ -30,30 +30,12 @@ class _Edit(NamedTuple):
 def changed_text(name_or_path: str, values: Values, target: Path) -> str:
     """Text of a ship file with some values changed; what else it says stays as it is.
 
-    Parameters
-    ----------
-    name_or_path : str    built-in ship, whose starting file is taken, or a ship file
-    values : mapping      group -> key -> number or text
-    target : Path         where the text will be written
+    name_or_path: built-in ship, whose starting file is taken, or a ship file
+    values: group -> key -> number or text
+    target: where the text will be written
 
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    InputError    what reading refuses; a file that names others beside it, and a target in another folder
-
-    Notes
-    -----
     Values are put where they stand in the text (marks of the YAML nodes). Where that does not give the values wanted, as with
     anchors, the whole is written anew without its comments.
-
-    Examples
-    --------
-    >>> text = changed_text("box", {"loading": {"roll_damping": 0.031}}, Path("new.yaml"))
-    >>> parsed(text, Path("new.yaml"))["loading"]["roll_damping"]
-    0.031
     """
     text, data = _start(name_or_path, target)
     wanted = {**data, **{group: {**(data.get(group) or {}), **own} for group, own in values.items()}}

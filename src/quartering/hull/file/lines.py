@@ -21,30 +21,13 @@ from quartering.units import Sizes
 def hull_of(where: str, keys: ShipKeys, base: Hull | None) -> Hull:
     """Hull of a ship file: from its own lines, or from those of its base ship stretched to its dimensions.
 
-    Parameters
-    ----------
-    where : str             file named in messages
-    keys : ShipKeys         content of the file
-    base : Hull or None     hull of the base ship
+    where: file named in messages
+    keys: content of the file
+    base: hull of the base ship
+    Returns at the file's draught
 
-    Returns
-    -------
-    Hull    at the file's draught
-
-    Raises
-    ------
-    InputError    a dimension missing or not above 0, offsets that cannot be a hull
-
-    Notes
-    -----
     On a base: ``length`` alone scales everything; ``beam`` and ``design_draught`` stretch one direction; ``draught``
     floats the lines higher or lower.  Source: geometry.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.schema import checked_keys
-    >>> hull_of("my.yaml", checked_keys("my.yaml", {"length": "50 m"}), box_hull(100.0, 20.0, 5.0, 10.0)).beam
-    10.0
     """
     if base is not None:
         own = [key for key in ("shape", "offsets", "lines") if getattr(keys, key) is not None]

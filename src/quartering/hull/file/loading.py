@@ -30,13 +30,8 @@ _DEFAULTS = {
 }
 
 
-def own_entries(keys: ShipKeys) -> dict[str, Entry]:
-    """Loading values a file gives itself.
-
-    Raises
-    ------
-    Refused    two of them say one thing
-    """
+def user_entries(keys: ShipKeys) -> dict[str, Entry]:
+    """Loading values a file gives itself."""
     told = {name: keys.told[name] for name in (*LOADING, "roll_period") if name in keys.told}
     check_twice({name: entry.value for name, entry in told.items()}, "")
     return told
@@ -47,15 +42,9 @@ def loading_entries(
 ) -> dict[str, Entry]:
     """Loading values of a file: its own, then those of its base (metres in proportion to the hull), then the usual.
 
-    Parameters
-    ----------
-    own : mapping of str to Entry     of the file, from `own_entries`
-    base_keys, base : or None         keys of the base ship, and that ship
-    hull : Hull                       of the file
-
-    Returns
-    -------
-    dict of str to Entry
+    own: of the file, from `user_entries`
+    base_keys, base: keys of the base ship, and that ship
+    hull: of the file
     """
     entries = dict(_DEFAULTS)
     if base is not None and base_keys is not None:
@@ -107,19 +96,8 @@ def _proportional(entry: Entry, ratio: float) -> Entry:
 def loading_of(where: str, hull: Hull, entries: dict[str, Entry]) -> Loading:
     """Loading in SI, checked.
 
-    Parameters
-    ----------
-    where : str          file named in messages
-    hull : Hull
-    entries : mapping    from `loading_entries`
-
-    Returns
-    -------
-    Loading
-
-    Raises
-    ------
-    InputError           a value or unit that cannot be, what `reloaded` refuses
+    where: file named in messages
+    entries: from `loading_entries`
     """
     values = {name: checked(OPTIONS[name], entry.value, where, sizes_of(hull)) for name, entry in entries.items()}
     blank = Loading(gm=1.0, kg=0.0, gyradius_roll=1.0, gyradius_yaw=1.0, density=values.pop("water_density"))

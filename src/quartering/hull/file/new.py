@@ -25,30 +25,11 @@ _WIDTH = 31
 def write_ship(name: str, path: str | Path) -> Path:
     """Write a commented ship file that starts from a built-in ship, a unit on every line.
 
-    Parameters
-    ----------
-    name : str             built-in ship
-    path : str or Path     file to write; one that exists is not overwritten
+    name: built-in ship
+    path: file to write; one that exists is not overwritten
+    Returns the file, which reads back as the same ship
 
-    Returns
-    -------
-    Path    the file, which reads back as the same ship
-
-    Raises
-    ------
-    InputError    no such built-in ship, or the file exists or cannot be written
-
-    Notes
-    -----
     Source: values of the built-in ship; the comments say which are assumed.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> from quartering.hull.file.read import ship
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     ship(write_ship("box", f"{folder}/my.yaml")).loading.gm
-    1.0
     """
     names = [entry.name for entry in available_ships()]
     if name not in names:

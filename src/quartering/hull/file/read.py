@@ -12,14 +12,14 @@ from typing import Any, NamedTuple, cast
 from quartering.conventions import InputError
 from quartering.hull.changes import changed
 from quartering.hull.file.lines import DIMENSIONS, dimension, hull_of
-from quartering.hull.file.loading import LOADING, loading_entries, loading_of, own_entries
-from quartering.hull.file.schema import Entry, Lines, ShipKeys, checked_keys, placed
+from quartering.hull.file.loading import LOADING, loading_entries, loading_of, user_entries
+from quartering.hull.file.schema import Entry, Lines, ShipKeys, checked_keys, located
 from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.option_types import Ends
-from quartering.hull.own_database import Database, database_of
-from quartering.hull.own_measured import MeasuredFile, measured_source
 from quartering.hull.roll_method import roll_damping_note
 from quartering.hull.ship import Ship
+from quartering.hull.user_database import Database, database_of
+from quartering.hull.user_measured import MeasuredFile, measured_source
 from quartering.options import OPTIONS, Option, Refused
 
 LIBRARY = Path(__file__).parents[1] / "library"
@@ -35,18 +35,9 @@ class ShipEntry(NamedTuple):
 def available_ships() -> list[ShipEntry]:
     """Built-in ships, sorted by name.
 
-    Returns
-    -------
-    list of ShipEntry    name and one-line description
+    Returns name and one-line description
 
-    Notes
-    -----
     Source: the files of ``hull/library``; each names where its lines come from.
-
-    Examples
-    --------
-    >>> [entry.name for entry in available_ships()][:2]
-    ['box', 'coaster-90m']
     """
     found = []
     for path in sorted(LIBRARY.glob("*.yaml")):
@@ -126,7 +117,7 @@ def _assembled(where: str, keys: ShipKeys, lines: Lines) -> Ship:
         one = OPTIONS.get(error.option)
         path = (error.option,) if one is None else _path(one, lines)
         group = "".join(f"{key}, " for key in path[:-1])
-        raise InputError(f"{placed(where, lines, path)}: {group}{error.words}") from None
+        raise InputError(f"{located(where, lines, path)}: {group}{error.words}") from None
 
 
 def _path(one: Option, lines: Lines) -> tuple[str, ...]:
@@ -141,7 +132,7 @@ def _made(where: str, keys: ShipKeys) -> Ship:
     hull = hull_of(where, keys, base.hull if base else None)
     if base is None:
         hull = replace(hull, ends=cast(Ends, OPTIONS["ends"].default))
-    entries = loading_entries(own_entries(keys), base_keys, base, hull)
+    entries = loading_entries(user_entries(keys), base_keys, base, hull)
     loading = loading_of(where, hull, entries)
     start = Ship(hull.name, hull, loading) if base is None else replace(base, hull=hull, loading=loading, database=None)
     given = {

@@ -42,24 +42,13 @@ _ALLOWED: dict[str, Callable[[dict[str, Any]], str]] = {
 def allowed(problem: Any) -> str:
     """What could stand where a checked key is wrong.
 
-    Parameters
-    ----------
-    problem : mapping    one of the `errors()` of a pydantic ValidationError, of a kind with a limit or a type
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> allowed({"type": "less_than_equal", "ctx": {"le": 1 / 7}}), allowed({"type": "int_type"})
-    ('up to 0.1429', 'a whole number')
+    problem: one of the `errors()` of a pydantic ValidationError, of a kind with a limit or a type
     """
     say = _ALLOWED.get(problem["type"])
     return say(problem.get("ctx", {})) if say else "a value of another kind"
 
 
-def own_words(problem: Any) -> str | None:
+def user_words(problem: Any) -> str | None:
     """What this project's own check said, or None where the library's check failed."""
     return str(problem["ctx"]["error"]) if problem["type"] == "value_error" else None
 
@@ -67,8 +56,6 @@ def own_words(problem: Any) -> str | None:
 def nearest_word(problem: Any) -> str:
     """The word of a choice that is nearest to the one given, and all of them.
 
-    Examples
-    --------
     >>> nearest_word({"input": "relativ", "ctx": {"expected": "'relative' or 'absolute'"}})
     "did you mean 'relative'? Allowed: 'relative', 'absolute'"
     """
@@ -78,11 +65,5 @@ def nearest_word(problem: Any) -> str:
 
 
 def words_of(limit: dict[str, Any]) -> list[str]:
-    """The words or numbers a choice is of, from the `ctx` of its error.
-
-    Examples
-    --------
-    >>> words_of({"expected": "'stf', 'bem' or 'own'"}), words_of({"expected": "1, 3 or 5"})
-    (["'stf'", "'bem'", "'own'"], ['1', '3', '5'])
-    """
+    """The words or numbers a choice is of, from the `ctx` of its error."""
     return re.findall(r"'[^']*'|-?\d[\d.]*", str(limit["expected"]))

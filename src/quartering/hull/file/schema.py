@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, WithJsonSchema
 
 from quartering.conventions import InputError
-from quartering.hull.file.refusals import allowed, nearest_word, own_words
+from quartering.hull.file.refusals import allowed, nearest_word, user_words
 from quartering.options import Option, line_of, no_coefficients, options, parts, quoted
 
 Lines = Mapping[tuple[str, ...], int]
@@ -131,22 +131,10 @@ def loading_keys() -> list[str]:
 def checked_keys(where: str, data: Any, lines: Lines | None = None) -> ShipKeys:
     """The content of a ship file with its keys and types checked.
 
-    Parameters
-    ----------
-    where : str        file named in the message
-    data : Any         what the YAML holds
-    lines : mapping    the line of each key, for messages
+    where: file named in the message
+    data: what the YAML holds
+    lines: the line of each key, for messages
 
-    Returns
-    -------
-    ShipKeys
-
-    Raises
-    ------
-    InputError    the first thing that is wrong: line, key, what was given, what is allowed, what to try
-
-    Examples
-    --------
     >>> checked_keys("my.yaml", {"base": "box", "length": "120 m"}).value("length")
     '120 m'
     """
@@ -159,11 +147,11 @@ def checked_keys(where: str, data: Any, lines: Lines | None = None) -> ShipKeys:
     except ValidationError as error:
         problems = error.errors()
         more = f" (and {len(problems) - 1} more)" if len(problems) > 1 else ""
-        place = placed(where, lines, tuple(str(part) for part in problems[0]["loc"] if part != "told"))
+        place = located(where, lines, tuple(str(part) for part in problems[0]["loc"] if part != "told"))
         raise InputError(f"{place}: {_sentence(problems[0], data)}{more}") from None
 
 
-def placed(where: str, lines: Lines, path: tuple[str, ...]) -> str:
+def located(where: str, lines: Lines, path: tuple[str, ...]) -> str:
     """File and line of a key, or of the innermost one around it that is known."""
     line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), None)
     return where if line is None else f"{where}, line {line}"
@@ -175,27 +163,27 @@ def _parted(where: str, data: dict[str, Any], lines: Lines) -> tuple[dict[str, A
     loading = rest.pop("loading", {})
     if not isinstance(loading, dict):
         raise InputError(
-            f"{placed(where, lines, ('loading',))}: loading: {quoted(loading)} is given; allowed: a group of keys: "
+            f"{located(where, lines, ('loading',))}: loading: {quoted(loading)} is given; allowed: a group of keys: "
             f"{', '.join(loading_keys())}"
         )
     for group, keys in ((loading, loading_keys()), (rest, file_keys())):
         for key in group:
             if key not in keys and key not in _ALSO:
                 path = ("loading", key) if group is loading else (str(key),)
-                raise InputError(f"{placed(where, lines, path)}: {_unknown(', '.join(map(str, path)), keys)}")
+                raise InputError(f"{located(where, lines, path)}: {_unknown(', '.join(map(str, path)), keys)}")
     for one in options(group=""):
         if one.place == "condition" or one.name in _OWN_KEYS:
             continue
         home = loading if one.place == "loading" else rest
         found = [key for key in (one.path[-1], *one.also) if key in home]
         if len(found) > 1:
-            place = placed(where, lines, (found[1],))
+            place = located(where, lines, (found[1],))
             raise InputError(f"{place}: `{found[0]}` and `{found[1]}` are one thing; leave one out")
         if not found or (value := home.pop(found[0])) is None:
             continue
         if one.kind == "coefficients":
             if not isinstance(value, dict):
-                raise InputError(f"{placed(where, lines, (found[0],))}: {no_coefficients(one.name, value).words}")
+                raise InputError(f"{located(where, lines, (found[0],))}: {no_coefficients(one.name, value).words}")
             rest[one.path[-1]] = value
         else:
             told[one.name] = _told(one, value)
@@ -226,7 +214,7 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     """One problem in words."""
     location = [part for part in problem["loc"] if not (isinstance(part, str) and "[" in part)]
     key, given = _path(location, data), quoted(problem["input"])
-    kind, own = problem["type"], own_words(problem)
+    kind, own = problem["type"], user_words(problem)
     if kind == "extra_forbidden":
         return _unknown(key, _keys_at(location))
     if kind == "missing":
@@ -274,13 +262,7 @@ def _keys_at(location: list[Any]) -> list[str]:
 
 
 def ship_schema() -> str:
-    """JSON schema of the ship file, as shipped for editors.
-
-    Examples
-    --------
-    >>> sorted(json.loads(ship_schema())["properties"]["rudder"]["properties"])
-    ['area', 'aspect']
-    """
+    """JSON schema of the ship file, as shipped for editors."""
     schema = ShipKeys.model_json_schema()
     properties = {key: value for key, value in schema["properties"].items() if key != "told"}
     loading: dict[str, Any] = {}

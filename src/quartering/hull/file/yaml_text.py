@@ -62,49 +62,15 @@ _LOADER = _careful(_FAST)
 def read_yaml(path: Path) -> Any:
     """What a YAML file holds.
 
-    Parameters
-    ----------
-    path : Path
+    Returns texts, numbers, lists, and mappings of words
 
-    Returns
-    -------
-    Any    texts, numbers, lists, and mappings of words
-
-    Raises
-    ------
-    InputError    what `read_text` and `parsed` refuse
-
-    Notes
-    -----
     Source: YAML 1.1.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     file = Path(folder) / "my.yaml"
-    ...     _ = file.write_text("base: box")
-    ...     read_yaml(file)
-    {'base': 'box'}
     """
     return parsed(read_text(path), path)
 
 
 def read_text(path: Path) -> str:
-    """The text of a file people write.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    str
-
-    Raises
-    ------
-    InputError    a file that cannot be read, or is no text
-    """
+    """The text of a file people write."""
     try:
         return path.read_text(encoding="utf-8")
     except OSError as error:
@@ -116,19 +82,8 @@ def read_text(path: Path) -> str:
 def parsed(text: str, path: Path) -> Any:
     """What YAML text holds.
 
-    Parameters
-    ----------
-    text : str
-    path : Path    of its file, named in messages
-
-    Returns
-    -------
-    Any    texts, numbers, lists, and mappings of words
-
-    Raises
-    ------
-    InputError    no YAML, nested too deeply, aliases that stand for too much or for themselves, a key given twice: with the
-                  line
+    path: of its file, named in messages
+    Returns texts, numbers, lists, and mappings of words
     """
     opened: list[Any] = []
     try:
@@ -142,18 +97,8 @@ def parsed(text: str, path: Path) -> Any:
 def key_lines(text: str) -> dict[tuple[str, ...], int]:
     """The line on which each key of YAML text stands, for messages.
 
-    Parameters
-    ----------
-    text : str    that `parsed` takes
-
-    Returns
-    -------
-    mapping of keys, the outermost first, to int    counted from 1
-
-    Examples
-    --------
-    >>> key_lines("{ship: wigley, loading: {gm: 1 m}}")
-    {('ship',): 1, ('loading',): 1, ('loading', 'gm'): 1}
+    text: that `parsed` takes
+    Returns counted from 1
     """
     lines: dict[tuple[str, ...], int] = {}
 

@@ -165,23 +165,9 @@ def _binary_triangles(path: str | Path, data: bytes) -> Floats:
 def box_triangles(length: float, beam: float, depth: float, keel: float = 0.0) -> Floats:
     """Triangles of a closed box, corners anticlockwise as seen from outside.
 
-    Parameters
-    ----------
-    length, beam, depth : float    [m]
-    keel : float                   z of the bottom [m]
-
-    Returns
-    -------
-    (12, 3, 3) float    x from -L/2, y from -B/2
-
-    Notes
-    -----
-    Source: geometry.
-
-    Examples
-    --------
-    >>> box_triangles(2.0, 1.0, 1.0).shape
-    (12, 3, 3)
+    length, beam, depth: [m]
+    keel: z of the bottom [m]
+    Returns (12, 3, 3): x from -L/2, y from -B/2
     """
     ends = np.array([[-length / 2, length / 2], [-beam / 2, beam / 2], [keel, keel + depth]])
     found = []

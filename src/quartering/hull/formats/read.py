@@ -33,25 +33,10 @@ def read_lines(
 ) -> Lines:
     """Read lines from a file of any known format.
 
-    Parameters
-    ----------
-    path : str or Path    .csv, .gdf, .stl, or a PDSTRIP section file
-    form : str            "csv", "pdstrip", "gdf" or "stl", where the ending does not tell
-    draught : float       of the lines; tells where the heights of a surface are counted from [m]
-    datum : str           "keel" or "waterline", where the heights are counted from; None: decided from the lines
-
-    Returns
-    -------
-    Lines
-
-    Raises
-    ------
-    InputError    no such file or format, or something in it that cannot be right
-
-    Examples
-    --------
-    >>> sorted(FORMATS)
-    ['csv', 'gdf', 'pdstrip', 'stl']
+    path: .csv, .gdf, .stl, or a PDSTRIP section file
+    form: "csv", "pdstrip", "gdf" or "stl", where the ending does not tell
+    draught: of the lines; tells where the heights of a surface are counted from [m]
+    datum: "keel" or "waterline", where the heights are counted from; None: decided from the lines
     """
     if not Path(path).is_file():
         raise InputError(f"{path} is not there; give the path of a file, seen from the ship file")
@@ -109,36 +94,16 @@ def hull_from_lines(
 ) -> Hull:
     """Hull of lines read from a file.
 
-    Parameters
-    ----------
-    where : str                      file named in messages
-    lines : Lines
-    length, beam, draught : float    between perpendiculars, moulded, draught of the lines [m]
-    midship : float                  x of midship in the file [m]
-    outline : str                    points joined "straight" or "smooth"
-    title : str                      name of the hull
-    datum : str                      "keel" or "waterline"; None: what the format says, else decided from the lines
+    where: file named in messages
+    length, beam, draught: between perpendiculars, moulded, draught of the lines [m]
+    midship: x of midship in the file [m]
+    outline: points joined "straight" or "smooth"
+    title: name of the hull
+    datum: "keel" or "waterline"; None: what the format says, else decided from the lines
+    Returns heights counted from the calm plane are moved to the baseline; sides that end at the waterline are carried
+        straight up to 1.5 T (assumed)
 
-    Returns
-    -------
-    Hull    heights counted from the calm plane are moved to the baseline; sides that end at the waterline are carried
-            straight up to 1.5 T (assumed)
-
-    Raises
-    ------
-    InputError    lines that do not fit the ship's dimensions or do not lie about midship; heights of which it cannot be told
-                  where they are counted from
-
-    Notes
-    -----
     Source: geometry; the freeboard is assumed, and said in the hull's source.
-
-    Examples
-    --------
-    >>> side = np.array([5.0, 5.0]), np.array([-4.0, 0.0])
-    >>> lines = Lines(np.linspace(0, 60, 7), (side,) * 7, ("",) * 7, "seven stations")
-    >>> hull_from_lines("x.gdf", lines, length=60, beam=10, draught=4, midship=30).depth
-    6.0
     """
     x = lines.x - midship
     middle = (x[0] + x[-1]) / 2

@@ -42,27 +42,13 @@ class Surface:
 def joined_surface(name: str, corners: Floats, *, half: bool, waterline: float | None) -> Surface:
     """Surface of loose triangles: corners that coincide become one point, triangles without area are dropped.
 
-    Parameters
-    ----------
-    name : str                   file it comes from, for messages
-    corners : (t, 3, 3) float    corners of the triangles [m]
-    half : bool                  only one side is there
-    waterline : float or None    as in `Surface`
+    name: file it comes from, for messages
+    corners (t, 3, 3): corners of the triangles [m]
+    half: only one side is there
+    waterline: as in `Surface`
 
-    Returns
-    -------
-    Surface
-
-    Raises
-    ------
-    InputError    no triangles, or corners that are not numbers
-
-    Notes
-    -----
     Corners closer than a millionth of the size are one.  Source: geometry.
 
-    Examples
-    --------
     >>> corners = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0], [0, 1, 0]]], dtype=float)
     >>> len(joined_surface("two.stl", corners, half=False, waterline=None).points)
     4
@@ -83,26 +69,12 @@ def joined_surface(name: str, corners: Floats, *, half: bool, waterline: float |
 def check_surface(surface: Surface) -> str:
     """Refuse a surface with holes, with panels turned against their neighbours, or inside out.
 
-    Parameters
-    ----------
-    surface : Surface
+    Returns "", or what to say of panels that meet in part of their points
 
-    Returns
-    -------
-    str    "", or what to say of panels that meet in part of their points
-
-    Raises
-    ------
-    InputError    the first of these that is found: where it is, how much volume it leaks, and what to do
-
-    Notes
-    -----
     Panels of neighbouring rows need no common corners: an edge of one may be covered by several of the other.  Of a whole
     surface int x n_x dA, int y n_y dA and int z n_z dA under the calm plane are one volume; where they differ it leaks.
     Source: Gauss's theorem.
 
-    Examples
-    --------
     >>> corners = np.array([[[0, 0, 0], [1, 0, 0], [0, 1, 0]]], dtype=float)
     >>> check_surface(joined_surface("one.stl", corners, half=False, waterline=None))
     Traceback (most recent call last):
@@ -194,13 +166,7 @@ def _volumes(surface: Surface) -> Floats:
 
 
 def below(corners: Floats, height: float) -> Floats:
-    """The parts of triangles (t, 3, 3) under a height, corners in the same order.
-
-    Examples
-    --------
-    >>> below(np.array([[[0.0, 0, 0], [1, 0, 0], [0, 0, 2]]]), 1.0)[:, :, 2].max()
-    np.float64(1.0)
-    """
+    """The parts of triangles (t, 3, 3) under a height, corners in the same order."""
     over = corners[:, :, 2] > height
     count = over.sum(axis=1)
     found = [corners[count == 0]]

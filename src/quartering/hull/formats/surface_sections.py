@@ -28,8 +28,6 @@ _MERGE: Final = 1e-6
 def surface_profile(surface: Surface) -> Profile:
     """Lowest and highest points of a surface along the ship.
 
-    Examples
-    --------
     >>> from quartering.hull.formats.meshes import box_triangles
     >>> from quartering.hull.formats.surface import joined_surface
     >>> surface_profile(joined_surface("box", box_triangles(60.0, 10.0, 6.0), half=False, waterline=None)).middle
@@ -57,30 +55,16 @@ def surface_lines(
 ) -> Lines:
     """Sections of a surface as lines.
 
-    Parameters
-    ----------
-    surface : Surface        checked
-    stations : int           how many to cut when the surface has no stations of its own
-    datum : str or None      where its heights are counted from
-    calm : float or None     z of the calm plane; pieces of a section above it are left out [m]
-    remarks : tuple of str   what was found
+    surface: checked
+    stations: how many to cut when the surface has no stations of its own
+    datum: where its heights are counted from
+    calm: z of the calm plane; pieces of a section above it are left out [m]
+    remarks: what was found
+    Returns aft to fore
 
-    Returns
-    -------
-    Lines    aft to fore
-
-    Raises
-    ------
-    InputError    a section in pieces that do not lie over each other on the centreplane, or one whose outline goes down
-                  again on its way up: named by station
-
-    Notes
-    -----
     Cut at the rows of points when they lie on 8 to 80 stations, else at distances that shorten towards the ends; on both
     sides of a flat across the ship, where the lines step.  Source: geometry.
 
-    Examples
-    --------
     >>> from quartering.hull.formats.meshes import box_triangles
     >>> from quartering.hull.formats.surface import joined_surface
     >>> box = joined_surface("box", box_triangles(60.0, 10.0, 6.0), half=False, waterline=None)

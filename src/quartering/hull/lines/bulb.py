@@ -31,22 +31,7 @@ class Bulb(NamedTuple):
 
 
 def bulb(hull: Hull) -> Bulb:
-    """Sections of a bulb ahead of the stem or behind the stern.
-
-    Parameters
-    ----------
-    hull : Hull
-
-    Returns
-    -------
-    Bulb
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> bulb(box_hull(100.0, 20.0, 5.0, 10.0))
-    Bulb(sections=0, volume=0.0)
-    """
+    """Sections of a bulb ahead of the stem or behind the stern."""
     immersed = strips(hull)
     under = wholly_under_water(immersed)
     return Bulb(int(under.sum()), float(immersed.weight[under] @ immersed.area[under]))

@@ -32,27 +32,12 @@ class Curve:
 def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Curve:
     """Lay a curve through contour points; a point given twice keeps its corner.
 
-    Parameters
-    ----------
-    y, height : (n,) float    half breadths and heights above the baseline, keel to deck [m]
-    outline : str             "smooth" (monotone cubic) or "straight" (every point a corner)
+    y, height (n,): half breadths and heights above the baseline, keel to deck [m]
+    outline: "smooth" (monotone cubic) or "straight" (every point a corner)
+    Returns piecewise cubic, no overshoot between points, continuous tangent except at knuckles
 
-    Returns
-    -------
-    Curve    piecewise cubic, no overshoot between points, continuous tangent except at knuckles
-
-    Notes
-    -----
     Monotone cubic interpolation of both coordinates over chord length.  Source: [Fritsch84].
     Valid: heights that do not descend; straight runs (flat bottom, vertical side) stay straight.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> box = contour_curve(np.array([0.0, 5.0, 5.0]), np.array([0.0, 0.0, 4.0]))
-    >>> y, height, *_ = along(box, np.array([2.5, 7.0]))
-    >>> y[1], height[0]
-    (np.float64(5.0), np.float64(0.0))
     """
     point = np.stack([y, height], axis=1)
     if outline == "straight":
@@ -78,18 +63,11 @@ def _slopes(s: Floats, point: Floats) -> Floats:
 def along(curve: Curve, s: Floats, side: Literal["left", "right"] = "right") -> tuple[Floats, Floats, Floats, Floats]:
     """Points and tangents of a contour at chord lengths.
 
-    Parameters
-    ----------
-    curve : Curve       the contour
-    s : (n,) float      chord lengths from the keel [m]
-    side : str          at a knuckle, the tangent above it ("right") or below it ("left")
+    curve: the contour
+    s (n,): chord lengths from the keel [m]
+    side: at a knuckle, the tangent above it ("right") or below it ("left")
+    Returns y, height, dy, dheight (n,): coordinates [m] and their derivatives by chord length [1]
 
-    Returns
-    -------
-    y, height, dy, dheight : (n,) float    coordinates [m] and their derivatives by chord length [1]
-
-    Notes
-    -----
     Cubic Hermite form.  Source: [Fritsch84].
     """
     i = np.clip(np.searchsorted(curve.chord, s, side=side) - 1, 0, len(curve.chord) - 2)
@@ -107,17 +85,10 @@ def along(curve: Curve, s: Floats, side: Literal["left", "right"] = "right") -> 
 def chord_at_height(curve: Curve, height: float) -> float:
     """Chord length at which a contour first reaches a height (its whole length when it stays below).
 
-    Parameters
-    ----------
-    curve : Curve      the contour
-    height : float     above the baseline [m]
+    curve: the contour
+    height: above the baseline [m]
+    Returns chord length from the keel [m]
 
-    Returns
-    -------
-    float    chord length from the keel [m]
-
-    Notes
-    -----
     Root of the cubic of the crossed interval, by bisection.  Source: [Fritsch84] (the height never descends).
     """
     heights = curve.point[:, 1]

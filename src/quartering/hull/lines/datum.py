@@ -51,8 +51,6 @@ class Profile(NamedTuple):
 def profile_of(x: Floats, contours: Sequence[tuple[Floats, Floats]]) -> Profile:
     """Lowest and highest points of contours (y, height).
 
-    Examples
-    --------
     >>> profile_of(np.zeros(1), [(np.array([0.0, 5.0]), np.array([-4.0, 2.0]))]).middle
     (-4.0, 2.0)
     """
@@ -74,31 +72,17 @@ def datum_of(
 ) -> Datum:
     """Decide where heights are counted from.
 
-    Parameters
-    ----------
-    where : str                   file named in messages
-    profile : Profile             of the whole hull
-    draught : float               of the lines [m]
-    told : str or None            "keel" or "waterline", which decides
-    usual : str or None           datum of the format, where it has one
-    still_water : float or None   height of the calm plane in the file, where its header says it [m]
+    where: file named in messages
+    profile: of the whole hull
+    draught: of the lines [m]
+    told: "keel" or "waterline", which decides
+    usual: datum of the format, where it has one
+    still_water: height of the calm plane in the file, where its header says it [m]
+    Returns "keel" or "waterline"
 
-    Returns
-    -------
-    str    "keel" or "waterline"
-
-    Raises
-    ------
-    InputError    lines that fit neither, or both: told what was found and to say `datum:`; lines counted from the calm water
-                  that lie deeper or less deep than the draught told
-
-    Notes
-    -----
     Counted from the baseline the keel amidships lies at 0, from the calm water at -T, whatever stands out below it at
     one place; and lines that end below the water can be counted from it alone.  Source: geometry.
 
-    Examples
-    --------
     >>> bar = Profile(np.linspace(-50, 50, 5), np.array([0, 0, -0.05, 0, 0]), np.full(5, 3.0))
     >>> datum_of("my.csv", bar, 2.25)
     'keel'

@@ -111,24 +111,12 @@ class Hull:
 def wigley_hull(length: float, beam: float, draught: float, depth: float, name: str = "Wigley") -> Hull:
     """Classical Wigley hull, wall-sided above its design waterline.
 
-    Parameters
-    ----------
-    length, beam, draught : float    [m]
-    depth : float                    height of the deck above the keel [m]
-    name : str                       what it is called
+    length, beam, draught: [m]
+    depth: height of the deck above the keel [m]
+    name: what it is called
+    Returns stations at Gauss-Legendre nodes
 
-    Returns
-    -------
-    Hull    stations at Gauss-Legendre nodes
-
-    Notes
-    -----
     y = (B/2) (1 - (2x/L)^2) (1 - (z/T)^2), z from the design waterline down.  Source: [Journee92] (the classical form).
-
-    Examples
-    --------
-    >>> wigley_hull(100.0, 10.0, 6.25, 10.0).sections[20].half_breadth
-    5.0
     """
     x, weight = gauss(STATIONS, -length / 2, length / 2)
     t = np.linspace(1.0, 0.0, 25)
@@ -144,22 +132,10 @@ def wigley_hull(length: float, beam: float, draught: float, depth: float, name: 
 def box_hull(length: float, beam: float, draught: float, depth: float, name: str = "Box") -> Hull:
     """Rectangular barge.
 
-    Parameters
-    ----------
-    length, beam, draught, depth, name    as in `wigley_hull`
+    as in `wigley_hull`
+    Returns stations at Gauss-Legendre nodes
 
-    Returns
-    -------
-    Hull    stations at Gauss-Legendre nodes
-
-    Notes
-    -----
     Source: closed form, y = B/2 for 0 < height < depth.
-
-    Examples
-    --------
-    >>> box_hull(100.0, 20.0, 5.0, 10.0).sections[0].draught
-    5.0
     """
     x, weight = gauss(STATIONS, -length / 2, length / 2)
     contour = (frozen(np.array([0.0, beam / 2, beam / 2])), frozen(np.array([0.0, 0.0, depth])))
@@ -172,28 +148,9 @@ def box_hull(length: float, beam: float, draught: float, depth: float, name: str
 def at_draught(hull: Hull, draught: float, called: str | None = None) -> Hull:
     """The same hull floating at another draught, on even keel.
 
-    Parameters
-    ----------
-    hull : Hull
-    draught : float    above 0, at most the height of the lowest deck edge [m]
-    called : str       what the message calls the hull; its name by default
-
-    Returns
-    -------
-    Hull    the lines are unchanged
-
-    Raises
-    ------
-    InputError    draught not between the keel and the deck
-
-    Notes
-    -----
-    Source: geometry.
-
-    Examples
-    --------
-    >>> at_draught(box_hull(100.0, 20.0, 5.0, 10.0), 6.0).sections[0].draught
-    6.0
+    draught: above 0, at most the height of the lowest deck edge [m]
+    called: what the message calls the hull; its name by default
+    Returns the lines are unchanged
     """
     if not 0 < draught <= hull.depth:
         raise Refused(
@@ -208,28 +165,9 @@ def at_draught(hull: Hull, draught: float, called: str | None = None) -> Hull:
 def scaled(hull: Hull, length: float, beam: float, height: float) -> Hull:
     """Hull with its lines stretched by three factors.
 
-    Parameters
-    ----------
-    hull : Hull
-    length, beam, height : float    factors on x, y and heights (draught among them), above 0
+    length, beam, height: factors on x, y and heights (draught among them), above 0
 
-    Returns
-    -------
-    Hull
-
-    Raises
-    ------
-    InputError    a factor that is not a positive number
-
-    Notes
-    -----
     Source: geometry; equal factors keep the shape (volume goes with their cube).
-
-    Examples
-    --------
-    >>> twice = scaled(box_hull(100.0, 20.0, 5.0, 10.0), 2.0, 2.0, 2.0)
-    >>> twice.length, twice.beam, twice.draught
-    (200.0, 40.0, 10.0)
     """
     factors = np.array([length, beam, height])
     if not (np.isfinite(factors).all() and (factors > 0).all()):
@@ -252,28 +190,10 @@ def scaled(hull: Hull, length: float, beam: float, height: float) -> Hull:
 def with_depth(hull: Hull, depth: float, called: str | None = None) -> Hull:
     """Hull with its sides carried straight up to a deck at a given height, where they end below it.
 
-    Parameters
-    ----------
-    hull : Hull
-    depth : float    height of the deck above the baseline, not below the draught [m]
-    called : str     what the message calls the hull; its name by default
+    depth: height of the deck above the baseline, not below the draught [m]
+    called: what the message calls the hull; its name by default
 
-    Returns
-    -------
-    Hull
-
-    Raises
-    ------
-    InputError    depth below the draught, or not a number
-
-    Notes
-    -----
     Source: geometry; the added sides are an assumption about what the offsets do not give.
-
-    Examples
-    --------
-    >>> with_depth(box_hull(100.0, 20.0, 5.0, 10.0), 12.0).depth
-    12.0
     """
     if not (np.isfinite(depth) and depth >= hull.draught):
         raise Refused(
@@ -293,18 +213,8 @@ def with_depth(hull: Hull, depth: float, called: str | None = None) -> Hull:
 def frozen(values: ArrayLike) -> Floats:
     """Copy of an array that cannot be written to.
 
-    Parameters
-    ----------
-    values : (...) float    numbers
-
-    Returns
-    -------
-    (...) float    read-only
-
-    Examples
-    --------
-    >>> frozen([1, 2]).flags.writeable
-    False
+    values (...): numbers
+    Returns (...): read-only
     """
     out = np.array(values, dtype=float)
     out.flags.writeable = False

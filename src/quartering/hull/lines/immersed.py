@@ -18,34 +18,15 @@ from quartering.hull.lines.strips import Strips
 def strips(hull: Hull, points: int = 24) -> Strips:
     """Quadrature points of the immersed starboard contour at every immersed station, and weights along the ship.
 
-    Parameters
-    ----------
-    hull : Hull
-    points : int    quadrature points on each contour, even, at least 8
+    points: quadrature points on each contour, even, at least 8
+    Returns aft to fore; stations without an immersed part are left out (their integrands are zero)
 
-    Returns
-    -------
-    Strips    aft to fore; stations without an immersed part are left out (their integrands are zero)
-
-    Raises
-    ------
-    InputError    points odd, or below 8; no station in the water, or one above it between others that are not
-
-    Notes
-    -----
     Offsets: contour curve cut at the waterline, two Gauss-Legendre points on each of ``points / 2`` panels that end at
     offset points.
     Wigley and box: the exact outline at Gauss nodes, in a variable in which every wave integrand is entire.
     A station with depth but no breadth (stem line) is a plate of half thickness 0.001 B/2, so that what depends on its
     depth is not lost.  Source: [Fritsch84] (contour), [Gill72] (stations), [Abramowitz64] 25.4.30 (Gauss).
     Valid: symmetric hull on even keel.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> box = strips(box_hull(100.0, 20.0, 5.0, 10.0))
-    >>> round(float(box.weight @ box.area), 6)
-    10000.0
     """
     if points < 8 or points % POINTS_PER_PANEL:
         raise InputError(f"points = {points}; give an even number, 8 or more, such as 24")
@@ -91,26 +72,10 @@ def _offset_nodes(hull: Hull, station: int, points: int) -> Nodes:
 def immersed_curve(hull: Hull, station: int) -> tuple[Curve, float]:
     """Smooth contour of a station and the chord length at which it meets the calm plane.
 
-    Parameters
-    ----------
-    hull : Hull
-    station : int    index into ``hull.x``
+    station: index into ``hull.x``
+    Returns curve: keel to deck; end: chord length at the waterline [m]
 
-    Returns
-    -------
-    curve : Curve    keel to deck
-    end : float      chord length at the waterline [m]
-
-    Notes
-    -----
     Source: [Fritsch84].
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> curve, end = immersed_curve(box_hull(100.0, 20.0, 5.0, 10.0), 0)
-    >>> round(float(along(curve, np.array([end]))[1][0]), 9)
-    5.0
     """
     curve = hull.curves[station]
     return curve, chord_at_height(curve, hull.draught)

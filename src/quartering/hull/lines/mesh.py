@@ -50,32 +50,13 @@ class Panels:
 def hull_panels(hull: Hull, along_hull: int = 40, around: int = 10) -> Panels:
     """Panels of the starboard half of a hull below its waterline.
 
-    Parameters
-    ----------
-    hull : Hull
-    along_hull : int    panels along the ship, at least 8; finer towards the ends
-    around : int        panels from keel to waterline, at least 3; finer towards the waterline
+    along_hull: panels along the ship, at least 8; finer towards the ends
+    around: panels from keel to waterline, at least 3; finer towards the waterline
+    Returns closed but for the calm plane and the centre plane
 
-    Returns
-    -------
-    Panels    closed but for the calm plane and the centre plane
-
-    Raises
-    ------
-    InputError    too few panels
-
-    Notes
-    -----
     Points at equal fractions of the girth are carried along the ship by monotone cubics through the stations; a box
     keeps its edges. An end with area (a transom) is closed by a flat, a pointed one by its stem line.
     Source: [Fritsch84] (curves).  Valid: hulls whose contours change gradually along the ship.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> panels = hull_panels(box_hull(100.0, 20.0, 5.0, 10.0))
-    >>> round(panels.volume, 6)
-    10000.0
     """
     if along_hull < 8 or around < 3:
         raise InputError(
@@ -102,20 +83,9 @@ class Grid(NamedTuple):
 def closed_panels(grid: Grid) -> Panels:
     """Panels between the contours of a grid, an end with area closed by a flat.
 
-    Parameters
-    ----------
-    grid : Grid    n contours of m points
+    grid: n contours of m points
+    Returns first those of the (n - 1) (m - 1) meshes, contour by contour from the keel up; some may have no area
 
-    Returns
-    -------
-    Panels    first those of the (n - 1) (m - 1) meshes, contour by contour from the keel up; some may have no area
-
-    Notes
-    -----
-    Source: geometry.
-
-    Examples
-    --------
     >>> from quartering.hull.lines.hull import wigley_hull
     >>> len(closed_panels(hull_grid(wigley_hull(100.0, 10.0, 6.25, 10.0), 8, 3)).quads)
     24
@@ -135,27 +105,12 @@ def closed_panels(grid: Grid) -> Panels:
 def hull_grid(hull: Hull, along_hull: int, around: int) -> Grid:
     """Contours of a hull carried along it, finer towards the ends and the waterline.
 
-    Parameters
-    ----------
-    hull : Hull
-    along_hull : int    meshes along the ship
-    around : int        meshes from keel to waterline
+    along_hull: meshes along the ship
+    around: meshes from keel to waterline
+    Returns an end whose section has less than 2 % of the largest section area has no breadth
 
-    Returns
-    -------
-    Grid    an end whose section has less than 2 % of the largest section area has no breadth
-
-    Notes
-    -----
     Sections wholly under water, of a bulb ahead of the stem, are left out.
     Source: [Fritsch84] (curves).  Valid: as `hull_panels`.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import wigley_hull
-    >>> grid = hull_grid(wigley_hull(100.0, 10.0, 6.25, 10.0), 8, 3)
-    >>> grid.y.shape, float(grid.x[0]), float(grid.y[0].max())
-    ((9, 4), -50.0, 0.0)
     """
     fraction = np.sin(np.linspace(0.0, np.pi / 2, around + 1)) * 0.4 + np.linspace(0.0, 0.6, around + 1)
     under = wholly_under_water(strips(hull))

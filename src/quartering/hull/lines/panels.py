@@ -30,30 +30,14 @@ class _Ends(NamedTuple):
 def panel_ends(curve: Curve, end: float, count: int) -> Floats:
     """Chord lengths between which a contour is integrated by Gauss rules of two points.
 
-    Parameters
-    ----------
-    curve : Curve    of the contour
-    end : float      chord length up to which it is integrated [m]
-    count : int      panels wanted
+    curve: of the contour
+    end: chord length up to which it is integrated [m]
+    count: panels wanted
+    Returns (count + 1,): ascending from 0 to ``end``, points of the contour wherever it has enough [m]
 
-    Returns
-    -------
-    (count + 1,) float    ascending from 0 to ``end``, points of the contour wherever it has enough [m]
-
-    Notes
-    -----
     Pieces between points are joined where the rule on one panel in place of two loses least of the area and its moments;
     the longest are halved where there are too few. Up to 64 pieces are joined one pair at a time; of more, every second
     of the cheaper half of the joints goes in one step.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.contour import contour_curve
-    >>> t = np.linspace(0.0, np.pi / 2, 1000)
-    >>> circle = contour_curve(np.sin(t), 1.0 - np.cos(t))
-    >>> y, _, _, dh = panel_nodes(circle, *(lambda e: (e[:-1], e[1:]))(panel_ends(circle, circle.chord[-1], 12)))
-    >>> round(float((y * dh).sum() / (np.pi / 4)), 5)
-    1.0
     """
     inner = np.unique(curve.chord[(curve.chord > 1e-9 * end) & (curve.chord < end * (1 - 1e-9))])
     chord = np.concatenate([[0.0], inner, [end]])

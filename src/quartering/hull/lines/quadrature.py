@@ -19,24 +19,11 @@ def _legendre(points: int) -> tuple[Floats, Floats]:
 def gauss(points: int, start: float, end: float) -> tuple[Floats, Floats]:
     """Gauss-Legendre nodes and weights on an interval.
 
-    Parameters
-    ----------
-    points : int           number of nodes
-    start, end : float     ends of the interval; the weights sum to end - start (negative when it runs backward)
+    points: number of nodes
+    start, end: ends of the interval; the weights sum to end - start (negative when it runs backward)
+    Returns nodes, weights (points,)
 
-    Returns
-    -------
-    nodes, weights : (points,) float
-
-    Notes
-    -----
     Exact for polynomials of degree 2 points - 1.  Source: [Abramowitz64] 25.4.30.
-
-    Examples
-    --------
-    >>> x, w = gauss(3, 0.0, 2.0)
-    >>> round(float(w @ x**5), 9)
-    10.666666667
     """
     nodes, weights = _legendre(points)
     return start + 0.5 * (end - start) * (nodes + 1.0), 0.5 * (end - start) * weights
@@ -45,26 +32,12 @@ def gauss(points: int, start: float, end: float) -> tuple[Floats, Floats]:
 def station_weights(x: Floats) -> Floats:
     """Weights that integrate smooth data over stations of any spacing.
 
-    Parameters
-    ----------
-    x : (s,) float    station positions, ascending [m]
+    x (s,): station positions, ascending [m]
+    Returns (s,): weights: sum(weights * f(x)) is the integral of f from x[0] to x[-1] [m]
 
-    Returns
-    -------
-    (s,) float    weights: sum(weights * f(x)) is the integral of f from x[0] to x[-1] [m]
-
-    Notes
-    -----
     Each interval is integrated with the cubic through its four nearest stations: exact for cubics, local, for any
     spacing. Spacing so uneven that a weight would not be positive falls back to the trapezoidal rule.
     Source: [Gill72].  Valid: data smooth between stations.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> x = np.array([0.0, 0.5, 1.0, 2.0, 3.0, 4.0])
-    >>> round(float(station_weights(x) @ x**3), 9)
-    64.0
     """
     count = len(x)
     width = min(4, count)

@@ -36,8 +36,6 @@ Contours = tuple[tuple[Floats, Floats], ...]
 def check_proportions(name: str, length: float, beam: float, draught: float) -> None:
     """Tell proportions that are hardly those of a ship, as a unit of one dimension makes them.
 
-    Examples
-    --------
     >>> with warnings.catch_warnings(record=True) as said:
     ...     warnings.simplefilter("always")
     ...     check_proportions("my.yaml", 80.0, 12.0, 0.03)
@@ -56,8 +54,6 @@ def check_proportions(name: str, length: float, beam: float, draught: float) -> 
 def check_extent(name: str, length: float, x: Floats) -> None:
     """Refuse stations of another length than the ship's; tell those that leave a part of it out, or reach past it.
 
-    Examples
-    --------
     >>> check_extent("my.csv", 80.0, np.array([-40e3, 40e3]))
     Traceback (most recent call last):
     ...
@@ -81,8 +77,6 @@ def check_extent(name: str, length: float, x: Floats) -> None:
 def check_breadths(name: str, beam: float, draught: float, contours: Contours, labels: list[str]) -> None:
     """Refuse a half breadth far beyond half the beam, named by station and waterline.
 
-    Examples
-    --------
     >>> bad = np.array([0.0, 5000.0, 5.0, 5.0]), np.array([0.0, 0.0, 1.0, 6.0])
     >>> check_breadths("my.csv", 10.0, 4.0, (bad,), ["station 1"])
     Traceback (most recent call last):
@@ -118,23 +112,11 @@ def check_coefficients(
 ) -> None:
     """Refuse block and waterplane coefficients no ship has, and tell a very fine block.
 
-    Parameters
-    ----------
-    name : str                       file named in messages
-    length, beam, draught : float    [m]
-    x, weight : (s,) float           stations and their weights [m]
-    contours : tuple of (y, height)  heights over the baseline [m]
+    name: file named in messages
+    length, beam, draught: [m]
+    x, weight (s,): stations and their weights [m]
+    contours: heights over the baseline [m]
 
-    Raises
-    ------
-    InputError    a coefficient out of its range: the volume, the sizes it is measured by, where to look
-
-    Warns
-    -----
-    RangeWarning    a block coefficient below 0.2
-
-    Examples
-    --------
     >>> side = np.array([0.0, 5.0, 5.0]), np.array([3.9, 3.9, 6.0])
     >>> check_coefficients("my.csv", 60.0, 10.0, 4.0, np.array([-30.0, 30]), np.array([30.0, 30]), (side, side))
     Traceback (most recent call last):
@@ -179,8 +161,6 @@ def _area(y: Floats, height: Floats, draught: float) -> float:
 def waterline_breadth(y: Floats, height: Floats, draught: float) -> float:
     """Half breadth at the calm plane, points joined straight; 0 where the contour ends below it.
 
-    Examples
-    --------
     >>> waterline_breadth(np.array([0.0, 5.0, 5.0]), np.array([0.0, 0.0, 6.0]), 4.0)
     5.0
     """

@@ -32,37 +32,18 @@ def hull_from_offsets(
 ) -> Hull:
     """Hull from contours at stations.
 
-    Parameters
-    ----------
-    name : str                       what the hull is called
-    length, beam, draught : float    between perpendiculars, moulded, draught [m]
-    x : (s,) float                   stations from midship, + forward, ascending, at least 4 [m]
-    contours : tuple of (y, height)  half breadths and heights above the baseline, keel to deck [m];
-                                     a contour that does not start on the centreline gets a flat bottom
-    source : str                     where the lines come from
-    outline : str                    points joined "smooth" (monotone cubic) or "straight"
-    labels : list of str             what the stations are called in messages; "station 1 (x = -60 m)" by default
-    title : str                      name of the hull when ``name`` is that of the file it comes from
+    name: what the hull is called
+    length, beam, draught: between perpendiculars, moulded, draught [m]
+    x (s,): stations from midship, + forward, ascending, at least 4 [m]
+    contours: half breadths and heights above the baseline, keel to deck [m]; a contour that does not start on the
+        centreline gets a flat bottom
+    source: where the lines come from
+    outline: points joined "smooth" (monotone cubic) or "straight"
+    labels: what the stations are called in messages; "station 1 (x = -60 m)" by default
+    title: name of the hull when ``name`` is that of the file it comes from
+    Returns at its design draught
 
-    Returns
-    -------
-    Hull    at its design draught
-
-    Raises
-    ------
-    InputError    stations not ascending, heights descending, fewer than two points, a NaN: named by station
-
-    Notes
-    -----
     Station weights from ``station_weights``.  Source: [Gill72].
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> side = (np.array([0.0, 5.0, 5.0]), np.array([0.0, 0.0, 6.0]))
-    >>> barge = hull_from_offsets("barge", length=60, beam=10, draught=4, x=np.linspace(-30, 30, 7), contours=(side,) * 7)
-    >>> barge.sections[3].draught
-    4.0
     """
     stations = np.array(x, dtype=float)
     called = labels or [f"station {i + 1} (x = {position:g} m)" for i, position in enumerate(stations)]
@@ -112,23 +93,11 @@ def _check_stations(name: str, x: Floats, contours: tuple[Contour, ...], labels:
 def check_contour(where: str, y: Floats, height: Floats, units: tuple[str, str] = (" m", " m"), first: int = 1) -> None:
     """Refuse a contour that cannot be half of a section, naming the waterline.
 
-    Parameters
-    ----------
-    where : str                file and station named in the message
-    y, height : (n,) float     half breadths and heights, keel to deck, as given
-    units : tuple of str       their units, for the message
-    first : int                number of the first waterline
+    where: file and station named in the message
+    y, height (n,): half breadths and heights, keel to deck, as given
+    units: their units, for the message
+    first: number of the first waterline
 
-    Raises
-    ------
-    InputError    unequal lengths, a NaN, a negative half breadth, heights that descend or do not rise at all
-
-    Notes
-    -----
-    Source: geometry.
-
-    Examples
-    --------
     >>> import numpy as np
     >>> check_contour("station 1", np.array([0.0, 5.0]), np.array([0.0, 4.0]))
     """

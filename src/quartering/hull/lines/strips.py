@@ -48,16 +48,8 @@ class Strips:
 def wholly_under_water(immersed: Strips) -> NDArray[np.bool_]:
     """Which sections are of a bulb ahead of the stem, with no more than a neck up to the waterline.
 
-    Parameters
-    ----------
-    immersed : Strips
+    Returns (s,): their volume counts; the flow round such a section alone is not that of the bulb, so it is left out
 
-    Returns
-    -------
-    (s,) bool    their volume counts; the flow round such a section alone is not that of the bulb, so it is left out
-
-    Examples
-    --------
     >>> from quartering.hull.lines.immersed import strips
     >>> from quartering.hull.lines.hull import wigley_hull
     >>> bool(wholly_under_water(strips(wigley_hull(100.0, 10.0, 6.0, 9.0))).any())
@@ -69,20 +61,11 @@ def wholly_under_water(immersed: Strips) -> NDArray[np.bool_]:
 def has_transom(immersed: Strips) -> bool:
     """Does the hull end aft in a section with area?
 
-    Parameters
-    ----------
-    immersed : Strips    of the hull, aft to fore
+    immersed: of the hull, aft to fore
+    Returns the aftmost section carries 5 % or more of the largest section area
 
-    Returns
-    -------
-    bool    the aftmost section carries 5 % or more of the largest section area
-
-    Notes
-    -----
     Source: [STF70] keeps the aft terms where the aft section is not a point; the 5 % limit is assumed.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.immersed import strips
     >>> from quartering.hull.lines.hull import box_hull, wigley_hull
     >>> has_transom(strips(box_hull(100.0, 20.0, 5.0, 10.0))), has_transom(strips(wigley_hull(100.0, 10.0, 6.0, 9.0)))

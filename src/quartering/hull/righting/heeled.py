@@ -30,27 +30,12 @@ class _Cut(NamedTuple):
 def cross_curve(hull: Hull, phi: tuple[float, ...]) -> tuple[Floats, Floats]:
     """Lever KN of buoyancy about the keel, and freeboard of the lowest deck edge, at heel angles.
 
-    Parameters
-    ----------
-    hull : Hull
-    phi : tuple of float    heel angles, positive starboard side down [rad]
+    phi: heel angles, positive starboard side down [rad]
+    Returns kn (n,): [m]; the righting arm is KN - KG sin(phi); freeboard (n,): height of the lowest deck edge over the
+        water [m]; negative when it is under
 
-    Returns
-    -------
-    kn : (n,) float           [m]; the righting arm is KN - KG sin(phi)
-    freeboard : (n,) float    height of the lowest deck edge over the water [m]; negative when it is under
-
-    Notes
-    -----
     Sections are polygons, both sides, closed at the deck; at every angle the waterline is moved until the volume is that
     of the upright hull (Newton within a bracket), without trim.  Source: [Lewis88] ch. 2.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> kn, freeboard = cross_curve(box_hull(100.0, 20.0, 5.0, 10.0), (0.0, 0.1))
-    >>> round(float(kn[1]) / 0.1, 2), round(float(freeboard[0]), 6)
-    (9.18, 5.0)
     """
     y, height = polygons(hull)
     upright = float(hull.weight @ _cut(y, hull.draught - height).area)
@@ -82,22 +67,9 @@ def _levels(hull: Hull, across: Floats, up: Floats, volume: float) -> Floats:
 def polygons(hull: Hull, pieces: int = PIECES) -> tuple[Floats, Floats]:
     """Sections as polygons with both sides, closed at the deck.
 
-    Parameters
-    ----------
-    hull : Hull
-    pieces : int    straight pieces of half a section, at least
-
-    Returns
-    -------
-    y, height : (s, n) float    keel, up the starboard side, across the deck, down the port side; the last point of a side is
-                                repeated where a section has fewer [m]
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> y, height = polygons(box_hull(100.0, 20.0, 5.0, 10.0))
-    >>> float(y.min()), float(height.max())
-    (-10.0, 10.0)
+    pieces: straight pieces of half a section, at least
+    Returns y, height (s, n): keel, up the starboard side, across the deck, down the port side; the last point of a side
+        is repeated where a section has fewer [m]
     """
     halves = []
     for i in range(len(hull.x)):
@@ -135,23 +107,9 @@ def _cut(across: Floats, depth: Floats) -> _Cut:
 def deck_angle(hull: Hull) -> float:
     """Heel at which the first deck edge (top of a contour) goes under, at constant displacement.
 
-    Parameters
-    ----------
-    hull : Hull
+    Returns [deg], to the nearest 0.1; inf when no edge goes under below 80 deg
 
-    Returns
-    -------
-    float    [deg], to the nearest 0.1; inf when no edge goes under below 80 deg
-
-    Notes
-    -----
     Source: geometry, with the waterlines of ``righting_arm``.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> round(deck_angle(box_hull(100.0, 20.0, 5.0, 10.0)), 1)
-    26.6
     """
     angles = np.linspace(0.0, 80.0, 17)
     for _ in range(2):

@@ -41,32 +41,15 @@ class CapsizeLimit(NamedTuple):
 
     @property
     def words(self) -> str:
-        """The angle with its reason.
-
-        Examples
-        --------
-        >>> CapsizeLimit(44.6, "vanishing").words
-        '44.6 deg, where the righting arm vanishes'
-        """
+        """The angle with its reason."""
         return f"{self.angle:.3g} deg, {_WORDS[self.reason]}"
 
 
 def least_limit(vanishing: float, openings: float | None = None) -> CapsizeLimit:
     """The least of the vanishing angle, the angle of the openings and 90 deg.
 
-    Parameters
-    ----------
-    vanishing : float           angle of vanishing stability [deg]; infinite where there is none
-    openings : float or None    heel at which unprotected openings go under [deg]; None: not known
-
-    Returns
-    -------
-    CapsizeLimit
-
-    Examples
-    --------
-    >>> least_limit(72.0), least_limit(72.0, 40.0).reason, least_limit(float("inf")).reason
-    (CapsizeLimit(angle=72.0, reason='vanishing'), 'openings', 'on its side')
+    vanishing: angle of vanishing stability [deg]; infinite where there is none
+    openings: heel at which unprotected openings go under [deg]; None: not known
     """
     limits: tuple[tuple[float, Reason], ...] = (
         (float(vanishing), "vanishing"),
@@ -79,21 +62,12 @@ def least_limit(vanishing: float, openings: float | None = None) -> CapsizeLimit
 def first_vanishing(arm: Callable[[Floats], Floats]) -> float:
     """Smallest heel up to 90 deg at which a righting arm that rights becomes 0.
 
-    Parameters
-    ----------
-    arm : function    of heel angles (n,) above 0 [rad], positive where it rights
+    arm: of heel angles (n,) above 0 [rad], positive where it rights
+    Returns [deg]; infinite where there is none
 
-    Returns
-    -------
-    float    [deg]; infinite where there is none
-
-    Notes
-    -----
     Where an upright ship is unstable the range of stability begins at the angle of loll and ends at this one.  Every 1/8
     degree, then by Brent's method.
 
-    Examples
-    --------
     >>> round(first_vanishing(lambda phi: phi - phi**3), 6)
     57.29578
     """

@@ -51,33 +51,13 @@ class OddSpline:
 def odd_spline(angles: ArrayLike, values: ArrayLike, slope: float | None = None) -> OddSpline:
     """Spline through points and their mirror images.
 
-    Parameters
-    ----------
-    angles : (n,) float    ascending, from 0 or above; 0 with value 0 may be left out [deg]
-    values : (n,) float
-    slope : float, optional    at 0 where it is known, per radian; else what the points make it
+    angles (n,): ascending, from 0 or above; 0 with value 0 may be left out [deg]
+    values (n,)
+    slope: at 0 where it is known, per radian; else what the points make it
 
-    Returns
-    -------
-    OddSpline
-
-    Raises
-    ------
-    InputError    fewer than 3 angles above 0, angles that do not ascend, a value other than 0 at 0, no numbers
-
-    Notes
-    -----
     Without a change of cubic at the last angle but one (not-a-knot); no bend at 0, since the curve is odd. A given slope is
     met exactly, by a change of cubic halfway to the first angle, where no point is.
     Source: closed form of the interpolating spline.
-
-    Examples
-    --------
-    >>> spline = odd_spline([10, 20, 30, 40], np.radians([10, 20, 30, 40]) ** 3)
-    >>> round(spline.cubic, 9), bool(np.abs(spline.jumps).max() < 1e-9)
-    (1.0, True)
-    >>> odd_spline([10, 20, 30, 40], np.sin(np.radians([10, 20, 30, 40])), slope=1.0).slope
-    1.0
     """
     x, y = (np.asarray(array, dtype=float) for array in (angles, values))
     if x.ndim != 1 or x.shape != y.shape or not (np.isfinite(x).all() and np.isfinite(y).all()):

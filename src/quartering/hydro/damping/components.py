@@ -91,12 +91,8 @@ class RollDamping:
     def table(self) -> tuple[Row, ...]:
         """Every component and form, with unit and source.
 
-        Returns
-        -------
-        tuple of Row    components, sum, part to add to strip theory, the two forms
+        Returns components, sum, part to add to strip theory, the two forms
 
-        Notes
-        -----
         Source: [Himeno81] for the components; each row names its own.
         """
         fitted = f"least squares, {self.fitted_from_deg:.3g} to {self.fitted_to_deg:.3g} deg, misfit "

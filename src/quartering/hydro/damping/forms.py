@@ -47,22 +47,10 @@ class DampingForm(NamedTuple):
     def equivalent(self, rate: ArrayLike) -> Floats:
         """Linear damping of equal dissipation at a roll rate amplitude.
 
-        Parameters
-        ----------
-        rate : (...) float    p_a = omega phi_a [rad/s]
+        rate (...): p_a = omega phi_a [rad/s]
+        Returns (...): [N m s]
 
-        Returns
-        -------
-        (...) float    [N m s]
-
-        Notes
-        -----
         B1 + (8/(3 pi)) B2 p_a or B1 + (3/4) B3 p_a^2.  Source: [Himeno81] ch. 2.
-
-        Examples
-        --------
-        >>> round(float(DampingForm(1.0, 3 * np.pi, 2, 0.0).equivalent(0.5)), 12)
-        5.0
         """
         p = np.asarray(rate, dtype=float)
         factor = LINEAR_OF_QUADRATIC * p if self.power == 2 else LINEAR_OF_CUBIC * p**2
@@ -72,27 +60,11 @@ class DampingForm(NamedTuple):
 def quadratic_to_linear(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Floats:
     """Linear damping that dissipates as much as quadratic damping at one amplitude.
 
-    Parameters
-    ----------
-    quadratic : (...) float         B2, of |p| p [N m s2, or per inertia]
-    amplitude_rate : (...) float    p_a = omega phi_a > 0 [rad/s]
+    quadratic (...): B2, of |p| p [N m s2, or per inertia]
+    amplitude_rate (...): p_a = omega phi_a > 0 [rad/s]
+    Returns (...): (8/(3 pi)) B2 p_a [N m s, or per inertia]
 
-    Returns
-    -------
-    (...) float    (8/(3 pi)) B2 p_a [N m s, or per inertia]
-
-    Raises
-    ------
-    InputError    an amplitude that is not positive
-
-    Notes
-    -----
     Source: [Himeno81] ch. 2, equal dissipation.  Valid: at that amplitude, harmonic roll.
-
-    Examples
-    --------
-    >>> round(float(quadratic_to_linear(3 * np.pi, 2.0)), 12)
-    16.0
     """
     return LINEAR_OF_QUADRATIC * np.asarray(quadratic, dtype=float) * _positive(amplitude_rate)
 
@@ -100,28 +72,12 @@ def quadratic_to_linear(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Floa
 def quadratic_to_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Floats:
     """Cubic damping that dissipates as much as quadratic damping at one amplitude.
 
-    Parameters
-    ----------
-    quadratic : (...) float         B2, of |p| p [N m s2, or per inertia]
-    amplitude_rate : (...) float    p_a = omega phi_a > 0 [rad/s]
+    quadratic (...): B2, of |p| p [N m s2, or per inertia]
+    amplitude_rate (...): p_a = omega phi_a > 0 [rad/s]
+    Returns (...): (32/(9 pi)) B2/p_a, of p^3 [N m s3, or per inertia]
 
-    Returns
-    -------
-    (...) float    (32/(9 pi)) B2/p_a, of p^3 [N m s3, or per inertia]
-
-    Raises
-    ------
-    InputError    an amplitude that is not positive
-
-    Notes
-    -----
     The linear damping is left alone. Below p_a the cubic dissipates less than |p| p, above it more.
     Source: [Himeno81] ch. 2, equal dissipation.  Valid: at that amplitude, harmonic roll.
-
-    Examples
-    --------
-    >>> round(float(quadratic_to_cubic(9 * np.pi, 2.0)), 12)
-    16.0
     """
     return CUBIC_OF_QUADRATIC * np.asarray(quadratic, dtype=float) / _positive(amplitude_rate)
 
@@ -129,28 +85,12 @@ def quadratic_to_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Float
 def quadratic_to_linear_and_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> tuple[Floats, Floats]:
     """Linear and cubic damping nearest to quadratic damping for every rate up to an amplitude.
 
-    Parameters
-    ----------
-    quadratic : (...) float         B2, of |p| p [N m s2, or per inertia]
-    amplitude_rate : (...) float    p_a, the largest roll rate, > 0 [rad/s]
+    quadratic (...): B2, of |p| p [N m s2, or per inertia]
+    amplitude_rate (...): p_a, the largest roll rate, > 0 [rad/s]
+    Returns linear, cubic (...): (5/16) B2 p_a [N m s] and (35/48) B2/p_a [N m s3], or per inertia
 
-    Returns
-    -------
-    linear, cubic : (...) float     (5/16) B2 p_a [N m s] and (35/48) B2/p_a [N m s3], or per inertia
-
-    Raises
-    ------
-    InputError    an amplitude that is not positive
-
-    Notes
-    -----
     Least squares of |p| p by p and p^3 on [0, p_a], all rates weighted alike: the moment is nearest, the dissipation at
     p_a is 1.2 % above that of |p| p.  Source: [Himeno81] ch. 2 for the forms; the two constants in closed form.
-
-    Examples
-    --------
-    >>> quadratic_to_linear_and_cubic(48.0, 2.0)
-    (np.float64(30.0), np.float64(17.5))
     """
     b2, p = np.asarray(quadratic, dtype=float), _positive(amplitude_rate)
     return LEAST_SQUARES[0] * b2 * p, LEAST_SQUARES[1] * b2 / p
@@ -159,29 +99,11 @@ def quadratic_to_linear_and_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLik
 def fitted_form(rate: ArrayLike, equivalent: ArrayLike, power: int) -> DampingForm:
     """Linear + quadratic or linear + cubic damping from equivalent linear damping at several amplitudes.
 
-    Parameters
-    ----------
-    rate : (n,) float          amplitudes of the roll rate, n >= 2 [rad/s]
-    equivalent : (n,) float    equivalent linear damping at each [N m s]
-    power : int                2 or 3
+    rate (n,): amplitudes of the roll rate, n >= 2 [rad/s]
+    equivalent (n,): equivalent linear damping at each [N m s]
+    power: 2 or 3
 
-    Returns
-    -------
-    DampingForm
-
-    Raises
-    ------
-    InputError    fewer than two amplitudes, unequal lengths, another power
-
-    Notes
-    -----
     Least squares over the amplitudes given, all weighted alike.  Source: [Himeno81] ch. 2.
-
-    Examples
-    --------
-    >>> form = fitted_form([0.1, 0.2, 0.3], [1.0 + 0.75 * 8.0 * p**2 for p in (0.1, 0.2, 0.3)], 3)
-    >>> round(form.linear, 9), round(form.nonlinear, 9)
-    (1.0, 8.0)
     """
     p, b = _positive(rate), np.asarray(equivalent, dtype=float)
     if power not in (2, 3):

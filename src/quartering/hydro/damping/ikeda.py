@@ -89,28 +89,13 @@ class Rolling:
 def friction(hull: Particulars, motion: Rolling, *, turbulent: bool = True) -> Floats:
     """Damping by skin friction.
 
-    Parameters
-    ----------
-    hull : Particulars
-    motion : Rolling
-    turbulent : bool    with the turbulent term of the friction coefficient; False is a smooth model at small scale
+    turbulent: with the turbulent term of the friction coefficient; False is a smooth model at small scale
+    Returns (n,): B_F [N m s]
 
-    Returns
-    -------
-    (n,) float    B_F [N m s]
-
-    Notes
-    -----
     Kato: mean radius r_f = ((0.887 + 0.145 C_B)(1.7 T + C_B B) - 2 OG)/pi, R = 0.512 (r_f phi_a)^2 omega/nu,
     C_f = 1.328 R^-0.5 (+ 0.014 R^-0.114), B_F0 = (4/(3 pi)) rho S r_f^3 omega phi_a C_f; Tamiya: B_F = B_F0
     (1 + 4.1 U/(omega L)).
     Source: [ITTC11] 2.2.3; [Himeno81] ch. 4.  Valid: small part of the whole at full scale (1 to 3 %).
-
-    Examples
-    --------
-    >>> s175 = Particulars(175.0, 25.4, 9.5, 0.58, 0.95, -0.02, viscosity=1.15e-6)
-    >>> round(float(friction(s175, Rolling(0.314, np.radians(5.0)), turbulent=False)) / 1e4, 1)
-    24.0
     """
     L, B, T, CB, OG = hull.length, hull.beam, hull.draught, hull.block, hull.og
     phi, omega = motion.amplitude, motion.frequency
@@ -125,23 +110,11 @@ def friction(hull: Particulars, motion: Rolling, *, turbulent: bool = True) -> F
 def section_lift_slope(midship: float) -> float:
     """Factor of the hull's lift slope that depends on the fullness of the midship section.
 
-    Parameters
-    ----------
-    midship : float    C_M [1]
+    midship: C_M [1]
+    Returns kappa: 0 below 0.91, then 106 (C_M - 0.91)^2 - 700 (C_M - 0.91)^3, held above 0.99 [1]
 
-    Returns
-    -------
-    float    kappa: 0 below 0.91, then 106 (C_M - 0.91)^2 - 700 (C_M - 0.91)^3, held above 0.99 [1]
-
-    Notes
-    -----
     Ikeda gives steps, 0 up to C_M = 0.92, 0.1 up to 0.97, 0.3 up to 0.99; the curve runs through them without jumps.
     Source: [Journee03] fit to the steps of [Ikeda78b].  Valid: 0.91 < C_M < 0.99.
-
-    Examples
-    --------
-    >>> [round(section_lift_slope(c), 2) for c in (0.90, 0.945, 0.98)]
-    [0.0, 0.1, 0.28]
     """
     excess = min(max(midship - 0.91, 0.0), 0.08)
     return 106 * excess**2 - 700 * excess**3
@@ -150,26 +123,11 @@ def section_lift_slope(midship: float) -> float:
 def lift(hull: Particulars, motion: Rolling, *, section_slope: float | None = None) -> Floats:
     """Damping by the lift of the hull, which rolls and moves ahead like a wing of small aspect ratio.
 
-    Parameters
-    ----------
-    hull : Particulars
-    motion : Rolling
-    section_slope : float    kappa; None: `section_lift_slope`
+    section_slope: kappa; None: `section_lift_slope`
+    Returns (n,): B_L, proportional to speed, alike at all amplitudes [N m s]
 
-    Returns
-    -------
-    (n,) float    B_L, proportional to speed, alike at all amplitudes [N m s]
-
-    Notes
-    -----
     B_L = (rho/2) U L T k_N l0 lR (1 - 1.4 OG/lR + 0.7 OG^2/(l0 lR)), k_N = 2 pi T/L + kappa (4.1 B/L - 0.045),
     l0 = 0.3 T, lR = 0.5 T.  Source: [Ikeda78b], [ITTC11] 2.2.2.  Valid: no propeller, no rudder, no heel.
-
-    Examples
-    --------
-    >>> s175 = Particulars(175.0, 25.4, 9.5, 0.58, 0.95, -0.02)
-    >>> round(float(lift(s175, Rolling(0.314, 0.1, 2.0), section_slope=0.1)) / 1e6, 2)
-    9.19
     """
     L, T, OG = hull.length, hull.draught, hull.og
     kappa = section_lift_slope(hull.midship) if section_slope is None else section_slope
@@ -183,28 +141,16 @@ def lift(hull: Particulars, motion: Rolling, *, section_slope: float | None = No
 def wave_speed_factor(frequency: float, speed: float, draught: float) -> float:
     """How forward speed changes the wave damping of roll.
 
-    Parameters
-    ----------
-    frequency : float    omega > 0 [rad/s]
-    speed : float        U >= 0 [m/s]
-    draught : float      T [m]
+    frequency: omega > 0 [rad/s]
+    speed: U >= 0 [m/s]
+    draught: T [m]
+    Returns B_W(U)/B_W(0), 1 at rest [1]
 
-    Returns
-    -------
-    float    B_W(U)/B_W(0), 1 at rest [1]
-
-    Notes
-    -----
     With x = omega^2 T/g and Omega = omega U/g: A1 = 1 + x^-1.2 e^(-2x), A2 = 0.5 + x^-1 e^(-2x),
     0.5 (A2 + 1 + (A2 - 1) tanh(20 Omega - 6) + (2 A1 - A2 - 1) exp(-150 (Omega - 0.25)^2)), less what its two curves
     leave at Omega = 0 (1e-5 to 1e-4 of them), so that the ship at rest has exactly 1.
     Source: [Ikeda78b], [ITTC11] 2.2.1, from a flat plate's dipoles.  Valid: x of order 0.1 to 2; as x -> 0 the factor
     grows without bound on a wave damping that vanishes faster.
-
-    Examples
-    --------
-    >>> round(wave_speed_factor(0.6, 0.0, 8.0), 4), round(wave_speed_factor(0.6, 4.1, 8.0), 2)
-    (1.0, 2.89)
     """
     x, Omega = frequency**2 * draught / GRAVITY, frequency * speed / GRAVITY
     A1 = 1 + x**-1.2 * np.exp(-2 * x)
@@ -217,23 +163,11 @@ def wave_speed_factor(frequency: float, speed: float, draught: float) -> float:
 def eddy_speed_factor(frequency: float, speed: float, length: float) -> float:
     """How forward speed changes the eddy damping of roll: the eddies are washed away.
 
-    Parameters
-    ----------
-    frequency : float    omega > 0 [rad/s]
-    speed : float        U >= 0 [m/s]
-    length : float       L [m]
+    frequency: omega > 0 [rad/s]
+    speed: U >= 0 [m/s]
+    length: L [m]
+    Returns B_E(U)/B_E(0) = (0.04 K)^2/(1 + (0.04 K)^2), K = omega L/U; 1 at rest [1]
 
-    Returns
-    -------
-    float    B_E(U)/B_E(0) = (0.04 K)^2/(1 + (0.04 K)^2), K = omega L/U; 1 at rest [1]
-
-    Notes
-    -----
     Source: [Ikeda78b], [ITTC11] 2.2.4.
-
-    Examples
-    --------
-    >>> eddy_speed_factor(0.5, 0.0, 100.0), round(eddy_speed_factor(0.5, 2.0, 100.0), 3)
-    (1.0, 0.5)
     """
     return float(1 / (1 + (speed / (0.04 * frequency * length)) ** 2))

@@ -49,25 +49,10 @@ class BilgeKeelDamping(NamedTuple):
 def checked_keel(hull: Particulars, length: float, breadth: float) -> BilgeKeel:
     """Bilge keels, refused when their size cannot be right.
 
-    Parameters
-    ----------
-    hull : Particulars
-    length, breadth : float    of one keel [m]
+    length, breadth: of one keel [m]
 
-    Returns
-    -------
-    BilgeKeel
-
-    Raises
-    ------
-    InputError    a length above the ship's, a breadth above a quarter of the beam, or either not above 0
-
-    Notes
-    -----
     Source: [Ikeda78c] for the keel meant.
 
-    Examples
-    --------
     >>> checked_keel(Particulars(175.0, 25.4, 9.5, 0.57, 0.97, 0.0), 44.0, 0.4)
     BilgeKeel(length=44.0, breadth=0.4)
     """
@@ -86,32 +71,14 @@ def bilge_keels(
 ) -> BilgeKeelDamping:
     """Equivalent linear damping of a pair of bilge keels.
 
-    Parameters
-    ----------
-    hull : Particulars
-    motion : Rolling
-    keel : BilgeKeel
-    radius : float    R of the midship bilge [m]; None: from the midship coefficient, `bilge_radius`
+    radius: R of the midship bilge [m]; None: from the midship coefficient, `bilge_radius`
 
-    Returns
-    -------
-    BilgeKeelDamping
-
-    Notes
-    -----
     Force: (8/(3 pi)) rho l^3 omega phi_a b f^2 C_D per metre, C_D = 22.5 b/(pi l phi_a f) + 2.4, f = 1 + 0.3
     exp(-160 (1 - C_M)), l from G to the bilge. Pressure: `hull_pressure_moment`. Lift: 2 L_BK l1/(phi_a omega),
     L_BK = (pi/2) rho alpha (U^2 + u^2) b^2, u = l1 phi_a omega, alpha = arctan(u/U), l1 = l + b/2; not per metre.
     The printed velocity factor of the force is f in some versions of the procedure and f^2 in others; force goes with the
     square of the velocity, so f^2 is used (they differ only for C_M above 0.97).
     Source: [Ikeda78c], [Himeno81] ch. 4, [ITTC11] 2.2.5.  Valid: b/B 0.01 to 0.06, keel not near the surface.
-
-    Examples
-    --------
-    >>> s175 = Particulars(175.0, 25.4, 9.5, 0.58, 0.95, -0.02)
-    >>> damping = bilge_keels(s175, Rolling(0.3142, np.radians(5.0)), BilgeKeel(43.75, 0.4), radius=3.0)
-    >>> round(float(damping.normal) / 1e6, 2), round(float(damping.pressure) / 1e6, 2)
-    (6.09, 12.69)
     """
     T, b = hull.draught, keel.breadth
     phi, omega, U = motion.amplitude, motion.frequency, motion.speed
@@ -141,30 +108,17 @@ def hull_pressure_moment(
 ) -> tuple[Floats, float]:
     """Levers of the pressure that a bilge keel makes on the hull, about G.
 
-    Parameters
-    ----------
-    half_breadth, draught : float    of the section [m]
-    og : float                       depth of G below the calm plane, + down [m]
-    radius : float                   R of the bilge [m]
-    spread : (n,) float              S0, length of the contour behind the keel under suction [m]
+    half_breadth, draught: of the section [m]
+    og: depth of G below the calm plane, + down [m]
+    radius: R of the bilge [m]
+    spread (n,): S0, length of the contour behind the keel under suction [m]
+    Returns back (n,): A0: moment of unit suction over S0 behind the keel, per T^2 [1]; front: B0: moment of a pressure
+        that falls from 1 at the keel to 0 at centre line and waterline, per T^2 [1]
 
-    Returns
-    -------
-    back : (n,) float    A0: moment of unit suction over S0 behind the keel, per T^2 [1]
-    front : float        B0: moment of a pressure that falls from 1 at the keel to 0 at centre line and waterline, per T^2 [1]
-
-    Notes
-    -----
     A0 = (m3 + m4) m8 - m7^2, B0 = m4^3/(3 (H0 - 0.215 m1)) + (1 - m1)^2 (2 m3 - m2)/(6 (1 - 0.215 m1)) + m1 (m3 m5 +
     m4 m6). The first term of B0 is the flat bottom, so m4; m2 is a misprint of the procedure, found by integrating the
     pressure over the bottom.
     Source: [Ikeda78c], [Himeno81] ch. 4, [ITTC11] 2.2.5 (corrected).
-
-    Examples
-    --------
-    >>> back, front = hull_pressure_moment(2.0, 1.0, 0.0, 0.0, np.array([0.5]))
-    >>> back.tolist(), round(front, 6)  # a box: (H0 + 1) s - s^2 and H0^2/3 + 1/3
-    ([1.25], 1.666667)
     """
     H0, m1, m2, s = half_breadth / draught, radius / draught, og / draught, spread / draught
     m3, m4 = 1 - m1 - m2, H0 - m1
@@ -182,28 +136,12 @@ def hull_pressure_moment(
 def bilge_keel_wave(hull: Particulars, motion: Rolling, keel: BilgeKeel, *, radius: float | None = None) -> Floats:
     """Non-dimensional wave damping of bilge keels near the surface: an upper bound, not part of any sum.
 
-    Parameters
-    ----------
-    hull : Particulars
-    motion : Rolling
-    keel : BilgeKeel
-    radius : float    R of the midship bilge [m]; None: from the midship coefficient
+    radius: R of the midship bilge [m]; None: from the midship coefficient
+    Returns (n,): (b/B) exp(-(omega^2/g) d_BK), in units of `Particulars.scale` [1]
 
-    Returns
-    -------
-    (n,) float    (b/B) exp(-(omega^2/g) d_BK), in units of `Particulars.scale` [1]
-
-    Notes
-    -----
     d_BK is the depth of the keel at the largest heel. The strength b/B is a guess of the procedure; with it a common
     keel makes more waves than the measured damping of the whole ship, so it is reported, never added.
     Source: [ITTC11] 2.2.5.  Valid: keels that come out of the water.
-
-    Examples
-    --------
-    >>> s175 = Particulars(175.0, 25.4, 9.5, 0.58, 0.95, -0.02)
-    >>> float(bilge_keel_wave(s175, Rolling(0.3142, np.radians(5.0)), BilgeKeel(43.75, 0.4), radius=3.0).round(4))
-    0.0146
     """
     R = _midship_radius(hull) if radius is None else radius
     corner = (1 - np.sqrt(0.5)) * R

@@ -20,25 +20,12 @@ DEEPEST_AXIS = 0.8
 def bilge_radius(half_breadth: ArrayLike, draught: ArrayLike, area: ArrayLike) -> Floats:
     """Radius of the bilge that gives a box of the same breadth and draught the section's area.
 
-    Parameters
-    ----------
-    half_breadth, draught : (s,) float    [m]
-    area : (s,) float                     both sides [m2]
+    half_breadth, draught (s,): [m]
+    area (s,): both sides [m2]
+    Returns (s,): R, at most the draught and the half breadth [m]
 
-    Returns
-    -------
-    (s,) float    R, at most the draught and the half breadth [m]
-
-    Notes
-    -----
     R = 2 T sqrt(H0 (1 - sigma)/(4 - pi)), H0 = B/(2T), sigma = A/(B T).
     Source: [Ikeda78a], [ITTC11] 2.2.4.  Valid: round bilge; 0 for sections fuller than their box.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> round(float(bilge_radius(3.0, 2.0, 12.0 - (4 - np.pi) / 2)), 9)
-    1.0
     """
     b, T, A = (np.asarray(q, dtype=float) for q in (half_breadth, draught, area))
     R = 2 * T * np.sqrt(b / T * np.maximum(1 - A / (2 * b * T), 0.0) / (4 - np.pi))
@@ -55,23 +42,12 @@ def eddy_coefficient(
 ) -> Floats:
     """Eddy-making moment coefficient C_R of sections: moment = (1/2) rho T^4 C_R |p| p per metre.
 
-    Parameters
-    ----------
-    half_breadth, draught : (s,) float    > 0 [m]
-    area : (s,) float                     both sides [m2]
-    og : float                            depth of the roll axis G below the calm plane, + down [m]
-    radius : (s,) float                   bilge radius [m]; None: `bilge_radius`
+    half_breadth, draught (s,): > 0 [m]
+    area (s,): both sides [m2]
+    og: depth of the roll axis G below the calm plane, + down [m]
+    radius (s,): bilge radius [m]; None: `bilge_radius`
+    Returns (s,): C_R [1]
 
-    Returns
-    -------
-    (s,) float    C_R [1]
-
-    Raises
-    ------
-    InputError    a size that is not positive
-
-    Notes
-    -----
     C_R = (r_max/T)^2 C_P ((1 - f1 R/T)(1 - OG/T - f1 R/T) + f2 (H0 - f1 R/T)^2),
     C_P = (0.87 exp(-g) - 4 exp(-0.187 g) + 3)/2, with g the ratio of the largest to the mean velocity about the Lewis
     form that has the section's shape below the level of the roll axis. A section that ends above G or just below it has
@@ -81,11 +57,6 @@ def eddy_coefficient(
     Valid: round bilges, 0.4 < sigma < 1, H0 from 0.5 to 1.25: 9 of 16 measured values within 15 %, 13 within 25 %, the
     smallest (sigma 0.9) underestimated fourfold. Between sigma 0.995 and 1 the velocity is multiplied by up to 5 for the
     sharp bilge, so that the third decimal of the area decides. Wide flat sterns are overestimated.
-
-    Examples
-    --------
-    >>> float(eddy_coefficient(0.14, 0.112, 0.988 * 0.28 * 0.112)[0].round(2))
-    0.64
     """
     b, T, A = (np.atleast_1d(np.asarray(q, dtype=float)) for q in (half_breadth, draught, area))
     if not all((q > 0).all() and np.isfinite(q).all() for q in (b, T, A)):
@@ -134,26 +105,14 @@ def eddy_damping(
 ) -> Floats:
     """Equivalent linear eddy damping of sections, per metre and at rest.
 
-    Parameters
-    ----------
-    half_breadth, draught : (s,) float    [m]
-    area : (s,) float                     both sides [m2]
-    og : float                            depth of the roll axis G below the calm plane, + down [m]
-    rate : (n,) float                     amplitude of the roll rate, omega phi_a [rad/s]
-    density : float                       rho [kg/m3]
+    half_breadth, draught (s,): [m]
+    area (s,): both sides [m2]
+    og: depth of the roll axis G below the calm plane, + down [m]
+    rate (n,): amplitude of the roll rate, omega phi_a [rad/s]
+    density: rho [kg/m3]
+    Returns (n, s): (4/(3 pi)) rho T^4 omega phi_a C_R [N s]; 0 for a section without breadth at the waterline
 
-    Returns
-    -------
-    (n, s) float    (4/(3 pi)) rho T^4 omega phi_a C_R [N s]; 0 for a section without breadth at the waterline
-
-    Notes
-    -----
     Source: [Ikeda78a] equation (6), [ITTC11] 2.2.4.  Valid: as `eddy_coefficient`.
-
-    Examples
-    --------
-    >>> eddy_damping([0.14], [0.112], [0.031], 0.0, [0.5, 1.0], 1000.0).round(4).tolist()
-    [[0.0216], [0.0433]]
     """
     b, T, A = (np.atleast_1d(np.asarray(q, dtype=float)) for q in (half_breadth, draught, area))
     wet = (b > 0.02 * T) & (T > 0) & (A > 0)

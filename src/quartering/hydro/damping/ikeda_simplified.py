@@ -97,32 +97,11 @@ class SimplifiedDamping(NamedTuple):
 def simplified_ikeda(hull: Particulars, motion: Rolling, keel: BilgeKeel | None = None) -> SimplifiedDamping:
     """Roll damping at rest by the regression of Kawahara, Maekawa and Ikeda.
 
-    Parameters
-    ----------
-    hull : Particulars
-    motion : Rolling     its speed plays no part
-    keel : BilgeKeel     None: none
+    motion: its speed plays no part
+    keel: None: none
 
-    Returns
-    -------
-    SimplifiedDamping
-
-    Warns
-    -----
-    RangeWarning    a particular is outside the range of the regression, `LIMITS`; the message names each
-
-    Notes
-    -----
     B = value * rho (L B T C_B) B^2 sqrt(2g/B).
     Source: [Kawahara09] equations (3) to (14).  Valid: `LIMITS`; cargo ships of ordinary form, without speed.
-
-    Examples
-    --------
-    >>> hull = Particulars(300.0, 50.0, 12.5, 0.65, 0.98, -2.5, viscosity=1.14e-6)
-    >>> omega = 0.6 / np.sqrt(50.0 / (2 * 9.81))
-    >>> damping = simplified_ikeda(hull, Rolling(omega, np.radians(10.0)), BilgeKeel(60.0, 1.25))
-    >>> round(float(damping.total), 8)
-    0.01015615
     """
     _warn_outside(hull, motion, keel)
     frequency = motion.frequency * np.sqrt(hull.beam / (2 * GRAVITY))

@@ -21,28 +21,12 @@ from quartering.options import Refused
 def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], highest: float) -> float:
     """Frequency n2 of small free roll, with the inertia of the water taken at that same frequency.
 
-    Parameters
-    ----------
-    stiffness : float           rho g V GM [N m]
-    inertia : callable          inertia felt in roll [kg m2] of the frequency [rad/s]: 1/(M^-1)_22, sway and yaw free
-    highest : float             upper bound of the root [rad/s]
+    stiffness: rho g V GM [N m]
+    inertia: inertia felt in roll [kg m2] of the frequency [rad/s]: 1/(M^-1)_22, sway and yaw free
+    highest: upper bound of the root [rad/s]
+    Returns n2, the root of n2^2 I(n2) = rho g V GM [rad/s]
 
-    Returns
-    -------
-    float    n2, the root of n2^2 I(n2) = rho g V GM [rad/s]
-
-    Raises
-    ------
-    InputError    stiffness not positive, or no root below the bound: the ship has no upright roll frequency
-
-    Notes
-    -----
     Source: [H71] equations (3) and (8): the omega_2 of small motion.  Valid: small angles, no damping.
-
-    Examples
-    --------
-    >>> round(natural_roll_frequency(4.0, lambda frequency: 1.0, 10.0), 12)
-    2.0
     """
     if not (stiffness > 0 and np.isfinite(stiffness)):
         raise InputError(f"roll stiffness {stiffness:g} N m must be positive; check GM")
@@ -73,28 +57,7 @@ class FreeRoll(NamedTuple):
 def free_roll(ship: Ship) -> FreeRoll:
     """Natural roll frequency of a ship as loaded, and the inertia about G at that frequency.
 
-    Parameters
-    ----------
-    ship : Ship
-
-    Returns
-    -------
-    FreeRoll
-
-    Raises
-    ------
-    InputError    no natural frequency in the range of the sections' table
-
-    Notes
-    -----
     n2^2 I(n2) = rho g V GM with I = 1/(M^-1)_22, sway and yaw free.  Source: [H71] equations (3) and (8).
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> roll = free_roll(ship("series60-cb60"))
-    >>> 0.3 < roll.frequency < 1.0
-    True
     """
     loading, floating = ship.loading, hydrostatics(ship)
     source = source_of(ship)
@@ -113,29 +76,15 @@ def free_roll(ship: Ship) -> FreeRoll:
 def gyradius_of_period(ship: Ship, period: float, where: str | None = None) -> float:
     """Radius of gyration in roll with which a ship rolls freely at a period.
 
-    Parameters
-    ----------
-    ship : Ship       whose own radius of gyration in roll plays no part
-    period : float    natural roll period [s]
-    where : str       ship or file named in the message
+    ship: whose own radius of gyration in roll plays no part
+    period: natural roll period [s]
+    where: ship or file named in the message
+    Returns k_xx, without added mass [m]
 
-    Returns
-    -------
-    float             k_xx, without added mass [m]
-
-    Raises
-    ------
-    Refused           a period so short that the water alone is slower, one that no frequency of the section table reaches, or
-                      one that asks for a radius above two beams
-
-    Notes
-    -----
     The inverse of `free_roll`.  With w = 2 pi / T, added mass A(w) and rigid mass diag(m, m k^2, m k_zz^2), sway and yaw free:
     w^2 / (M^-1)_22 = rho g V GM, and 1/(M^-1)_22 = M_22 - c^T S^-1 c with S the sway-yaw block and c the coupling, so
     m k^2 = rho g V GM / w^2 - A_22 + c^T S^-1 c: no iteration.  Source: [H71] equations (3) and (8).
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> one = ship("series60-cb60")
     >>> own = gyradius_of_period(one, 2 * math.pi / free_roll(one).frequency)

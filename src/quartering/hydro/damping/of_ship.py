@@ -40,26 +40,11 @@ def damping_method(ship: Ship) -> DampingMethod:
 def added_damping(ship: Ship, speed: Floats, roll: FreeRoll) -> AddedDamping:
     """Added roll damping of a ship at given speeds, by its method.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : (n,) float    U >= 0 [m/s]
-    roll : FreeRoll       of the ship
+    speed (n,): U >= 0 [m/s]
+    roll: of the ship
 
-    Returns
-    -------
-    AddedDamping
-
-    Warns
-    -----
-    RangeWarning          what `roll_damping` warns of, once for a ship and speed
-
-    Notes
-    -----
     Source: [Himeno81], [ITTC11], [Kawahara09].  Valid: as `roll_damping`; near the natural frequency.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> keels = ship("series60-cb60").with_(roll_damping="ikeda", bilge_keels=(30.0, 0.33))
     >>> damping = added_damping(keels, np.array([0.0, 7.5]), free_roll(keels))
@@ -72,29 +57,11 @@ def added_damping(ship: Ship, speed: Floats, roll: FreeRoll) -> AddedDamping:
 def equivalent_fraction(ship: Ship, speed: float) -> float:
     """Added roll damping of a ship at one speed, as the fraction of critical that loses as much at 10 deg of roll.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : float    U >= 0 [m/s]
+    speed: U >= 0 [m/s]
+    Returns [1]; of a ship that says a fraction, that fraction
 
-    Returns
-    -------
-    float            [1]; of a ship that says a fraction, that fraction
-
-    Warns
-    -----
-    RangeWarning     what `roll_damping` warns of, once for a ship and speed
-
-    Notes
-    -----
     Over 2 n2 (I_x + a44). By components it holds the lift too, which with a fraction is the regression's, in K_p.
     Source: [Himeno81].
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> round(equivalent_fraction(ship("series60-cb60").with_(roll_damping=0.08), 7.5), 6)
-    0.08
     """
     roll = free_roll(ship)
     equivalent = float(added_damping(ship, np.array([speed]), roll).equivalent[0])

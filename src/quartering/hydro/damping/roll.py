@@ -37,28 +37,12 @@ LARGEST_AMPLITUDE = 20.0
 def fraction_of_critical(fraction: float, frequency: float, inertia: float) -> float:
     """Linear roll damping that is a given fraction of the critical damping.
 
-    Parameters
-    ----------
-    fraction : float     zeta, >= 0; 0.05 is common for a ship with bilge keels [1]
-    frequency : float    natural roll frequency n2 [rad/s]
-    inertia : float      I_x + a44(n2) [kg m2]
+    fraction: zeta, >= 0; 0.05 is common for a ship with bilge keels [1]
+    frequency: natural roll frequency n2 [rad/s]
+    inertia: I_x + a44(n2) [kg m2]
+    Returns contribution to K_p, <= 0 [kg m2/s]
 
-    Returns
-    -------
-    float    contribution to K_p, <= 0 [kg m2/s]
-
-    Raises
-    ------
-    InputError    a fraction that is negative or not a number
-
-    Notes
-    -----
     K_p = -2 zeta n2 (I_x + a44).  Source: [Himeno81], equivalent linear damping.  Valid: at the amplitude zeta is for.
-
-    Examples
-    --------
-    >>> fraction_of_critical(0.05, 0.5, 1000.0)
-    -50.0
     """
     if not (fraction >= 0 and np.isfinite(fraction)):
         raise InputError(f"roll damping {fraction:g} of critical must be a number >= 0; 0.05 is a common value")
@@ -76,44 +60,18 @@ def roll_damping(
 ) -> RollDamping:
     """Roll damping of a ship about G by components, as equivalent linear, linear + quadratic and linear + cubic damping.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : float            U >= 0 [m/s]
-    frequency : float        omega > 0 of the roll [rad/s]
-    amplitude_deg : float    phi_a > 0 [deg]
-    method : str             "ikeda" from the lines, "simplified" from the main particulars, "fraction" of critical
-    bilge_keel : tuple       (length, breadth) of one keel of the pair [m]; None: the ship's own, if it has any
+    speed: U >= 0 [m/s]
+    frequency: omega > 0 of the roll [rad/s]
+    amplitude_deg: phi_a > 0 [deg]
+    method: "ikeda" from the lines, "simplified" from the main particulars, "fraction" of critical
+    bilge_keel: (length, breadth) of one keel of the pair [m]; None: the ship's own, if it has any
 
-    Returns
-    -------
-    RollDamping
-
-    Raises
-    ------
-    InputError    unknown method, a size, speed, frequency or amplitude that cannot be right; a hull so far outside the
-                  range of the regression that it gives no number
-
-    Warns
-    -----
-    RangeWarning    more than 20 deg; outside the range of the regression; by "ikeda", a midship coefficient between 0.995 and
-                    0.9995, or B/T above 4.5
-
-    Notes
-    -----
     The two nonlinear forms are least squares of the equivalent linear damping over eleven amplitudes, evenly from 0.25
     to 1.5 times the one asked for, all weighted alike. Speed acts on the simplified method as on the component method.
     "fraction" is the ship's `roll_damping`: -2 zeta n2 (I_x + a44(n2)) of `fraction_of_critical`, the same at all
     speeds, frequencies and amplitudes, without waves; bilge keels are not allowed for twice.
     Source: [Himeno81], [ITTC11], [Kawahara09].  Valid: monohulls with round bilges up to 20 deg; expect 20 to 30 % of
     error in the sum, more at speed.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> damping = roll_damping(ship("series60-cb60"), 0.0, 0.6, 10.0, bilge_keel=(30.0, 0.4))
-    >>> damping.lift, damping.bilge_keel > damping.eddy > damping.friction > 0
-    (0.0, True)
     """
     if method not in get_args(Method):
         raise InputError(f'roll damping method "{method}" is unknown; allowed are "ikeda", "simplified" and "fraction"')
@@ -163,23 +121,9 @@ def roll_damping(
 def particulars(ship: Ship) -> Particulars:
     """What the component formulas ask of a ship.
 
-    Parameters
-    ----------
-    ship : Ship
+    Returns og = T - KG
 
-    Returns
-    -------
-    Particulars    og = T - KG
-
-    Notes
-    -----
     Source: [ITTC11] 4.1.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> round(particulars(ship("series60-cb60")).midship, 2)
-    0.98
     """
     floating, hull, loading = hydrostatics(ship), ship.hull, ship.loading
     og = hull.draught - loading.kg

@@ -21,7 +21,7 @@ HALF_TURN: Final = np.array([-1.0, 1.0, -1.0])
 """Sway, roll, yaw of file axes in ours."""
 
 
-class Placed(NamedTuple):
+class AboutPoint(NamedTuple):
     """A database about a point, in our axes.
 
     Parameters
@@ -39,28 +39,17 @@ class Placed(NamedTuple):
     forces: Mapping[str, NDArray[np.complex128]]
 
 
-def placed(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[float, float]) -> Placed:
+def moved_to_point(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[float, float]) -> AboutPoint:
     """A file's database about a point, the surface there as the reference of the phases.
 
-    Parameters
-    ----------
-    raw : RawDatabase
-    point : (x, z)            wanted, in the file's axes [m]
-    moments_about : (x, z)    point of the file's moments, in its axes [m]
+    point (x, z): wanted, in the file's axes [m]
+    moments_about (x, z): point of the file's moments, in its axes [m]
 
-    Returns
-    -------
-    Placed
-
-    Notes
-    -----
     Source: [Abkowitz64], rigid-body kinematics; [Ancellin19], [WAMIT] conventions.
 
-    Examples
-    --------
     >>> one = np.eye(3)[None]
     >>> raw = RawDatabase(np.ones(1), np.zeros(0), one, one, {}, 1025.0, 9.81)
-    >>> placed(raw, (0.0, 2.0), (0.0, 0.0)).added_mass[0, 1].tolist()  # the force acts 2 m below the point
+    >>> moved_to_point(raw, (0.0, 2.0), (0.0, 0.0)).added_mass[0, 1].tolist()  # the force acts 2 m below the point
     [-2.0, 5.0, 0.0]
     """
     lever = moments_about[0] - point[0], point[1] - moments_about[1]
@@ -77,28 +66,19 @@ def placed(raw: RawDatabase, point: tuple[float, float], moments_about: tuple[fl
             for name, force in raw.forces.items()
         }
     limits = {name: moved(limit) for name, limit in raw.limits.items()}
-    return Placed(moved(raw.added_mass), moved(raw.damping), limits, heading, forces)
+    return AboutPoint(moved(raw.added_mass), moved(raw.damping), limits, heading, forces)
 
 
 def incident(wavenumber: Floats, x: float, direction: Floats) -> NDArray[np.complex128]:
     """Factor (f, h) on a phasor per unit elevation at the file's origin: the elevation at x becomes i.
 
-    Parameters
-    ----------
-    wavenumber : (f,) float    k [1/m]
-    x : float                  in the file's axes [m]
-    direction : (h,) float     the wave runs towards, from x to y of the file [deg]
+    wavenumber (f,): k [1/m]
+    x: in the file's axes [m]
+    direction (h,): the wave runs towards, from x to y of the file [deg]
+    Returns (f, h)
 
-    Returns
-    -------
-    (f, h) complex
-
-    Notes
-    -----
     Source: [Ancellin19], [WAMIT] conventions.
 
-    Examples
-    --------
     >>> complex(incident(np.ones(1), 0.0, np.zeros(1))[0, 0])
     1j
     """

@@ -20,20 +20,9 @@ _DOFS = ("Sway", "Roll", "Yaw")
 def read_capytaine_file(path: str | Path) -> RawDatabase:
     """What a Capytaine netCDF holds, with the time factor e^{+i omega t}.
 
-    Parameters
-    ----------
-    path : str or Path    written by Capytaine with complex values separated, or by `write_capytaine_file`
+    path: written by Capytaine with complex values separated, or by `write_capytaine_file`
+    Returns file axes: x to the bow, y to port, z up; radiation and forces in sway, roll, yaw
 
-    Returns
-    -------
-    RawDatabase    file axes: x to the bow, y to port, z up; radiation and forces in sway, roll, yaw
-
-    Raises
-    ------
-    InputError    not a netCDF file, a variable, mode or frequency that is missing, a value that is not finite
-
-    Notes
-    -----
     Capytaine's phasors belong to e^{-i omega t}; a real signal has the conjugate with e^{+i omega t}.
     Source: [Ancellin19] conventions.
     """
@@ -255,13 +244,9 @@ def _centre(path: str | Path, data: xr.Dataset) -> tuple[float, float] | None:
 def write_capytaine_file(path: str | Path, raw: RawDatabase) -> None:
     """Write a database as Capytaine does.
 
-    Parameters
-    ----------
-    path : str or Path    netCDF file
-    raw : RawDatabase     file axes, e^{+i omega t}
+    path: netCDF file
+    raw: file axes, e^{+i omega t}
 
-    Notes
-    -----
     Complex values are separated along `complex`; rotation_center holds the point of the moments. Limits stand at omega = 0
     and infinity, as Capytaine has them: damping 0 and forces nan there. A total alone is its `excitation_force`.
     Source: [Ancellin19] conventions.

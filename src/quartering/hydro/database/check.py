@@ -28,26 +28,13 @@ LEVER: Final = 0.35
 def soundness(frequency: Floats, added_mass: Floats, damping: Floats) -> list[str]:
     """What is wrong with a database whatever the ship.
 
-    Parameters
-    ----------
-    frequency : (f,) float                    ascending [rad/s]
-    added_mass, damping : (f, 3, 3) float     sway, roll, yaw about one point, SI
+    frequency (f,): ascending [rad/s]
+    added_mass, damping (f, 3, 3): sway, roll, yaw about one point, SI
+    Returns nothing, or each finding: negative damping, couplings that differ, a spike
 
-    Returns
-    -------
-    list of str    nothing, or each finding: negative damping, couplings that differ, a spike
-
-    Notes
-    -----
     Damping takes energy out in every motion, so its matrix has no negative eigenvalue; at zero speed both matrices are
     symmetric. A spike is looked for in the diagonal of the added mass, each value against cubic interpolation of its four
     neighbours, from 12 frequencies on.  Source: [Ogilvie64] for the properties; the thresholds are this library's.
-
-    Examples
-    --------
-    >>> one = np.eye(3)[None] * np.ones((3, 1, 1))
-    >>> soundness(np.arange(1.0, 4.0), one, -one)[0][:52]
-    'the damping is negative at 1 rad/s, mostly in sway ('
     """
     return [*_negative(frequency, damping), *_unlike(frequency, added_mass), *_spikes(frequency, added_mass)]
 
@@ -106,28 +93,15 @@ def _spikes(frequency: Floats, added: Floats) -> list[str]:
     ]
 
 
-def likeness(added_mass: Floats, of_strips: Floats, draught: float) -> list[str]:
+def strip_agreement(added_mass: Floats, of_strips: Floats, draught: float) -> list[str]:
     """What tells that a database is not of this ship, or not about the point said.
 
-    Parameters
-    ----------
-    added_mass, of_strips : (3, 3) float    about midship at the calm plane, at one frequency, SI
-    draught : float                         [m]
+    added_mass, of_strips (3, 3): about midship at the calm plane, at one frequency, SI
+    draught: [m]
+    Returns nothing, or: size of the sway added mass, height or place of its force
 
-    Returns
-    -------
-    list of str    nothing, or: size of the sway added mass, height or place of its force
-
-    Notes
-    -----
     The force of a swaying hull acts at depth -A24/A22 below the point and at x = A26/A22 forward of it. Strip theory knows
     both well enough to find a wrong point.  Source: [STF70] matrices; the thresholds are this library's.
-
-    Examples
-    --------
-    >>> ours = np.array([[2.0, -2.0, 0.0], [-2.0, 5.0, 0.0], [0.0, 0.0, 9.0]])
-    >>> likeness(ours, ours, 4.0), likeness(ours / 2, ours, 4.0)[0][:41]
-    ([], 'its sway added mass is 0.5 times that of ')
     """
     found = []
     ratio = added_mass[0, 0] / of_strips[0, 0]
@@ -150,25 +124,16 @@ def likeness(added_mass: Floats, of_strips: Floats, draught: float) -> list[str]
 def sway_phase(frequency: Floats, direction: Floats, forces: Mapping[str, NDArray[np.complex128]]) -> list[str]:
     """Have the forces the phases of the other time factor?
 
-    Parameters
-    ----------
-    frequency : (f,) float     ascending [rad/s]
-    direction : (h,) float     the wave runs towards, from x to y of the file [deg]
-    forces : mapping           (f, h, 3) phasors of e^{+i omega t} per metre of wave amplitude, file axes
+    frequency (f,): ascending [rad/s]
+    direction (h,): the wave runs towards, from x to y of the file [deg]
+    forces: (f, h, 3) phasors of e^{+i omega t} per metre of wave amplitude, file axes
+    Returns nothing, or which forces have it
 
-    Returns
-    -------
-    list of str    nothing, or which forces have it
-
-    Notes
-    -----
     In long waves the sway force is the acceleration of the water times masses above zero: with the elevation cos(omega t)
     of a wave that runs towards +y, v_y = omega a cos(omega t), so that the phasor of the force is +i times a positive
     number, and -i times it where imaginary parts have the other sign.  Looked for in the three longest waves, from the
     direction nearest the beam.  Source: Morison's inertia force; waves on deep water.
 
-    Examples
-    --------
     >>> force = np.zeros((4, 1, 3), dtype=complex)
     >>> force[:, 0, 0] = 1j
     >>> w, beam = np.linspace(0.3, 0.6, 4), np.array([90.0])

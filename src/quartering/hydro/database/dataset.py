@@ -1,7 +1,8 @@
 """Coefficients and wave forces of another code, read into our axes and written out of them.
 
 Both codes have x to the bow, y to port, z up from the calm plane, and count the direction the wave runs towards from x to
-y; Capytaine's phasors belong to e^{-i omega t}, WAMIT's to e^{+i omega t}. Ours: see `placed`; moments about G, e^{+i omega t}.
+y; Capytaine's phasors belong to e^{-i omega t}, WAMIT's to e^{+i omega t}. Ours: see
+`moved_to_point`; moments about G, e^{+i omega t}.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
-from quartering.hydro.database.about_point import HALF_TURN, incident, placed
+from quartering.hydro.database.about_point import HALF_TURN, incident, moved_to_point
 from quartering.hydro.database.capytaine import read_capytaine_file, write_capytaine_file
 from quartering.hydro.database.raw import RawDatabase
 from quartering.hydro.database.wamit import read_wamit_files, write_wamit_files
@@ -199,7 +200,7 @@ def _dataset(
 ) -> xr.Dataset:
     """Our dataset of a file's database."""
     x_g, z_g = _gravity_centre(ship, midship)
-    about_g = placed(raw, (x_g, z_g), about or raw.centre or (midship, 0.0))
+    about_g = moved_to_point(raw, (x_g, z_g), about or raw.centre or (midship, 0.0))
     fields: dict[str, Any] = {
         name: (("frequency", "mode", "mode_of_motion"), matrix, {"units": _UNITS, "symbol": letter, "long_name": words})
         for name, matrix, letter, words in (

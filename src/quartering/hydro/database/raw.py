@@ -51,23 +51,8 @@ class RawDatabase:
 def needed_rows(path: str | Path, raw: RawDatabase) -> RawDatabase:
     """The database, refused when a frequency is missing, doubled or without finite values, or a number has no sense.
 
-    Parameters
-    ----------
-    path : str or Path    file named in the message
-    raw : RawDatabase
-
-    Returns
-    -------
-    RawDatabase    as given, without limits that are not numbers
-
-    Raises
-    ------
-    InputError    no frequencies, not ascending, not positive; a value that is not finite: named by frequency; water or
-                  gravity of no planet's sea; a point of moments that is no point; two directions that are one
-
-    Warns
-    -----
-    RangeWarning    a limit that is not a number, and is left out; forces with the phases of the other time factor
+    path: file named in the message
+    Returns as given, without limits that are not numbers
     """
     w = raw.frequency
     if w.size == 0:
@@ -115,12 +100,7 @@ def _check_scalars(path: str | Path, raw: RawDatabase) -> None:
 
 
 def lateral_dofs(path: str | Path, found: Sequence[str], needed: Sequence[str]) -> None:
-    """Refuse a file that lacks one of the lateral modes, naming it.
-
-    Raises
-    ------
-    InputError    a mode is missing
-    """
+    """Refuse a file that lacks one of the lateral modes, naming it."""
     missing = [name for name in needed if name not in found]
     if missing:
         several = sorted({name.partition("__")[0] for name in found if "__" in name})

@@ -23,23 +23,12 @@ def read_wamit_files(
 ) -> RawDatabase:
     """What the .1 and .3 files of a WAMIT run hold, in SI.
 
-    Parameters
-    ----------
-    stem : str or Path    path without its ending; the .3 may be absent
-    length : float        ULEN of the run [m]
-    density : float       [kg/m3]
-    gravity : float       [m/s2]
+    stem: path without its ending; the .3 may be absent
+    length: ULEN of the run [m]
+    density: [kg/m3]
+    gravity: [m/s2]
+    Returns with limits where the periods 0 (infinite frequency) and -1 (zero frequency) are given
 
-    Returns
-    -------
-    RawDatabase    with limits where the periods 0 (infinite frequency) and -1 (zero frequency) are given
-
-    Raises
-    ------
-    InputError    no .1 file, a line that is cut short, a mode or frequency missing, .1 and .3 at different frequencies
-
-    Notes
-    -----
     A = rho L^k Abar, B = rho L^k omega Bbar, k = 3, 4, 5; X = rho g L^m Xbar, m = 2, 3; e^{+i omega t}.
     Coupling terms a file leaves out are zero.  Source: [WAMIT] definition of quantities and output files.
     """
@@ -166,14 +155,10 @@ def _excitation(path: Path, frequency: Floats, scale: Floats) -> tuple[Floats, N
 def write_wamit_files(stem: str | Path, raw: RawDatabase, *, length: float = 1.0) -> None:
     """Write a database as the .1 and .3 files of a WAMIT run.
 
-    Parameters
-    ----------
-    stem : str or Path    path without ending
-    raw : RawDatabase     file axes
-    length : float        ULEN [m]
+    stem: path without ending
+    raw: file axes
+    length: ULEN [m]
 
-    Notes
-    -----
     Froude-Krylov and diffraction are added up: the .3 holds the total.
     Source: [WAMIT] definition of quantities and output files.
     """

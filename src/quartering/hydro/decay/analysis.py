@@ -41,24 +41,11 @@ def fit_decay(
 ) -> DecayFit:
     """Damping by least squares of the equation of motion over all samples after the release.
 
-    Parameters
-    ----------
-    record : DecayRecord
-    form : str            nonlinear damping, "quadratic" or "cubic"
-    restoring : str       "cubic" finds k3, "linear" takes it as 0
-    skip : int            extremes left out after the release
-    confidence : float    of the intervals, between 0 and 1
+    form: nonlinear damping, "quadratic" or "cubic"
+    restoring: "cubic" finds k3, "linear" takes it as 0
+    skip: extremes left out after the release
+    confidence: of the intervals, between 0 and 1
 
-    Returns
-    -------
-    DecayFit
-
-    Raises
-    ------
-    InputError    an unknown form, what `extremes` refuses, or a fit that does not converge
-
-    Notes
-    -----
     From the first extreme to half a period after the last one. Variances are the diagonal of (J'J)^-1 J'RJ (J'J)^-1, R
     the correlation of the residuals up to one period with Bartlett's weights, and at least those of uncorrelated errors;
     the effective number of samples n' is n over the residuals' correlation time. They are times n'/(n' - p), with
@@ -67,14 +54,6 @@ def fit_decay(
     intervals say nothing of a wrong equation.
     A record that is not sampled evenly is put on its median step first, linearly.
     Source: [Himeno81] equation (2.1) for the motion; [NeweyWest87] for the variances.  Valid: one degree of freedom.
-
-    Examples
-    --------
-    >>> from quartering.hydro.decay.record import decay_record
-    >>> t = np.linspace(0.0, 120.0, 1201)
-    >>> fit = fit_decay(decay_record(t, free_decay(t, (0.2, 0.0), 0.6, 0.02, quadratic=0.4), unit="rad"))
-    >>> round(fit.damping_ratio.value, 4), round(fit.nonlinear.value, 3)
-    (0.02, 0.4)
     """
     check_choices(form, restoring, confidence)
     found = extremes(record, skip=skip)
@@ -159,30 +138,7 @@ def analyse_decay(
 ) -> DecayAnalysis:
     """Damping of a decay by both methods and in both forms.
 
-    Parameters
-    ----------
-    record, restoring, skip, confidence : as in `fit_decay`
-
-    Returns
-    -------
-    DecayAnalysis
-
-    Raises
-    ------
-    InputError    as `fit_decay`
-
-    Notes
-    -----
     Source: [Froude1874], [Himeno81].
-
-    Examples
-    --------
-    >>> from quartering.hydro.decay.equation import free_decay
-    >>> from quartering.hydro.decay.record import decay_record
-    >>> t = np.linspace(0.0, 120.0, 1201)
-    >>> analysis = analyse_decay(decay_record(t, free_decay(t, (0.2, 0.0), 0.6, 0.02, cubic=1.0), unit="rad"))
-    >>> round(analysis.fit("equation", "cubic").nonlinear.value, 3)
-    1.0
     """
     forms: tuple[Form, ...] = ("quadratic", "cubic")
     return DecayAnalysis(

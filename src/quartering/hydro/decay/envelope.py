@@ -20,34 +20,11 @@ def energy_decay(
 ) -> DecayFit:
     """Damping by Froude's energy balance from the extremes alone.
 
-    Parameters
-    ----------
-    record, form, restoring, skip, confidence : as in `fit_decay`
-
-    Returns
-    -------
-    DecayFit
-
-    Raises
-    ------
-    InputError    an unknown form, or what `extremes` refuses
-
-    Notes
-    -----
     Swing amplitudes A are half the heights from extreme to extreme, which frees them of the mean. Their half periods
     give w^2 = w0^2 + (3/4) k3 A^2 by least squares. The loss from swing to swing of V = w0^2 A^2/2 + k3 A^4/4 is
     pi zeta w0 w A^2 + (4/3) d w^2 A^3 + (3 pi/8) c w^3 A^4; over the first of these it is linear in zeta and d or c, and is
     fitted with weights A^2. Intervals by Student's t; neighbouring losses share an extreme, which widens them.
     Source: [Froude1874]; [Himeno81] ch. 2.  Valid: small damping, the swing harmonic.
-
-    Examples
-    --------
-    >>> from quartering.hydro.decay.equation import free_decay
-    >>> from quartering.hydro.decay.record import decay_record
-    >>> t = np.linspace(0.0, 120.0, 1201)
-    >>> fit = energy_decay(decay_record(t, free_decay(t, (0.2, 0.0), 0.6, 0.02, quadratic=0.4), unit="rad"))
-    >>> round(fit.damping_ratio.value, 3), round(fit.nonlinear.value, 2)
-    (0.02, 0.4)
     """
     check_choices(form, restoring, confidence)
     found = extremes(record, skip=skip)

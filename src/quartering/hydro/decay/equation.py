@@ -54,30 +54,17 @@ def free_decay(
 ) -> Floats:
     """Angle of a free decay at given times.
 
-    Parameters
-    ----------
-    time : (t,) float         ascending [s]
-    start : tuple             angle [rad] and rate [rad/s] at the first time
-    frequency : float         w0 > 0 [rad/s]
-    damping_ratio : float     zeta [1]
-    quadratic : float         d, of |phi'| phi' [1/rad]
-    cubic : float             c, of phi'^3 [s/rad2]
-    restoring_cubic : float   k3, of phi^3 [1/(s rad)2]
+    time (t,): ascending [s]
+    start: angle [rad] and rate [rad/s] at the first time
+    frequency: w0 > 0 [rad/s]
+    damping_ratio: zeta [1]
+    quadratic: d, of |phi'| phi' [1/rad]
+    cubic: c, of phi'^3 [s/rad2]
+    restoring_cubic: k3, of phi^3 [1/(s rad)2]
+    Returns (t,): [rad]; 1000 from where it runs away
 
-    Returns
-    -------
-    (t,) float    [rad]; 1000 from where it runs away
-
-    Notes
-    -----
     Runge-Kutta of fourth order in steps of at most 0.1/w0: good to about 1e-6 of the first amplitude over ten cycles.
     Source: [Himeno81] equation (2.1).
-
-    Examples
-    --------
-    >>> t = np.linspace(0.0, 20.0, 201)
-    >>> bool(np.allclose(free_decay(t, (0.1, 0.0), 1.0, 0.0), 0.1 * np.cos(t), atol=2e-6))
-    True
     """
     x, v = start
     damping = (2 * damping_ratio * frequency, quadratic, cubic)

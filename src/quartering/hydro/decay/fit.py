@@ -83,16 +83,9 @@ class DecayFit:
     def equivalent(self, amplitude: float) -> float:
         """Equivalent linear damping ratio at an amplitude.
 
-        Parameters
-        ----------
-        amplitude : float    [rad]
+        amplitude: [rad]
+        Returns zeta + (4/(3 pi)) d A, or zeta + (3/8) c w0 A^2 [1]
 
-        Returns
-        -------
-        float    zeta + (4/(3 pi)) d A, or zeta + (3/8) c w0 A^2 [1]
-
-        Notes
-        -----
         Source: [Himeno81] ch. 2, equal dissipation.
         """
         w0 = self.frequency.value
@@ -103,20 +96,9 @@ class DecayFit:
     def moment(self, inertia: float) -> tuple[float, float]:
         """Linear and nonlinear damping moment.
 
-        Parameters
-        ----------
-        inertia : float    I + added inertia > 0 [kg m2]
+        inertia: I + added inertia > 0 [kg m2]
+        Returns B1 [N m s], and B2 [N m s2] or B3 [N m s3]
 
-        Returns
-        -------
-        tuple of float    B1 [N m s], and B2 [N m s2] or B3 [N m s3]
-
-        Raises
-        ------
-        InputError    an inertia that is not positive
-
-        Notes
-        -----
         Source: [Himeno81] ch. 2.
         """
         if not (np.isfinite(inertia) and inertia > 0):
@@ -127,12 +109,6 @@ class DecayFit:
     def table(self) -> tuple[Row, ...]:
         """Every result with its interval and unit.
 
-        Returns
-        -------
-        tuple of Row
-
-        Notes
-        -----
         Source: [Himeno81] for the terms.
         """
         mean = Estimate(*(float(np.degrees(value)) for value in self.offset))
@@ -160,17 +136,9 @@ class DecayAnalysis:
     def fit(self, method: Method, form: Form) -> DecayFit:
         """One of the four.
 
-        Parameters
-        ----------
-        method : str    "equation" or "energy"
-        form : str      "quadratic" or "cubic"
+        method: "equation" or "energy"
+        form: "quadratic" or "cubic"
 
-        Returns
-        -------
-        DecayFit
-
-        Notes
-        -----
         Source: [Froude1874], [Himeno81].
         """
         return next(fit for fit in self.fits if (fit.method, fit.form) == (method, form))
@@ -178,12 +146,6 @@ class DecayAnalysis:
     def table(self) -> tuple[tuple[str, str, Row], ...]:
         """Method, form and row of every result.
 
-        Returns
-        -------
-        tuple of (str, str, Row)
-
-        Notes
-        -----
         Source: [Froude1874], [Himeno81].
         """
         return tuple((fit.method, fit.form, row) for fit in self.fits for row in fit.table())

@@ -71,30 +71,10 @@ class FreeDamping(NamedTuple):
 def free_damping(ship: Ship, speed: float = 0.0) -> FreeDamping:
     """Damping of a ship's free roll in calm water.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : float    U >= 0 [m/s]
+    speed: U >= 0 [m/s]
 
-    Returns
-    -------
-    FreeDamping
-
-    Raises
-    ------
-    InputError       a speed below 0, what `coefficients` refuses
-
-    Notes
-    -----
     Drag as |q| q of the strips, whose water is at rest. Cubic velocity terms that are given or measured are not in it.
     Source: [H71] equation (3) for the mode; [Himeno81] for the equivalent damping.  Valid: small damping.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> roll = free_damping(ship("series60-cb60"))
-    >>> round(roll.ratio, 3), roll.drag > 0.0, roll.added
-    (0.052, True, 0.0)
     """
     c = _at_roll(ship, speed)
     shape, inertia = _free_roll_shape(c)
@@ -115,18 +95,10 @@ def free_damping(ship: Ship, speed: float = 0.0) -> FreeDamping:
 def linear_for(ship: Ship, speed: float, ratio: float) -> float:
     """What K_p must be raised by for a given damping of the free roll.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : float    U >= 0 [m/s]
-    ratio : float    zeta asked for [1]
+    speed: U >= 0 [m/s]
+    ratio: zeta asked for [1]
+    Returns change of K_p, below 0 for more damping [kg m2/s]
 
-    Returns
-    -------
-    float            change of K_p, below 0 for more damping [kg m2/s]
-
-    Notes
-    -----
     zeta falls by 1/(2 n2 I) of K_p, first order in the damping; steps of that slope until zeta is met.
     """
     c = _at_roll(ship, speed)
@@ -144,17 +116,7 @@ def linear_for(ship: Ship, speed: float, ratio: float) -> float:
 
 
 def damping_words(ship: Ship, speed: float = 0.0) -> str:
-    """Roll damping in a line: what is added, and what there is in all in a free roll at a speed [m/s].
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> added, whole = damping_words(ship("series60-cb60").with_(ends="strips")).split("; ")
-    >>> added
-    'added roll damping 5 % of critical'
-    >>> whole
-    'in a free roll at rest with the waves of the strips 5.19 %, at 10 deg with the drag 5.32 %'
-    """
+    """Roll damping in a line: what is added, and what there is in all in a free roll at a speed [m/s]."""
     return f"added roll damping {_added_words(ship)}; {total_words(ship, free_damping(ship, speed), speed)}"
 
 

@@ -100,12 +100,6 @@ class RollDecay:
     def parts(self) -> tuple[Part, ...]:
         """Linear and quadratic part, and the two together at half and at the whole of the largest swing.
 
-        Returns
-        -------
-        tuple of Part
-
-        Notes
-        -----
         Source: [Himeno81], equivalent linear damping.
         """
         fit, bare, damped = self.fit, self.bare, self.damped
@@ -122,17 +116,10 @@ class RollDecay:
     def envelope(self, time: Floats, damping: FreeDamping | None = None) -> Floats:
         """Amplitude of the decay over time after its first swing, as fitted or with another damping.
 
-        Parameters
-        ----------
-        time : (t,) float           after the middle of the first swing [s]
-        damping : FreeDamping       of a ship; None for the fit
+        time (t,): after the middle of the first swing [s]
+        damping: of a ship; None for the fit
+        Returns (t,): [rad]
 
-        Returns
-        -------
-        (t,) float                  [rad]
-
-        Notes
-        -----
         dA/dt = -w0 (zeta + (4/(3 pi)) d A) A, averaged over a swing, w0 that of the record:
         A = A0 E/(1 + A0 (e/zeta)(1 - E)), E = exp(-zeta w0 t), e = (4/(3 pi)) d.  Source: [Himeno81] ch. 2.
         """

@@ -261,31 +261,12 @@ def _check_period(record: DecayRecord) -> None:
 def extremes(record: DecayRecord, *, skip: int = 0) -> Extremes:
     """Successive highs and lows of a decay, from its largest swing on.
 
-    Parameters
-    ----------
-    record : DecayRecord
-    skip : int    extremes left out after the release, >= 0
+    skip: extremes left out after the release, >= 0
+    Returns refined by a parabola through the samples about each; swings below 4 % of the largest are left out
 
-    Returns
-    -------
-    Extremes    refined by a parabola through the samples about each; swings below 4 % of the largest are left out
-
-    Raises
-    ------
-    InputError    fewer than six extremes at regular intervals, or swings that do not become smaller
-
-    Notes
-    -----
     What stands before the largest swing (the ship held, or pushed) is passed over, and so is what comes after the first
     half period that differs by 30 % from the first six: noise rules there.
     Source: [Froude1874], curve of extinction.
-
-    Examples
-    --------
-    >>> t = np.linspace(0.0, 60.0, 1201)
-    >>> found = extremes(decay_record(t, 10.0 * np.exp(-0.05 * t) * np.cos(t)))
-    >>> bool(abs(np.diff(found.time) - np.pi).max() < 1e-3)
-    True
     """
     if skip < 0:
         raise InputError(f"skip = {skip} must be 0 or more extremes after the release")

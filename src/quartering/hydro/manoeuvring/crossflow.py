@@ -35,23 +35,11 @@ Fit = Literal["energy", "least-squares"]
 def reference_velocity(length: float) -> float:
     """Velocity u0 at which the drag law and its cubic substitute agree.
 
-    Parameters
-    ----------
-    length : float    L [m]
+    length: L [m]
+    Returns 0.03 sqrt(g L) [m/s]
 
-    Returns
-    -------
-    float    0.03 sqrt(g L) [m/s]
-
-    Notes
-    -----
     Source: [H71] (cubic in place of modulus terms); the fraction 0.03 is assumed: the sideways velocity of a ship that
     rolls 20 deg or drifts 5 deg in a seaway.
-
-    Examples
-    --------
-    >>> round(reference_velocity(121.92), 4)
-    1.0375
     """
     return float(VELOCITY_FRACTION * np.sqrt(GRAVITY * length))
 
@@ -81,38 +69,20 @@ def cross_flow_cubics(
 ) -> Floats:
     """The ten cubic coefficients of sway, roll and yaw from cross-flow drag, about G.
 
-    Parameters
-    ----------
-    x : (s,) float                  section positions from G, + forward [m]
-    weight : (s,) float             quadrature weights along the ship [m]
-    section_draught : (s,) float    T(x) [m]
-    lever : (s,) float              h(x), depth of the drag centre below G, + down [m]
-    drag_coefficient : (...)        C_D, one number or one per section [1]
-    velocity_scale : float          u0 [m/s]
-    density : float                 rho [kg/m3]
-    fit : "energy" or "least-squares"
-        "energy" has the dissipation of |u| u at amplitude u0 and leaves the linear coefficients alone;
-        "least-squares" has a linear part as well, see `cross_flow_linear`
+    x (s,): section positions from G, + forward [m]
+    weight (s,): quadrature weights along the ship [m]
+    section_draught (s,): T(x) [m]
+    lever (s,): h(x), depth of the drag centre below G, + down [m]
+    drag_coefficient (...): C_D, one number or one per section [1]
+    velocity_scale: u0 [m/s]
+    density: rho [kg/m3]
+    fit: "energy" has the dissipation of |u| u at amplitude u0 and leaves the linear coefficients alone; "least-squares"
+        has a linear part as well, see `cross_flow_linear`
+    Returns (3, 10): rows Y, K, N of the right-hand side; columns in the order of CUBIC_MONOMIALS, SI
 
-    Returns
-    -------
-    (3, 10) float    rows Y, K, N of the right-hand side; columns in the order of CUBIC_MONOMIALS, SI
-
-    Raises
-    ------
-    InputError    a velocity scale that is not positive, a negative drag coefficient, an unknown fit
-
-    Notes
-    -----
     (v + x r - h p)^3 has the factors (1, -h^3, x^3, 3h^2, 3x^2, -3h, -3hx^2, 3x, 3h^2 x, -6hx); Y takes their integral,
     K that of -h times them, N that of x times them, so that v Y + p K + r N <= 0 always.
     Source: [H71] equation (2) for the monomials; [Hoerner65] for the drag.  Valid: estimate; no lift, no free surface.
-
-    Examples
-    --------
-    >>> cubics = cross_flow_cubics([0.0], [2.0], [1.0], [0.5], 0.8, 1.0, 1000.0)
-    >>> float(round(cubics[0, 0], 2)), float(round(cubics[1, 1], 3))
-    (-905.41, -56.588)
     """
     if fit not in get_args(Fit):
         raise InputError(f'fit "{fit}" is unknown; allowed are "energy" and "least-squares"')
@@ -139,26 +109,9 @@ def cross_flow_linear(
 ) -> Floats:
     """Linear part that belongs to the least-squares cubic of cross-flow drag, about G.
 
-    Parameters
-    ----------
-    x, weight, section_draught, lever, drag_coefficient, velocity_scale, density : as in `cross_flow_cubics`
+    Returns (3, 3): rows Y, K, N, columns v, p, r of the right-hand side, SI; symmetric, negative semi-definite
 
-    Returns
-    -------
-    (3, 3) float    rows Y, K, N, columns v, p, r of the right-hand side, SI; symmetric, negative semi-definite
-
-    Raises
-    ------
-    InputError    as in `cross_flow_cubics`
-
-    Notes
-    -----
     -1/2 rho C_D T (5/16) u0 (v + x r - h p).  Source: [Hoerner65] for the drag; least squares on [0, u0].
-
-    Examples
-    --------
-    >>> cross_flow_linear([0.0], [2.0], [1.0], [0.5], 0.8, 1.0, 1000.0)[0].tolist()
-    [-250.0, 125.0, 0.0]
     """
     xs, h = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(lever, dtype=float))
     drag = _drag_per_metre(section_draught, drag_coefficient, velocity_scale, density)

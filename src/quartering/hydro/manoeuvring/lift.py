@@ -33,30 +33,13 @@ PrimeSystem = Literal["sname", "mmg"]
 def clarke_derivatives(length: float, beam: float, draught: float, block: float) -> dict[str, float]:
     """Linear sway-yaw derivatives of a merchant hull by Clarke's regression, prime values about midship.
 
-    Parameters
-    ----------
-    length, beam, draught : float    L, B, T [m]
-    block : float                    C_B, 0 to 1 [1]
+    length, beam, draught: L, B, T [m]
+    block: C_B, 0 to 1 [1]
+    Returns "Y_v", "Y_r", "N_v", "N_r", "Y_vdot", "Y_rdot", "N_vdot", "N_rdot": SNAME prime values [1], hydrodynamic
+        only (no rigid-body -m U in Y_r)
 
-    Returns
-    -------
-    dict    "Y_v", "Y_r", "N_v", "N_r", "Y_vdot", "Y_rdot", "N_vdot", "N_rdot": SNAME prime values [1],
-            hydrodynamic only (no rigid-body -m U in Y_r)
-
-    Raises
-    ------
-    InputError    a length that is not positive, or a block coefficient that is not above 0, or above 1.02
-
-    Notes
-    -----
     Source: [Clarke83] regression over rotating-arm and planar-motion tests.  Valid: merchant hulls on even keel in deep
     water; single ships lie tens of per cent off (Y_r of the S-175 by 29 %, N_v of the Mariner by 57 %).
-
-    Examples
-    --------
-    >>> derivatives = clarke_derivatives(121.92, 16.256, 6.5024, 0.6)
-    >>> round(derivatives["Y_v"], 6), round(derivatives["N_v"], 6)
-    (-0.014298, -0.005612)
     """
     sizes = {"length": length, "beam": beam, "draught": draught}
     for name, size in sizes.items():
@@ -85,29 +68,16 @@ def lift_derivatives(
 ) -> Floats:
     """Velocity derivatives of the lateral lift force in sway, roll and yaw about G.
 
-    Parameters
-    ----------
-    prime : dict       "Y_v", "Y_r", "N_v", "N_r" of `clarke_derivatives`, or measured, SNAME prime about O
-    length : float     L [m]
-    density : float    rho [kg/m3]
-    x, z : float       position of O from G: its x is where the set is given about, its z the depth of the force [m]
-    speed : (...)      U [m/s]
+    prime: "Y_v", "Y_r", "N_v", "N_r" of `clarke_derivatives`, or measured, SNAME prime about O
+    length: L [m]
+    density: rho [kg/m3]
+    x, z: position of O from G: its x is where the set is given about, its z the depth of the force [m]
+    speed (...): U [m/s]
+    Returns (..., 3, 3): [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], no rigid-body term, SI
 
-    Returns
-    -------
-    (..., 3, 3) float    [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], no rigid-body term, SI
-
-    Notes
-    -----
     The force acts at depth z, where the sway velocity is v - z p: K_v = Y_p = -z Y_v, K_p = z^2 Y_v, N_p = -z N_v.
     Source: [Clarke83] for the set; the lever is the user's (half the draught is assumed).  Valid: no lift from rolling
     other than by this sideways velocity.
-
-    Examples
-    --------
-    >>> prime = {"Y_v": -0.01, "Y_r": 0.0, "N_v": 0.0, "N_r": 0.0}
-    >>> lift_derivatives(prime, 10.0, 1000.0, x=0.0, z=0.5)[1].round(6).tolist()
-    [250.0, -125.0, 0.0]
     """
     set_about_o = np.zeros((3, 3))
     for name, (row, column) in {"Y_v": (0, 0), "Y_r": (0, 2), "N_v": (2, 0), "N_r": (2, 2)}.items():
@@ -120,26 +90,11 @@ def lift_derivatives(
 def hull_lift(ship: Ship, speed: ArrayLike) -> Floats:
     """Estimated lift derivatives of a ship in sway, roll and yaw about G, from its main dimensions.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : (...) float    U [m/s]
+    speed (...): U [m/s]
+    Returns (..., 3, 3): [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], hydrodynamic only, SI
 
-    Returns
-    -------
-    (..., 3, 3) float    [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], hydrodynamic only, SI
-
-    Notes
-    -----
     Regression about midship, the force at half the draught (assumed), moved to G above the centre of buoyancy.
     Source: [Clarke83].  Valid: as `clarke_derivatives`; an estimate, the Munk moment included.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> lift = hull_lift(ship("wigley"), 5.0)
-    >>> bool(lift[0, 0] < 0 < lift[0, 2]), bool(lift[1, 1] < 0)
-    (True, True)
     """
     hull, loading, floating = ship.hull, ship.loading, hydrostatics(ship)
     prime = clarke_derivatives(hull.length, hull.beam, hull.draught, floating.cb)
@@ -191,33 +146,17 @@ def to_si(
 ) -> float:
     """Dimensional value of a prime coefficient.
 
-    Parameters
-    ----------
-    name : str         coefficient name such as "Y_v", "N_rdot", "K_vpp", "K_phi"; also "m", "I_x", "I_z", "I_xz"
-    value : float      prime value [1]
-    length : float     L [m]
-    speed : float      U [m/s]
-    density : float    rho [kg/m3]
-    draught : float    T, for "mmg" only [m]
-    system : str       "sname": forces over 1/2 rho L^2 U^2; "mmg": forces over 1/2 rho L T U^2; moments another L
+    name: coefficient name such as "Y_v", "N_rdot", "K_vpp", "K_phi"; also "m", "I_x", "I_z", "I_xz"
+    value: prime value [1]
+    length: L [m]
+    speed: U [m/s]
+    density: rho [kg/m3]
+    draught: T, for "mmg" only [m]
+    system: "sname": forces over 1/2 rho L^2 U^2; "mmg": forces over 1/2 rho L T U^2; moments another L
+    Returns the same coefficient in SI
 
-    Returns
-    -------
-    float    the same coefficient in SI
-
-    Raises
-    ------
-    InputError    an unknown name or system, a size that is not positive, a cubic velocity coefficient at zero speed
-
-    Notes
-    -----
     The scales of the factors are U (v), U/L (p, r), 1 (phi), U^2/L (vdot), U^2/L^2 (pdot, rdot).
     Source: [Abkowitz64] SNAME prime system; [MMG78] for the L T form.  Taylor factors (1/6, 1/2) are not touched.
-
-    Examples
-    --------
-    >>> round(to_si("Y_v", -0.0116, 175.0, 10.0, 1025.0), 2)
-    -1820656.25
     """
     return value * _prime_divisor(name, length, speed, density, draught, system)
 
@@ -233,27 +172,10 @@ def to_prime(
 ) -> float:
     """Prime value of a dimensional coefficient: the inverse of `to_si`.
 
-    Parameters
-    ----------
-    name, length, speed, density, draught, system : as in `to_si`
-    value : float    coefficient in SI
+    value: coefficient in SI
+    Returns prime value [1]
 
-    Returns
-    -------
-    float    prime value [1]
-
-    Raises
-    ------
-    InputError    as in `to_si`, and zero speed for every coefficient that divides by U
-
-    Notes
-    -----
     Source: [Abkowitz64] SNAME prime system; [MMG78] for the L T form.
-
-    Examples
-    --------
-    >>> round(to_prime("Y_v", -1820656.25, 175.0, 10.0, 1025.0), 6)
-    -0.0116
     """
     divisor = _prime_divisor(name, length, speed, density, draught, system)
     if divisor == 0:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from quartering.conventions import InputError
 from quartering.hull.file.yaml_text import read_yaml
-from quartering.hull.own_measured import LIBRARY, MeasuredFile, available_sets, file_digest, measured_source
+from quartering.hull.user_measured import LIBRARY, MeasuredFile, available_sets, file_digest, measured_source
 from quartering.hydro.manoeuvring.lift import to_si
 from quartering.hydro.manoeuvring.measured_file import MeasuredSet, MeasuredTerm, assembled_set, taylor_factor
 from quartering.hydro.manoeuvring.term_transfer import moved_terms
@@ -37,29 +37,10 @@ LEAST_FROUDE_NUMBER = 0.1
 def measured_set(name_or_path: str | Path | MeasuredFile) -> MeasuredSet:
     """A measured set of manoeuvring derivatives, by built-in name or from a file of the same form.
 
-    Parameters
-    ----------
-    name_or_path : str, Path or MeasuredFile
-                          "chislett-stroem-tejsen-1965" (Mariner), "son-nomoto-1982" (S-175, with roll),
-                          "blanke-christensen-1993" (naval vessel, modulus terms), or a YAML file
+    name_or_path: "chislett-stroem-tejsen-1965" (Mariner), "son-nomoto-1982" (S-175, with roll),
+        "blanke-christensen-1993" (naval vessel, modulus terms), or a YAML file
 
-    Returns
-    -------
-    MeasuredSet
-
-    Raises
-    ------
-    InputError    no such set, an unknown key, a name or number that cannot be right; a file changed since its ship was read
-
-    Notes
-    -----
     Source: [Chislett65], [Son82], [Blanke93].
-
-    Examples
-    --------
-    >>> mariner = measured_set("chislett-stroem-tejsen-1965")
-    >>> mariner.printed["Y_r"], round(next(t.value for t in mariner.terms if t.name == "Y_r"), 5)   # -m' was inside
-    (-0.00499, 0.00299)
     """
     if isinstance(name_or_path, MeasuredFile):
         return _read_set(name_or_path)
@@ -96,32 +77,14 @@ def scaled_terms(
 ) -> dict[tuple[str, int], float]:
     """The set at the size of a ship and about its G, as values over powers of the speed.
 
-    Parameters
-    ----------
-    measured : MeasuredSet
-    length : float        L of the ship [m]
-    density : float       of the water [kg/m3]
-    x_g, z_g : float      G of the ship from the point the set is about, + forward, + down [m]; None: as published, scaled
+    length: L of the ship [m]
+    density: of the water [kg/m3]
+    x_g, z_g: G of the ship from the point the set is about, + forward, + down [m]; None: as published, scaled
+    Returns (name, power) -> value: the coefficient is the sum of value U^power over its powers, SI about G
 
-    Returns
-    -------
-    dict    (name, power) -> value: the coefficient is the sum of value U^power over its powers, SI about G
-
-    Raises
-    ------
-    InputError    a length or density that is not positive
-
-    Notes
-    -----
     A set in SI is brought to another length by Froude's law (time with the root of the length).
     Source: [Abkowitz64] prime system and rigid-body kinematics; [MMG78] for L T.
     Valid: the ship is geometrically like the one tested.
-
-    Examples
-    --------
-    >>> terms = scaled_terms(measured_set("son-nomoto-1982"), 175.0, 1025.0)
-    >>> round(terms["Y_v", 1]), round(terms["Y_vvv", -1])
-    (-182066, -1710789)
     """
     if not (length > 0 and density > 0 and math.isfinite(length) and math.isfinite(density)):
         raise InputError(f"length {length:g} m and density {density:g} kg/m3 must be positive numbers")
@@ -158,32 +121,13 @@ def to_terms(
 ) -> dict[str, tuple[float, str, str]]:
     """The set in SI about G, under our names, at one speed.
 
-    Parameters
-    ----------
-    measured : MeasuredSet
-    length : float        L of the ship [m]
-    speed : float         U > 0 where a term divides by it [m/s]
-    density : float       of the water [kg/m3]
-    x_g, z_g : float      G of the ship from the point the set is about, + forward, + down [m]; None: as published, scaled
+    length: L of the ship [m]
+    speed: U > 0 where a term divides by it [m/s]
+    density: of the water [kg/m3]
+    x_g, z_g: G of the ship from the point the set is about, + forward, + down [m]; None: as published, scaled
+    Returns name -> (value, unit, source): complete coefficients of the right-hand side, hydrodynamic only (no -m U)
 
-    Returns
-    -------
-    dict    name -> (value, unit, source): complete coefficients of the right-hand side, hydrodynamic only (no -m U)
-
-    Raises
-    ------
-    InputError    sizes that are not positive, a negative speed, zero speed for a term that divides by it
-
-    Notes
-    -----
     Source: the paper of the set; [Abkowitz64] prime system and rigid-body kinematics.
-
-    Examples
-    --------
-    >>> mariner = to_terms(measured_set("chislett-stroem-tejsen-1965"), 160.93, 7.7175, 1025.0)
-    >>> value, unit, _ = mariner["Y_v"]
-    >>> round(value), unit
-    (-1188235, 'kg/s')
     """
     if not (speed >= 0 and math.isfinite(speed)):
         raise InputError(f"speed {speed!r} m/s must be a number >= 0")

@@ -72,26 +72,10 @@ class MeasuredSet:
 def taylor_factor(name: str) -> float:
     """Factor from a Taylor derivative to a complete coefficient.
 
-    Parameters
-    ----------
-    name : str    such as "Y_vvv" (1/6), "Y_vrr" (1/2), "K_vpr" (1)
+    name: such as "Y_vvv" (1/6), "Y_vrr" (1/2), "K_vpr" (1)
+    Returns 1 over the product of the factorials of the powers; 1 for modulus terms, which no Taylor series has
 
-    Returns
-    -------
-    float    1 over the product of the factorials of the powers; 1 for modulus terms, which no Taylor series has
-
-    Raises
-    ------
-    InputError    the name is not a coefficient name
-
-    Notes
-    -----
     Source: [Abkowitz64] expansion.
-
-    Examples
-    --------
-    >>> [round(taylor_factor(name), 4) for name in ("Y_vvv", "Y_vrr", "K_vpr", "K_p|p|")]
-    [0.1667, 0.5, 1.0, 1.0]
     """
     factors = term(name).factors
     if "|" in name:
@@ -102,23 +86,8 @@ def taylor_factor(name: str) -> float:
 def assembled_set(name: str, data: Mapping[str, Any]) -> MeasuredSet:
     """The record of a file: Taylor factors applied, left-side and rigid-body terms taken out.
 
-    Parameters
-    ----------
-    name : str
-    data : mapping    what the YAML holds
+    data: what the YAML holds
 
-    Returns
-    -------
-    MeasuredSet
-
-    Raises
-    ------
-    InputError    an unknown key or choice
-    KeyError      a key that is missing
-    ValueError    a value that is not a finite number
-
-    Notes
-    -----
     Y_r = printed + m' and N_r = printed + m' x_G' where the rigid-body terms are inside.  Source: [Abkowitz64] expansion.
     """
     unknown = sorted(set(data) - _KEYS)

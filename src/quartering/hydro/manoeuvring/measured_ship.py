@@ -51,34 +51,13 @@ class MeasuredParts(NamedTuple):
 def measured_parts(ship: Ship, speed: Floats) -> MeasuredParts:
     """The measured set of a ship at given speeds.
 
-    Parameters
-    ----------
-    ship : Ship            with a measured set
-    speed : (n,) float     U >= 0 [m/s]
+    ship: with a measured set
+    speed (n,): U >= 0 [m/s]
 
-    Returns
-    -------
-    MeasuredParts
-
-    Raises
-    ------
-    InputError    no such set
-
-    Notes
-    -----
     Prime values hold at every speed; terms that divide by U keep below Fn 0.1 the value they have there. A set without
     roll acts at half the draught (assumed), so that its force has a moment in roll and feels the roll rate.
     Added mass: the couplings Y_rdot and N_vdot measured apart are replaced by their mean, as energy asks.
     Source: [Abkowitz64] prime system and kinematics; the paper of the set.  Valid: a ship like the one tested.
-
-    Examples
-    --------
-    >>> from dataclasses import replace
-    >>> from quartering.hull.file.read import ship
-    >>> container = replace(ship("s175"), measured="son-nomoto-1982")
-    >>> parts = measured_parts(container, np.array([10.0]))
-    >>> bool(parts.linear[0, 0, 0] < 0), sorted(parts.further)[:3]
-    (True, ['K_phi', 'K_pphiphi', 'K_ppp'])
     """
     measured = measured_set(ship.measured or "")
     centre = _gravity_centre(ship, measured)
@@ -111,22 +90,12 @@ def measured_parts(ship: Ship, speed: Floats) -> MeasuredParts:
 def added_mass_shift(parts: MeasuredParts, slow: Floats) -> Floats:
     """What measured added mass adds to that of the strips, at every frequency.
 
-    Parameters
-    ----------
-    parts : MeasuredParts
-    slow : (3, 3) float    Y_vdot, .. of the strips at omega -> 0
+    slow (3, 3): Y_vdot, .. of the strips at omega -> 0
+    Returns (3, 3): measured less strips where the set gives a value; without roll in the set the difference acts at the
+        depth of its force, so that roll takes part
 
-    Returns
-    -------
-    (3, 3) float    measured less strips where the set gives a value; without roll in the set the difference acts at the
-                    depth of its force, so that roll takes part
-
-    Notes
-    -----
     Source: [Abkowitz64] kinematics.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> parts = measured_parts(ship("mariner"), np.array([7.0]))
     >>> shift = added_mass_shift(parts, np.diag([-1.6e7, -1e9, -2e10]))

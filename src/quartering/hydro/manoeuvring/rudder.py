@@ -21,20 +21,10 @@ _STERN = -0.5
 def usual_rudder(ship: Ship) -> Rudder:
     """The least rudder a classification society asks for, when a ship file gives none.
 
-    Parameters
-    ----------
-    ship : Ship
+    Returns area L T/100 (1 + 25 (B/L)^2), aspect ratio 1.8 (assumed)
 
-    Returns
-    -------
-    Rudder    area L T/100 (1 + 25 (B/L)^2), aspect ratio 1.8 (assumed)
-
-    Notes
-    -----
     Source: [Lewis89] ch. IX, Det Norske Veritas' rule for a rudder behind a propeller.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> round(usual_rudder(ship("series60-cb60")).area, 2)
     11.45
@@ -47,30 +37,15 @@ def usual_rudder(ship: Ship) -> Rudder:
 def rudder_derivatives(ship: Ship, speed: Floats) -> tuple[Floats, Literal["measured", "regression"], str]:
     """Force and moments per rudder angle, about G; a positive angle turns the bow to starboard.
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : (n,) float    U >= 0 [m/s]
+    speed (n,): U >= 0 [m/s]
+    Returns derivatives (n, 3): Y_delta [N], K_delta, N_delta [N m], per radian; kind, source: for the table of
+        coefficients: "measured" or "regression"
 
-    Returns
-    -------
-    derivatives : (n, 3) float    Y_delta [N], K_delta, N_delta [N m], per radian
-    kind, source : str            for the table of coefficients: "measured" or "regression"
-
-    Notes
-    -----
     Estimate: Y_delta = -1/2 rho A U^2 6.13 Lambda/(Lambda + 2.25), at the aft perpendicular and half the draught (assumed);
     the water at the rudder flows at the ship's speed (assumed: wake and slipstream about cancel).
     Measured: the set's own, a set that counts port rudder positive turned round, and without roll at half the draught.
     Source: [Yasukawa15] rudder lift of the MMG model (Fujii's formula); the paper of the set.
     Valid: small rudder angles, no stall, a rudder behind one propeller; no force at zero speed.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> (y, k, n), = rudder_derivatives(ship("series60-cb60"), np.array([8.0]))[0]
-    >>> bool(y < 0 < n), bool(k > 0)
-    (True, True)
     """
     hull, loading = ship.hull, ship.loading
     x_g, lever = hydrostatics(ship).lcb, loading.kg - hull.draught / 2

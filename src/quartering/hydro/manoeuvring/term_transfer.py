@@ -15,29 +15,13 @@ from quartering.names import canonical, term
 def moved_terms(terms: Mapping[str, float], x: float, z: float) -> dict[str, float]:
     """Named coefficients about O as coefficients about G.
 
-    Parameters
-    ----------
-    terms : mapping of str to float    name -> value about O: linear, inertia, cubic, products with phi, modulus terms
-    x, z : float                       position of O from G, + forward and + down [m]
+    terms: name -> value about O: linear, inertia, cubic, products with phi, modulus terms
+    x, z: position of O from G, + forward and + down [m]
+    Returns the same forces about G; names that move into others are added up
 
-    Returns
-    -------
-    dict of str to float    the same forces about G; names that move into others are added up
-
-    Raises
-    ------
-    InputError    a name that is not a coefficient name
-
-    Notes
-    -----
     Exact for polynomials. A modulus term keeps the velocities it names: only its force is moved, since |v + x r| has no
     such form; the error is of the order x r/v inside the modulus.
     Source: [Abkowitz64], rigid-body kinematics.
-
-    Examples
-    --------
-    >>> moved_terms({"Y_v": -2.0}, 3.0, 0.5)["N_r"], moved_terms({"Y_vvv": -1.0}, 0.0, 2.0)["K_ppp"]
-    (-18.0, -16.0)
     """
     moved: dict[str, float] = {}
     for name, value in terms.items():

@@ -109,23 +109,10 @@ def section_coefficients(
 def immersed_area(section: Section) -> float:
     """Area of a section below the calm plane, both sides.
 
-    Parameters
-    ----------
-    section : Section
+    Returns [m2]
 
-    Returns
-    -------
-    float                    [m2]
-
-    Notes
-    -----
     2 |int y dz| over the polyline, cut at z = 0 and closed to the centre plane.
     Source: Green's theorem; used with [Lewis29] forms.  Valid: any contour that does not cross itself.
-
-    Examples
-    --------
-    >>> immersed_area(Section(y=[0.0, 2.0, 2.0], z=[1.0, 1.0, -0.5]))
-    4.0
     """
     y, z = section.y, section.z
     inside = np.maximum(z, 0.0)

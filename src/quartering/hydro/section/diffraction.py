@@ -39,43 +39,19 @@ def section_diffraction(
 ) -> Complexes:
     """Diffraction force on fixed sections in regular waves, per metre of length and of wave amplitude, at zero speed.
 
-    Parameters
-    ----------
-    outlines : sequence of Outline    (s,) sections
-    frequency : (f,) float            w > 0 [rad/s]
-    heading : (h,) float              mu: 0 following, 90 beam (from port), 180 head [deg]
-    form : "haskind" or "direct"
-        From the radiation potentials, or from the scattered potential solved on the contour.
-    density : float                   of the water [kg/m3]
-    panels : int                      on the half contour
+    outlines: (s,) sections
+    frequency (f,): w > 0 [rad/s]
+    heading (h,): mu: 0 following, 90 beam (from port), 180 head [deg]
+    form: From the radiation potentials, or from the scattered potential solved on the contour.
+    density: of the water [kg/m3]
+    panels: on the half contour
+    Returns (f, s, h, 3): sway, heave [N/m per m] and roll about the waterline point [N m/m per m], phasors of e^{i w
+        t}, z down, wave elevation (down) sin w t at the section
 
-    Returns
-    -------
-    (f, s, h, 3) complex              sway, heave [N/m per m] and roll about the waterline point [N m/m per m], phasors
-                                      of e^{i w t}, z down, wave elevation (down) sin w t at the section
-
-    Raises
-    ------
-    InputError                        unknown form; a frequency or heading that is not finite; w not positive; "direct"
-                                      for a submerged section in an oblique wave (its flux through a closed contour is
-                                      not zero in two dimensions)
-
-    Notes
-    -----
     The orbital velocity u ~ e^{-k z - i k sin(mu) y} meets the contour with u.n; the two-dimensional scattered potential
     phi has the normal velocity -u.n. F_j = -i w rho int psi_j (u.n) ds (Haskind) = i w rho int phi n_j ds (direct).
     Source: [STF70] sectional diffraction; [Frank67] section problem.
     Valid: deep water; sections slender against the wave along the ship (no e^{i k cos(mu) x} variation in the solution).
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from quartering.hull.lines.section import Section
-    >>> from quartering.hydro.section.outline import section_outline
-    >>> box = section_outline(Section(y=[0.0, 2.0, 2.0], z=[1.0, 1.0, 0.0]))
-    >>> one, other = (section_diffraction([box], [1.5], [90.0, 40.0], form) for form in ("haskind", "direct"))
-    >>> bool(np.allclose(one, other, rtol=1e-2))
-    True
     """
     if form not in ("haskind", "direct"):
         raise InputError(f"form {form!r} is unknown; allowed: haskind, direct")

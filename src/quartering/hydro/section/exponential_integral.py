@@ -18,25 +18,13 @@ _WORK: Final = 125.0
 def scaled_exponential_integral(w: complex) -> complex:
     """e^w E1(w), principal branch (cut along the negative real axis, which belongs to the upper side).
 
-    Parameters
-    ----------
-    w : complex    not 0 [1]
+    w: not 0 [1]
+    Returns about 1/w far from the origin [1]
 
-    Returns
-    -------
-    complex        about 1/w far from the origin [1]
-
-    Notes
-    -----
     p = |w| + Re w says how far w is from the cut: the power series loses the digits of e^p, the continued fraction
     1/(w+1 - 1/(w+3 - 4/(w+5 - ...))) needs about 112/p steps. Series for p < 3, continued fraction (numerators and
     denominators by recurrence, one division) beyond; near the cut and |w| > 40 the asymptotic series.
     Source: [Abramowitz64] 5.1.11, 5.1.22, 5.1.51.  Valid: w != 0; relative error below 1e-12.
-
-    Examples
-    --------
-    >>> round(scaled_exponential_integral(1.0 + 0.0j).real, 12)
-    0.596347362323
     """
     size = abs(w)
     p = size + w.real

@@ -61,24 +61,12 @@ class LewisForms:
 def area_coefficient_limits(breadth_ratio: ArrayLike) -> tuple[Floats, Floats]:
     """Smallest and largest area coefficient a Lewis form of given half breadth over draught may have.
 
-    Parameters
-    ----------
-    breadth_ratio : (...) float    H = B/(2T) > 0 [1]
+    breadth_ratio (...): H = B/(2T) > 0 [1]
+    Returns lower and upper limit [1]
 
-    Returns
-    -------
-    tuple of (...) float           lower and upper limit [1]
-
-    Notes
-    -----
     lower = (3 pi/32) (2 - min(H, 1/H)): below it the contour is re-entrant at the waterline or the keel;
     upper = (pi/32) (10 + H + 1/H): there dZ/dxi vanishes on the contour.
     Source: [Lewis29], limits of the two-parameter family.  Valid: any breadth ratio.
-
-    Examples
-    --------
-    >>> [round(float(limit), 4) for limit in area_coefficient_limits(1.0)]
-    [0.2945, 1.1781]
     """
     H = np.asarray(breadth_ratio, dtype=float)
     return 3.0 * np.pi / 32.0 * (2.0 - np.minimum(H, 1.0 / H)), np.pi / 32.0 * (10.0 + H + 1.0 / H)
@@ -87,34 +75,15 @@ def area_coefficient_limits(breadth_ratio: ArrayLike) -> tuple[Floats, Floats]:
 def lewis_forms(half_breadth: ArrayLike, draught: ArrayLike, area: ArrayLike) -> LewisForms:
     """Lewis forms of the sections' half breadth, draught and immersed area, or the nearest admissible ones.
 
-    Parameters
-    ----------
-    half_breadth : (s,) float    at the calm plane, >= 0 [m]
-    draught : (s,) float         depth of the deepest point, >= 0 [m]
-    area : (s,) float            immersed area, both sides, >= 0 [m2]
+    half_breadth (s,): at the calm plane, >= 0 [m]
+    draught (s,): depth of the deepest point, >= 0 [m]
+    area (s,): immersed area, both sides, >= 0 [m2]
+    Returns clipped where the area coefficient is outside its range, stretched where the breadth ratio is
 
-    Returns
-    -------
-    LewisForms                   clipped where the area coefficient is outside its range, stretched where the breadth
-                                 ratio is
-
-    Raises
-    ------
-    InputError                   a negative or not finite value (the message gives the section's number)
-
-    Notes
-    -----
     A section with no breadth at the waterline (a bulb, a submerged section) takes 0.02 of its draught as half breadth,
     one flatter than 50 takes a draught of half_breadth/50; the area is kept as far as the range allows. A section
     without any extent becomes a form of 1e-6 m.
     Source: [Lewis29].  Valid: contours without shoulders that breadth, draught and area do not see.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> form = lewis_forms([1.0], [1.0], [np.pi / 2])
-    >>> bool(np.allclose([form.a1[0], form.a3[0]], 0.0)), bool(form.clipped[0])
-    (True, False)
     """
     b, T, S = (
         _sizes(value, name) for value, name in ((half_breadth, "half breadth"), (draught, "draught"), (area, "area"))
@@ -162,26 +131,10 @@ def _map_coefficients(H: Floats, sigma: Floats) -> tuple[Floats, Floats]:
 def lewis_contour(forms: LewisForms, angle: Floats) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Contour points of Lewis forms and their normals, as complex numbers (y part + i z part).
 
-    Parameters
-    ----------
-    forms : LewisForms
-    angle : (n,) float     theta: 0 at the starboard waterline, pi/2 at the keel [rad]
+    angle (n,): theta: 0 at the starboard waterline, pi/2 at the keel [rad]
+    Returns (s, n): y + i z [m]; (s, n): (n_y + i n_z) ds/dtheta, n outward from the hull into the water [m/rad]
 
-    Returns
-    -------
-    (s, n) complex         y + i z [m]
-    (s, n) complex         (n_y + i n_z) ds/dtheta, n outward from the hull into the water [m/rad]
-
-    Notes
-    -----
     (n_y + i n_z) ds = xi (dZ/dxi) dtheta.  Source: [Lewis29].  Valid: any form.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> point, normal = lewis_contour(lewis_forms(2.0, 1.0, np.pi), np.array([0.0]))
-    >>> round(float(point[0, 0].real), 9), round(float(normal[0, 0].real), 9)
-    (2.0, 1.0)
     """
     xi = np.exp(1j * angle)
     M, a1, a3 = forms.scale[:, None], forms.a1[:, None], forms.a3[:, None]
@@ -191,27 +144,12 @@ def lewis_contour(forms: LewisForms, angle: Floats) -> tuple[NDArray[np.complex1
 def added_mass_at_zero_frequency(forms: LewisForms, density: float) -> Floats:
     """Sway and roll added mass of Lewis forms for w -> 0 (the free surface a rigid lid), about the waterline point.
 
-    Parameters
-    ----------
-    forms : LewisForms
-    density : float      of the water [kg/m3]
+    density: of the water [kg/m3]
+    Returns (s, 3): a22 [kg/m], a24 [kg], a44 [kg m]; heave has no finite limit
 
-    Returns
-    -------
-    (s, 3) float         a22 [kg/m], a24 [kg], a44 [kg m]; heave has no finite limit
-
-    Notes
-    -----
     On the contour n_2 ds = M [(1-a1) cos t - 3 a3 cos 3t] dt, n_4 ds = M^2 [2 a1 (1+a3) sin 2t + 4 a3 sin 4t] dt and
     psi_2 = -M [(1-a1) cos t - a3 cos 3t]; a24 and a44 follow with int cos nt sin kt = k/(k^2-n^2), n odd, k even.
     Source: [Lewis29] for sway; [Tasai61], roll.  Valid: any form.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> limit = added_mass_at_zero_frequency(lewis_forms(1.0, 1.0, np.pi / 2), 1.0)
-    >>> np.round(limit / (np.pi / 2), 6).tolist()
-    [[1.0, 0.0, 0.0]]
     """
     M, a1, a3 = forms.scale, forms.a1, forms.a3
     p, q = a1 * (1.0 + a3), a3
@@ -225,27 +163,11 @@ def added_mass_at_zero_frequency(forms: LewisForms, density: float) -> Floats:
 def added_mass_at_infinite_frequency(forms: LewisForms, density: float) -> tuple[Floats, Floats]:
     """Added mass of Lewis forms for w -> infinity (zero potential on the free surface), about the waterline point.
 
-    Parameters
-    ----------
-    forms : LewisForms
-    density : float      of the water [kg/m3]
+    density: of the water [kg/m3]
+    Returns (s, 3): a22 [kg/m], a24 [kg], a44 [kg m]; (s,): a33 [kg/m]
 
-    Returns
-    -------
-    (s, 3) float         a22 [kg/m], a24 [kg], a44 [kg m]
-    (s,) float           a33 [kg/m]
-
-    Notes
-    -----
     psi_4 = -M^2 [a1 (1+a3) sin 2t + a3 sin 4t] on the contour gives a44 and, with n_2 ds, a24.
     Source: [Lewis29] for heave; [Tasai61], sway and roll.  Valid: any form.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> lateral, heave = added_mass_at_infinite_frequency(lewis_forms(1.0, 1.0, np.pi / 2), 1.0)
-    >>> round(float(lateral[0, 0]), 6), round(float(heave[0]), 6)
-    (0.63662, 1.570796)
     """
     M, a1, a3 = forms.scale, forms.a1, forms.a3
     p, q = a1 * (1.0 + a3), a3

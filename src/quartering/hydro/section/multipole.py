@@ -73,25 +73,12 @@ def radiation(
 ) -> Radiation:
     """Added mass, damping and contour potentials of Lewis forms oscillating in calm deep water.
 
-    Parameters
-    ----------
-    forms : LewisForms       (s,) sections
-    frequency : (f,) float   w >= 0 [rad/s]
-    modes : "lateral" (sway and roll about the waterline point) or "heave"
-    density : float          of the water [kg/m3]
-    points : int             quadrature points on the half contour
-    multipoles : int         wave-free potentials, fewer than points - 3
+    forms: (s,) sections
+    frequency (f,): w >= 0 [rad/s]
+    density: of the water [kg/m3]
+    points: quadrature points on the half contour
+    multipoles: wave-free potentials, fewer than points - 3
 
-    Returns
-    -------
-    Radiation
-
-    Raises
-    ------
-    InputError               a frequency negative or not finite, or too many multipoles for the points
-
-    Notes
-    -----
     phi = C phi_w + sum_n X_n Re[xi^-n + i K ( xi^{1-n}/(1-n) + a1 xi^{-1-n}/(n+1) + 3 a3 xi^{-3-n}/(n+3) )],
     n = 2, 4, .. in heave, 3, 5, .. in sway and roll, phi_w the wavemaker; C, X by least squares of the normal velocity.
     phi is singular like W^2 ln W at the waterline corner, so three of the unknowns multiply whole series
@@ -100,17 +87,6 @@ def radiation(
     In heave a33 grows without bound as w -> 0 (infinite at w = 0).
     Source: [Ursell49], [Tasai61]; the wave-making singularity and the corner series are derived here.
     Valid: deep water, small motions, nu B/2 up to about 20; beyond nu M = 100 the values there are held.
-
-    Examples
-    --------
-    Half circle, nu r = 1, sway added mass over rho pi r^2/2:
-
-    >>> import numpy as np
-    >>> from quartering.hydro.section.lewis import lewis_forms
-    >>> circle = lewis_forms([1.0], [1.0], [np.pi / 2])
-    >>> sway = radiation(circle, [np.sqrt(9.81)], density=1.0)
-    >>> round(float(sway.added_mass[0, 0, 0, 0] / (np.pi / 2)), 5)
-    0.38178
     """
     w = _frequencies(frequency)
     if multipoles + len(CORNER_POWERS) + 1 > points or multipoles < 1:

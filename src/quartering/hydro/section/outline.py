@@ -51,31 +51,12 @@ class Outline:
 def section_outline(section: Section) -> Outline:
     """Outline of the immersed part of a section given by points.
 
-    Parameters
-    ----------
-    section : Section    from the keel up; a point where the contour turns by 30 degrees or more is a corner
+    section: from the keel up; a point where the contour turns by 30 degrees or more is a corner
 
-    Returns
-    -------
-    Outline
-
-    Raises
-    ------
-    InputError           the contour is open (it ends below the water away from the centre plane), crosses itself,
-                         starts above the water, leaves the water and enters it again, or has no breadth
-
-    Notes
-    -----
     A flat bottom given from its outer edge is closed to the centre plane; points on the centre plane above the hull (over
     a bulb) are left out, elsewhere (a bare skeg, a web) they are a plate of half thickness 0.001 of the half breadth.
     Points are joined by a monotone cubic.  Source: [Fritsch84] (curve); geometry.
     Valid: contours symmetric to the centre plane.
-
-    Examples
-    --------
-    >>> box = section_outline(Section(y=[0.0, 2.0, 2.0], z=[1.0, 1.0, 0.0]))
-    >>> box.corners.tolist(), box.submerged
-    ([0.0, 2.0, 3.0], False)
     """
     y, z = _cleaned(section.y, section.z)
     _refuse_crossing(y, z)
@@ -100,34 +81,13 @@ def strip_outline(
 ) -> Outline:
     """Outline of a strip, through its quadrature points and with their tangents.
 
-    Parameters
-    ----------
-    y, z, dy, dz : (n,) float    points and differentials, keel to waterline, as in `Strips` [m]
-    half_breadth : float         at the calm plane [m]
-    draught : float              depth of the keel on the centre plane [m]
-    name : str                   what an error calls the section
+    y, z, dy, dz (n,): points and differentials, keel to waterline, as in `Strips` [m]
+    half_breadth: at the calm plane [m]
+    draught: depth of the keel on the centre plane [m]
+    name: what an error calls the section
 
-    Returns
-    -------
-    Outline
-
-    Raises
-    ------
-    InputError                   the strip has no contour points or no breadth
-
-    Notes
-    -----
     Where the tangents of neighbouring points differ by 45 degrees or more, a corner is put where they meet.
     Source: geometry (cubic Hermite curve).  Valid: strips of at least 8 points.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.immersed import strips
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> s = strips(box_hull(100.0, 20.0, 5.0, 10.0))
-    >>> outline = strip_outline(s.y[0], s.z[0], s.dy[0], s.dz[0], 10.0, 5.0)
-    >>> [round(float(c), 6) for c in outline.corners]
-    [0.0, 10.0, 15.0]
     """
     if y.size < 2 or not y.max() > _SAME * draught:
         raise InputError(

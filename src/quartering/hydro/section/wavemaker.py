@@ -40,19 +40,10 @@ class Wavemaker:
 def wavemaker(wavenumber: Floats, a1: Floats, a3: Floats, angle: Floats, symmetry: Symmetry) -> Wavemaker:
     """Potential of a singularity inside a Lewis form that sends waves to both sides.
 
-    Parameters
-    ----------
-    wavenumber : (f, s) float    K = nu M > 0, nu = w^2/g [1]
-    a1, a3 : (s,) float          map coefficients [1]
-    angle : (n,) float           theta on the contour, ascending in (0, pi/2] [rad]
-    symmetry : "even" in y (heave) or "odd" (sway and roll)
+    wavenumber (f, s): K = nu M > 0, nu = w^2/g [1]
+    a1, a3 (s,): map coefficients [1]
+    angle (n,): theta on the contour, ascending in (0, pi/2] [rad]
 
-    Returns
-    -------
-    Wavemaker
-
-    Notes
-    -----
     With Z = xi + a1/xi + a3/xi^3 the free surface asks F' - i K Z' F to be real on the real axis, |xi| > 1. So it
     is for
 
@@ -65,15 +56,6 @@ def wavemaker(wavenumber: Floats, a1: Floats, a3: Floats, angle: Floats, symmetr
     (on a flat plate those of J_0(2K) = 0).
     Source: [Ursell49] source potential, carried to the plane of the mapped circle.
     Valid: deep water, 1e-8 <= K <= 100.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from scipy.special import exp1
-    >>> K, theta = 0.7, np.array([0.4, 1.2])
-    >>> made = wavemaker(np.array([[K]]), np.zeros(1), np.zeros(1), theta, "even")
-    >>> bool(np.all(np.isfinite(made.potential)))
-    True
     """
     p = POWERS[symmetry]
     weight, strength = _weights(wavenumber, a1, a3, p, symmetry)

@@ -185,25 +185,13 @@ def shortest_wave(half: Panels) -> float:
 def hull_solution(hull: Hull, half: Panels, omega: Floats, mu: Floats, density: float) -> dict[str, NDArray[Any]]:
     """Radiation and wave forces of a hull at zero speed, about midship at the calm plane, in body axes.
 
-    Parameters
-    ----------
-    hull : Hull
-    half : Panels         of it, from `hull_panels`
-    omega : (f,) float    ascending, 0 among them or not; forces are those of the ones above 0 [rad/s]
-    mu : (h,) float       ascending [deg]
-    density : float       of the water [kg/m3]
+    half: of it, from `hull_panels`
+    omega (f,): ascending, 0 among them or not; forces are those of the ones above 0 [rad/s]
+    mu (h,): ascending [deg]
+    density: of the water [kg/m3]
+    Returns "added_mass", "damping" (f, 3, 3); "froude_krylov", "diffraction" (waves, h, 3): phasors of e^{+i omega t}
+        per metre of amplitude, the surface amidships passing its mean level on the way down at t = 0
 
-    Returns
-    -------
-    dict    "added_mass", "damping" (f, 3, 3); "froude_krylov", "diffraction" (waves, h, 3): phasors of e^{+i omega t} per metre
-            of amplitude, the surface amidships passing its mean level on the way down at t = 0
-
-    Raises
-    ------
-    InputError    as `bem_hydrodynamics`
-
-    Notes
-    -----
     Source: [Ancellin19], linear potential flow.  Valid: as `bem_forces`.
     """
     body = _Body(hull.name, half, 0.0, 0.0, density)

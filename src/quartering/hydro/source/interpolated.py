@@ -19,21 +19,10 @@ FEWEST_HEADINGS = 4
 def tabled_moments(frequency: Floats, added_mass: Floats, damping: Floats, zero: Floats | None) -> HullMoments:
     """Added mass and damping of a ship over frequency, in the form strip theory has them: integrals over the length.
 
-    Parameters
-    ----------
-    frequency : (f,) float                    ascending, above 0 [rad/s]
-    added_mass, damping : (f, 3, 3) float     sway, roll, yaw about midship at the calm plane, SI
-    zero : (3, 3) float or None               added mass at zero frequency; None: as at the lowest
-
-    Returns
-    -------
-    HullMoments    splines from zero frequency, where the damping vanishes; no aft end
-
-    Examples
-    --------
-    >>> at = tabled_moments(np.arange(1.0, 5.0), np.tile(np.eye(3), (4, 1, 1)), np.zeros((4, 3, 3)), None).at([2.5])
-    >>> at.a[0].round(9).tolist()
-    [[1.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
+    frequency (f,): ascending, above 0 [rad/s]
+    added_mass, damping (f, 3, 3): sway, roll, yaw about midship at the calm plane, SI
+    zero (3, 3): added mass at zero frequency; None: as at the lowest
+    Returns splines from zero frequency, where the damping vanishes; no aft end
     """
     slow = added_mass[0] if zero is None else zero
     a = _integrals(np.concatenate([slow[None], added_mass]))
@@ -68,18 +57,11 @@ class Surfaces(NamedTuple):
 def force_surfaces(frequency: Floats, heading: Floats, forces: Mapping[str, Phasors]) -> tuple[Surfaces, ...]:
     """Splines of lateral forces; at 0 and 180 deg these vanish and go on with reversed sign.
 
-    Parameters
-    ----------
-    frequency : (f,) float       of the wave, ascending [rad/s]
-    heading : (h,) float         0 to 180, ascending, at least `FEWEST_HEADINGS` [deg]
-    forces : mapping             by name: (f, h, modes) phasors per metre of wave amplitude
+    frequency (f,): of the wave, ascending [rad/s]
+    heading (h,): 0 to 180, ascending, at least `FEWEST_HEADINGS` [deg]
+    forces: by name: (f, h, modes) phasors per metre of wave amplitude
+    Returns one a force
 
-    Returns
-    -------
-    tuple of Surfaces            one a force
-
-    Examples
-    --------
     >>> waves, mu = np.arange(1.0, 6.0), np.arange(0.0, 181.0, 10.0)
     >>> beam = np.sin(np.radians(mu))[None, :, None] * np.ones((5, 1, 1)) + 0j
     >>> one, = force_surfaces(waves, mu, {"diffraction": beam})

@@ -42,24 +42,8 @@ SOURCES: Final[dict[str, Choice]] = {
 def source_of(ship: Ship, by: str | None = None) -> Hydrodynamics:
     """The hydrodynamics of a ship, by its own source or by another.
 
-    Parameters
-    ----------
-    ship : Ship
-    by : str         one of `SOURCES`; None: its own database where it has one, else what it asks for
-
-    Returns
-    -------
-    Hydrodynamics    made once for a ship
-
-    Raises
-    ------
-    InputError       a name that is none of these; what the source refuses
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> source_of(ship("wigley").with_(ends="three-dimensional")).words
-    'the strips with three-dimensional ends'
+    by: one of `SOURCES`; None: its own database where it has one, else what it asks for
+    Returns made once for a ship
     """
     chosen = by or next(name for name, choice in SOURCES.items() if choice.own(ship))
     if chosen not in SOURCES:

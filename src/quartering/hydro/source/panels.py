@@ -13,7 +13,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.cache import remembered
+from quartering.cache import cached
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.hydrostatics import hydrostatics
@@ -57,28 +57,14 @@ def panel_source(
 ) -> Hydrodynamics:
     """Hydrodynamics of a ship by three-dimensional panels, solved when first asked for.
 
-    Parameters
-    ----------
-    ship : Ship
-    frequencies : tuple of float    w sqrt(B/2g), ascending, at least four [1]
-    headings : tuple of float       0 to 180, ascending, at least four [deg]
-    panels : (int, int)             along the ship and from keel to waterline, on each side
+    frequencies: w sqrt(B/2g), ascending, at least four [1]
+    headings: 0 to 180, ascending, at least four [deg]
+    panels (int, int): along the ship and from keel to waterline, on each side
+    Returns at zero speed, between those frequencies and headings, added mass and damping from 0; forces in sway, roll,
+        yaw
 
-    Returns
-    -------
-    Hydrodynamics                   at zero speed, between those frequencies and headings, added mass and damping from 0; forces
-                                    in sway, roll, yaw
-
-    Notes
-    -----
     Heave, pitch and surge are not solved for yet: `force_modes` says what is held.
     Source: [Ancellin19], linear potential flow.  Valid: as `bem_forces`.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> panel_source(ship("wigley")).words
-    'panels (Capytaine)'
     """
     hull, ratio, mesh = ship.hull, ship.loading.density / WATER_DENSITY, Mesh(frequencies, headings, panels)
     centre = hydrostatics(ship).lcb, ship.loading.kg - hull.draught
@@ -123,7 +109,7 @@ def _solution(hull: Hull, mesh: Mesh) -> Mapping[str, NDArray[Any]]:
     half, omega = _half(hull, mesh.panels), np.append(0.0, _frequencies(hull, mesh))
     content = (half.vertices, half.quads, omega, mesh.headings)
     name = f"panels-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    return remembered(name, lambda: hull_solution(hull, half, omega, np.array(mesh.headings), WATER_DENSITY))
+    return cached(name, lambda: hull_solution(hull, half, omega, np.array(mesh.headings), WATER_DENSITY))
 
 
 @lru_cache(maxsize=8)

@@ -22,21 +22,11 @@ from quartering.hydro.strip.six_modes import by_strips
 def strip_source(ship: Ship) -> Hydrodynamics:
     """Hydrodynamics of a ship by strip theory, with the ends its hull asks for.
 
-    Parameters
-    ----------
-    ship : Ship
+    Returns every frequency and heading held; wave forces from the potentials on the sections, in sway, roll, yaw
 
-    Returns
-    -------
-    Hydrodynamics    every frequency and heading held; wave forces from the potentials on the sections, in sway, roll, yaw
-
-    Notes
-    -----
     Source: [STF70]; sections [Frank67], or [Tasai61] on Lewis forms; three-dimensional ends [Morino74].
     Valid: slender ships, deep water.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> strip_source(ship("wigley").with_(ends="strips")).words
     'the strips'

@@ -11,11 +11,11 @@ from quartering.conventions import InputError, RangeWarning
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.section import Floats
-from quartering.hull.own_database import Database, content_digest
 from quartering.hull.ship import Ship
-from quartering.hydro.database.about_point import Placed, placed
+from quartering.hull.user_database import Database, content_digest
+from quartering.hydro.database.about_point import AboutPoint, moved_to_point
 from quartering.hydro.database.capytaine import read_capytaine_file
-from quartering.hydro.database.check import likeness, soundness
+from quartering.hydro.database.check import soundness, strip_agreement
 from quartering.hydro.database.raw import RawDatabase
 from quartering.hydro.database.wamit import read_wamit_files
 from quartering.hydro.source.interpolated import FEWEST_HEADINGS, Surfaces, force_surfaces, tabled_moments
@@ -32,32 +32,19 @@ class OwnDatabase(NamedTuple):
     Parameters
     ----------
     frequency : (f,) float    of the wave, ascending [rad/s]
-    at : Placed               matrices and forces, of the density asked for
+    at : AboutPoint               matrices and forces, of the density asked for
     """
 
     frequency: Floats
-    at: Placed
+    at: AboutPoint
 
 
 @lru_cache(maxsize=8)
-def own_database(database: Database, density: float) -> OwnDatabase:
+def user_database(database: Database, density: float) -> OwnDatabase:
     """Read a ship's own database, once for a content.
 
-    Parameters
-    ----------
-    database : Database
-    density : float       of the ship's water; all of the file goes with it [kg/m3]
+    density: of the ship's water; all of the file goes with it [kg/m3]
 
-    Returns
-    -------
-    OwnDatabase
-
-    Raises
-    ------
-    InputError    what the readers refuse, a file that has changed since the ship was read, or fewer than four frequencies
-
-    Notes
-    -----
     Source: [Ancellin19], [WAMIT].  Valid: zero speed, deep water, one body symmetric port and starboard.
     """
     raw = _raw(database, density)
@@ -66,10 +53,10 @@ def own_database(database: Database, density: float) -> OwnDatabase:
             f"{database.source}: {raw.frequency.size} frequencies are too few to interpolate between; give at least {FEWEST}"
         )
     about = database.moments_about or raw.centre or (database.midship, 0.0)
-    found, ratio = placed(raw, (database.midship, 0.0), about), density / raw.density
+    found, ratio = moved_to_point(raw, (database.midship, 0.0), about), density / raw.density
     return OwnDatabase(
         raw.frequency,
-        Placed(
+        AboutPoint(
             found.added_mass * ratio,
             found.damping * ratio,
             {name: limit * ratio for name, limit in found.limits.items()},
@@ -90,34 +77,17 @@ def _raw(database: Database, density: float) -> RawDatabase:
 def database_source(ship: Ship) -> Hydrodynamics:
     """Hydrodynamics of a ship from its own database.
 
-    Parameters
-    ----------
-    ship : Ship       with a database
+    ship: with a database
+    Returns at zero speed, between the frequencies and headings of the file; forces in sway, roll, yaw
 
-    Returns
-    -------
-    Hydrodynamics     at zero speed, between the frequencies and headings of the file; forces in sway, roll, yaw
-
-    Raises
-    ------
-    InputError        no database, or what `own_database` refuses
-
-    Warns
-    -----
-    RangeWarning      once for a database and hull, when its added mass is first used: what `soundness` and `likeness` find
-
-    Notes
-    -----
     Source: [STF70] integrals over the length; the database's matrices are those integrals without strips.
 
-    Examples
-    --------
     See `quartering.hydro.source.of_ship.source_of`.
     """
     database, density = ship.database, ship.loading.density
     if database is None:
         raise InputError(f"{ship.name} has no database of its own; give one (database=), or take 'strips'")
-    own = own_database(database, density)
+    own = user_database(database, density)
     heading = own.at.heading
     centre = hydrostatics(ship).lcb, ship.loading.kg - ship.hull.draught
 
@@ -155,11 +125,11 @@ def _at_rest(database: Database, density: float, frequency: Floats, heading: Flo
 @lru_cache(maxsize=8)
 def _warn_of_findings(hull: Hull, database: Database, density: float) -> None:
     """One warning, when a database is first used for a hull, of what is wrong with it or does not fit the ship."""
-    own = own_database(database, density)
+    own = user_database(database, density)
     middle = own.frequency.size // 2
     by_strips = moment_matrix(hull_moments(hull, density).at(own.frequency[middle]).a)
     found = soundness(own.frequency, own.at.added_mass, own.at.damping)
-    found += likeness(own.at.added_mass[middle], by_strips, hull.draught)
+    found += strip_agreement(own.at.added_mass[middle], by_strips, hull.draught)
     if found:
         warnings.warn(f"{database.name}: {'; '.join(found)}", RangeWarning, stacklevel=4)
 
@@ -167,14 +137,14 @@ def _warn_of_findings(hull: Hull, database: Database, density: float) -> None:
 @lru_cache(maxsize=8)
 def _database_moments(database: Database, density: float) -> HullMoments:
     """The added mass at zero frequency is the file's limit, else held."""
-    own = own_database(database, density)
+    own = user_database(database, density)
     return tabled_moments(own.frequency, own.at.added_mass, own.at.damping, own.at.limits.get("zero"))
 
 
 @lru_cache(maxsize=8)
 def _surfaces(database: Database, density: float) -> tuple[Surfaces, ...]:
     """Splines of every force of a database."""
-    own = own_database(database, density)
+    own = user_database(database, density)
     if not own.at.forces:
         raise InputError(
             f"{database.source} holds no wave forces; add the forces of every heading wanted (Capytaine: Froude-Krylov and "

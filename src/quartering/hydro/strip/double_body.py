@@ -37,29 +37,10 @@ class DoubleBody(NamedTuple):
 def double_body(grid: Grid) -> DoubleBody:
     """Potentials of a hull with its image at both limits of the frequency.
 
-    Parameters
-    ----------
-    grid : Grid    contours of the hull, n + 1 of m + 1 points
+    grid: contours of the hull, n + 1 of m + 1 points
 
-    Returns
-    -------
-    DoubleBody
-
-    Notes
-    -----
     Constant potential and normal velocity on each panel, equations at their middles. A flat end is a wall.
     Source: [Morino74], [Hess67].  Valid: deep water, no forward speed.
-
-    Examples
-    --------
-    A half spheroid ten times as long as it is broad: 0.960 of the displaced water moves with it [Lamb32].
-
-    >>> turn, girth = np.linspace(0.0, np.pi, 31)[:, None], np.linspace(0.0, np.pi / 2, 9)
-    >>> y, z = np.sin(turn) * np.sin(girth), np.sin(turn) * np.cos(girth)
-    >>> body = double_body(Grid(-10.0 * np.cos(turn[:, 0]), y, z))
-    >>> mass = -2.0 * (body.hull[0] * body.velocity).sum(axis=(0, 1))  # both sides
-    >>> bool(abs(mass[0] / (2 / 3 * np.pi * 10.0) - 0.960) < 0.01)
-    True
     """
     panels = closed_panels(grid)
     corners = panels.vertices[panels.quads]

@@ -28,7 +28,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from quartering.cache import remembered
+from quartering.cache import cached
 from quartering.conventions import GRAVITY
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.lines.hull import STEM_HALF_THICKNESS, Hull
@@ -65,30 +65,15 @@ class EndEffect(NamedTuple):
 def end_effect(hull: Hull) -> EndEffect:
     """What the ends of a hull change at its sections, kept for the process and on disk.
 
-    Parameters
-    ----------
-    hull : Hull    at its draught
+    hull: at its draught
 
-    Returns
-    -------
-    EndEffect
-
-    Notes
-    -----
     At an end that closes in a line no potential and no waves are left; at one that closes in a flat (a transom, the water
     does not leave it) the last column's values are held.
     Source: [Morino74], [Hess67] double body; [Cummins62], [Ogilvie64] memory.  Valid: no forward speed.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import wigley_hull
-    >>> effect = end_effect(wigley_hull(100.0, 10.0, 6.25, 10.0))
-    >>> effect.memory[[0, 16]].round(2).tolist()  # the stem, and amidships
-    [0.0, 0.96]
     """
     grid = _opened(hull_grid(hull, *PANELS))
     name = f"ends-{fingerprint([source_digest('hull', 'hydro'), *grid])}"
-    return EndEffect(**remembered(name, lambda: _effect(grid)._asdict()))
+    return EndEffect(**cached(name, lambda: _effect(grid)._asdict()))
 
 
 def _opened(grid: Grid) -> Grid:
@@ -128,33 +113,15 @@ def _memory(potential: Floats, flux: Floats) -> Floats:
 def with_ends(table: SectionTable, immersed: Strips, effect: EndEffect, draught: float) -> SectionTable:
     """Section coefficients and potentials with three-dimensional ends.
 
-    Parameters
-    ----------
-    table : SectionTable    of strips, the first of its frequencies 0
-    immersed : Strips       the same sections
-    effect : EndEffect      of their hull
-    draught : float         T of the hull [m]
+    table: of strips, the first of its frequencies 0
+    immersed: the same sections
+    effect: of their hull
+    draught: T of the hull [m]
+    Returns the integrals over the length are those of the hull; at one section a24 is the mean of the roll moment by
+        sway and the sway force by roll, which only agree on the whole
 
-    Returns
-    -------
-    SectionTable            the integrals over the length are those of the hull; at one section a24 is the mean of the roll
-                            moment by sway and the sway force by roll, which only agree on the whole
-
-    Notes
-    -----
     Where the waves are short against the draught the correction of the potentials fades into the strips.
     Source: [Morino74] double body; [Cummins62] memory; the fading is closed form (the head of this file).
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.immersed import strips
-    >>> from quartering.hull.lines.hull import wigley_hull
-    >>> from quartering.hydro.strip.table import radiation_table
-    >>> hull = wigley_hull(100.0, 10.0, 6.25, 10.0)
-    >>> table = radiation_table(strips(hull), [0.0, 0.5], 1025.0)
-    >>> ratio = with_ends(table, strips(hull), end_effect(hull), 6.25).a_zero[:, 0] / table.a_zero[:, 0]
-    >>> ratio[[0, 20]].round(1).tolist()  # the stem, and amidships
-    [0.0, 1.0]
     """
     own = ~wholly_under_water(immersed)[:, None]
     m = own * np.interp(immersed.x, effect.x, effect.memory)[:, None]

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.cache import remembered
+from quartering.cache import cached
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.immersed import strips
@@ -20,7 +20,7 @@ from quartering.hydro.section.closefit.coefficients import close_fit, close_fit_
 from quartering.hydro.section.lewis import added_mass_at_infinite_frequency, lewis_forms
 from quartering.hydro.section.multipole import CONTOUR_POINTS, radiation
 from quartering.hydro.section.wavemaker import Complexes
-from quartering.hydro.strip.table import REFINEMENT, SectionTable, default_frequencies, own_outlines
+from quartering.hydro.strip.table import REFINEMENT, SectionTable, default_frequencies, user_outlines
 
 PANELS = REFINEMENT * (CONTOUR_POINTS + 1)
 """Panels on the half contour, as for sway and roll."""
@@ -44,21 +44,10 @@ class Heave(NamedTuple):
 def heave_sections(strips: Strips, table: SectionTable) -> Heave:
     """Added mass and damping in heave at the frequencies of a table.
 
-    Parameters
-    ----------
-    strips : Strips         the table was made from
-    table : SectionTable
+    strips: the table was made from
 
-    Returns
-    -------
-    Heave
-
-    Notes
-    -----
     Source: [Ursell49], [Tasai61] on [Lewis29] forms; [Frank67] on a section's own contour.  Valid: as `radiation_table`.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.immersed import strips
     >>> from quartering.hull.lines.hull import box_hull
     >>> from quartering.hydro.strip.table import radiation_table
@@ -71,7 +60,7 @@ def heave_sections(strips: Strips, table: SectionTable) -> Heave:
         solved = radiation(table.forms, table.frequency, "heave", density=table.density)
         infinite = added_mass_at_infinite_frequency(table.forms, table.density)[1]
         return Heave(solved.added_mass[..., 0, 0], solved.damping[..., 0, 0], infinite)
-    outlines, which = own_outlines(strips)
+    outlines, which = user_outlines(strips)
     solved = close_fit(outlines, table.frequency, "heave", density=table.density, panels=PANELS)
     *_, infinite = close_fit_limits(outlines, table.density, panels=PANELS)
     return Heave(solved.added_mass[:, which, 0, 0], solved.damping[:, which, 0, 0], infinite[which])
@@ -105,22 +94,12 @@ class HeaveTable:
 def heave_table(hull: Hull, density: float) -> HeaveTable:
     """Heave coefficients and potentials of a hull's sections at the standard frequencies, kept on disk.
 
-    Parameters
-    ----------
-    hull : Hull        at its draught
-    density : float    of the water [kg/m3]
+    hull: at its draught
+    density: of the water [kg/m3]
 
-    Returns
-    -------
-    HeaveTable
-
-    Notes
-    -----
     Close-fit coefficients are those of twice as many panels as the contour has points.
     Source: [Frank67], or [Tasai61] on [Lewis29] forms, by the hull's choice.  Valid: as `radiation_table`.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.hull import box_hull
     >>> table = heave_table(box_hull(100.0, 20.0, 5.0, 10.0), 1025.0)
     >>> bool(table.b.min() > -1e-6 * table.b.max())
@@ -129,7 +108,7 @@ def heave_table(hull: Hull, density: float) -> HeaveTable:
     s, w = strips(hull), default_frequencies(hull.beam, hull.draught)
     content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), hull.section_method)
     name = f"heave-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    arrays = remembered(name, lambda: _solved(s, w, density, hull.section_method))
+    arrays = cached(name, lambda: _solved(s, w, density, hull.section_method))
     return HeaveTable(**arrays)
 
 
@@ -139,7 +118,7 @@ def _solved(s: Strips, w: Floats, density: float, method: Sections) -> dict[str,
         kept = fine = radiation(lewis_forms(s.half_breadth, s.draught, s.area), w, "heave", density=density)
         which = np.arange(s.x.size)
     else:
-        outlines, which = own_outlines(s)
+        outlines, which = user_outlines(s)
         kept = close_fit(outlines, w, "heave", density=density, panels=CONTOUR_POINTS + 1)
         fine = close_fit(outlines, w, "heave", density=density, panels=PANELS)
     point, normal = kept.point[which], kept.normal[which]

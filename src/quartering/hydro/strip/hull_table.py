@@ -34,34 +34,12 @@ class EndMethod(NamedTuple):
 def hull_table(hull: Hull, frequency: ArrayLike, density: float) -> SectionTable:
     """Section coefficients in sway and roll of a hull, by its own choice of section method and ends.
 
-    Parameters
-    ----------
-    hull : Hull              at its draught
-    frequency : (f,) float   w >= 0, ascending [rad/s]
-    density : float          of the water, > 0 [kg/m3]
+    hull: at its draught
+    frequency (f,): w >= 0, ascending [rad/s]
+    density: of the water, > 0 [kg/m3]
 
-    Returns
-    -------
-    SectionTable
-
-    Raises
-    ------
-    InputError               what `radiation_table` refuses
-
-    Notes
-    -----
     Three-dimensional ends need the potentials at w = 0, which are solved beside those asked for.
     Source: [Tasai61] or [Frank67] sections; [Morino74] ends.  Valid: as `radiation_table` and `end_effect`.
-
-    Examples
-    --------
-    >>> from dataclasses import replace
-    >>> from quartering.hull.lines.hull import wigley_hull
-    >>> hull = wigley_hull(100.0, 10.0, 6.25, 10.0)
-    >>> added = [t.a[0, :, 0] @ hull.weight for t in (
-    ...     hull_table(one, [0.5], 1025.0) for one in (hull, replace(hull, ends="three-dimensional")))]
-    >>> round(float(added[1] / added[0]), 2)
-    0.91
     """
     return end_method(hull).solve(hull, np.atleast_1d(np.asarray(frequency, dtype=float)), density)
 

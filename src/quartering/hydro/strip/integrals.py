@@ -14,24 +14,12 @@ from quartering.hull.lines.section import Floats
 def about_gravity_centre(coefficients: ArrayLike, z0: ArrayLike) -> Floats:
     """Move section coefficients from the waterline point O to G, which lies z0 above it.
 
-    Parameters
-    ----------
-    coefficients : (..., 3) float    [22, 24, 44] of added mass or damping about O, per metre or integrated
-    z0 : (...) float                 depth of the calm plane below G, KG - T [m]; -z0 moves back from G to O
+    coefficients (..., 3): [22, 24, 44] of added mass or damping about O, per metre or integrated
+    z0 (...): depth of the calm plane below G, KG - T [m]; -z0 moves back from G to O
+    Returns (..., 3): [22, 24, 44] about G
 
-    Returns
-    -------
-    (..., 3) float    [22, 24, 44] about G
-
-    Notes
-    -----
     Roll about G moves O sideways by -z0 p, and K_G = K_O - z0 Y.
     Source: [STF70] section coefficients, moved rigidly.  Valid: any section, same frequency.
-
-    Examples
-    --------
-    >>> about_gravity_centre([2.0, 0.0, 0.0], 0.5).tolist()
-    [2.0, -1.0, 0.5]
     """
     c = np.asarray(coefficients, dtype=float)
     z = np.asarray(z0, dtype=float)
@@ -42,24 +30,12 @@ def about_gravity_centre(coefficients: ArrayLike, z0: ArrayLike) -> Floats:
 def section_moments(x: ArrayLike, weight: ArrayLike, coefficients: ArrayLike) -> Floats:
     """Integrals of x^0, x^1, x^2 times the section coefficients over the length.
 
-    Parameters
-    ----------
-    x : (s,) float                      section positions [m]
-    weight : (s,) float                 quadrature weights along the ship [m]
-    coefficients : (..., s, 3) float    [22, 24, 44] of each section, per metre
+    x (s,): section positions [m]
+    weight (s,): quadrature weights along the ship [m]
+    coefficients (..., s, 3): [22, 24, 44] of each section, per metre
+    Returns (..., 3, 3): first index the power of x, second [22, 24, 44]
 
-    Returns
-    -------
-    (..., 3, 3) float    first index the power of x, second [22, 24, 44]
-
-    Notes
-    -----
     Source: [STF70], integrals over the length of the lateral coefficients.
-
-    Examples
-    --------
-    >>> section_moments([-1.0, 1.0], [1.0, 1.0], [[3.0, 0.0, 1.0], [3.0, 0.0, 1.0]])[:, 0].tolist()
-    [6.0, 0.0, 6.0]
     """
     xs = np.asarray(x, dtype=float)
     powers = np.asarray(weight, dtype=float) * xs ** np.arange(3)[:, None]
@@ -70,25 +46,12 @@ def section_moments(x: ArrayLike, weight: ArrayLike, coefficients: ArrayLike) ->
 def shifted_moments(moments: Floats, x_g: float, z0: float) -> Floats:
     """Moments about the waterline at the x-origin, moved to G at x_g and z0 above the waterline.
 
-    Parameters
-    ----------
-    moments : (..., 3, 3) float    from `section_moments`, about O
-    x_g : float                    position of G on the x axis of the moments [m]
-    z0 : float                     KG - T [m]
+    moments (..., 3, 3): from `section_moments`, about O
+    x_g: position of G on the x axis of the moments [m]
+    z0: KG - T [m]
+    Returns (..., 3, 3): the same integrals with x from G and [22, 24, 44] about G
 
-    Returns
-    -------
-    (..., 3, 3) float    the same integrals with x from G and [22, 24, 44] about G
-
-    Notes
-    -----
     Source: [STF70] section coefficients, moved rigidly.
-
-    Examples
-    --------
-    >>> box = section_moments([-1.0, 1.0], [1.0, 1.0], [[3.0, 0.0, 1.0]] * 2)
-    >>> shifted_moments(box, 2.0, 0.0)[:, 0].tolist()
-    [6.0, -12.0, 30.0]
     """
     s0, s1, s2 = (moments[..., k, :] for k in range(3))
     in_x = np.stack([s0, s1 - x_g * s0, s2 - 2 * x_g * s1 + x_g**2 * s0], axis=-2)
@@ -98,22 +61,10 @@ def shifted_moments(moments: Floats, x_g: float, z0: float) -> Floats:
 def moment_matrix(moments: Floats) -> Floats:
     """Symmetric sway-roll-yaw matrix M[c] of the integrated section coefficients.
 
-    Parameters
-    ----------
-    moments : (..., 3, 3) float    from `section_moments`
+    moments (..., 3, 3): from `section_moments`
+    Returns (..., 3, 3): rows and columns sway, roll, yaw
 
-    Returns
-    -------
-    (..., 3, 3) float    rows and columns sway, roll, yaw
-
-    Notes
-    -----
     Source: [STF70] lateral coefficients at zero speed.
-
-    Examples
-    --------
-    >>> moment_matrix(section_moments([1.0], [1.0], [[2.0, 3.0, 5.0]])).tolist()
-    [[2.0, 3.0, 2.0], [3.0, 5.0, 3.0], [2.0, 3.0, 2.0]]
     """
     s0, s1, s2 = (moments[..., k, :] for k in range(3))
     entries = (

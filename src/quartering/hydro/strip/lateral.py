@@ -42,30 +42,16 @@ def derivatives_from_moments(
 ) -> tuple[Floats, Floats]:
     """Damping- and inertia-type derivatives from the integrated section coefficients.
 
-    Parameters
-    ----------
-    a, b : (..., 3, 3) float    moments of added mass and damping about the point wanted, at each condition
-    speed : (...) float         U [m/s]
-    frequency : (...) float     encounter frequency omega, >= 0 [rad/s]
-    aft : two (..., 3, 3)       x_A^k a(x_A) and x_A^k b(x_A) of a transom; None leaves those terms out
-    floor : float               the U/omega^2 terms use max(omega, floor); infinity leaves them out [rad/s]
+    a, b (..., 3, 3): moments of added mass and damping about the point wanted, at each condition
+    speed (...): U [m/s]
+    frequency (...): encounter frequency omega, >= 0 [rad/s]
+    aft: x_A^k a(x_A) and x_A^k b(x_A) of a transom; None leaves those terms out
+    floor: the U/omega^2 terms use max(omega, floor); infinity leaves them out [rad/s]
+    Returns damping (..., 3, 3): Y_v, Y_p, Y_r; K_v, ..; N_v, .., without any rigid-body term; inertia (..., 3, 3):
+        Y_vdot, Y_pdot,
 
-    Returns
-    -------
-    damping : (..., 3, 3) float    Y_v, Y_p, Y_r; K_v, ..; N_v, .., without any rigid-body term
-    inertia : (..., 3, 3) float    Y_vdot, Y_pdot, ..
-
-    Notes
-    -----
     At omega = 0 without a floor the U/omega^2 terms are zero, because b goes to zero faster than omega^2.
     Source: [STF70] lateral coefficients, rewritten for body axes (v already contains -U psi).  Valid: slender ships.
-
-    Examples
-    --------
-    >>> a = section_moments([0.0], [1.0], [[2.0, 0.0, 1.0]])
-    >>> damping, inertia = derivatives_from_moments(a, 0 * a, 3.0, 1.0)
-    >>> float(damping[2, 0]), float(inertia[0, 0])
-    (-6.0, -2.0)
     """
     u = np.asarray(speed, dtype=float)[..., None, None]
     w = np.maximum(np.asarray(frequency, dtype=float), floor)[..., None, None]
@@ -89,34 +75,17 @@ def strip_derivatives(
 ) -> tuple[Floats, Floats]:
     """Velocity and acceleration derivatives of the whole ship from its sections.
 
-    Parameters
-    ----------
-    x : (s,) float              section positions from the reference point, + forward [m]
-    weight : (s,) float         quadrature weights along the ship [m]
-    a, b : (..., s, 3) float    section added mass and damping [22, 24, 44] about the reference point, per metre, SI
-    speed : (...) float         U [m/s]
-    frequency : (...) float     encounter frequency omega, >= 0 [rad/s]
-    aft : (x_A, a, b)           position and (..., 3) coefficients of a transom; None leaves its terms out
-    floor : float               the U/omega^2 terms use max(omega, floor); infinity leaves them out [rad/s]
+    x (s,): section positions from the reference point, + forward [m]
+    weight (s,): quadrature weights along the ship [m]
+    a, b (..., s, 3): section added mass and damping [22, 24, 44] about the reference point, per metre, SI
+    speed (...): U [m/s]
+    frequency (...): encounter frequency omega, >= 0 [rad/s]
+    aft (x_A, a, b): position and (..., 3) coefficients of a transom; None leaves its terms out
+    floor: the U/omega^2 terms use max(omega, floor); infinity leaves them out [rad/s]
+    Returns damping (..., 3, 3): [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], no rigid-body term; inertia (...,
+        3, 3): [[Y_vdot, Y_pdot, Y_rdot], ..]
 
-    Returns
-    -------
-    damping : (..., 3, 3) float    [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], no rigid-body term
-    inertia : (..., 3, 3) float    [[Y_vdot, Y_pdot, Y_rdot], ..]
-
-    Raises
-    ------
-    InputError    a negative or not finite frequency
-
-    Notes
-    -----
     Source: [STF70] lateral coefficients with transom terms, rewritten for body axes.  Valid: slender ships.
-
-    Examples
-    --------
-    >>> damping, inertia = strip_derivatives([0.0], [10.0], [[2.0, 0.0, 1.0]], [[0.5, 0.0, 0.1]], 3.0, 1.0)
-    >>> damping[:, 0].tolist(), inertia[:, 0].tolist()
-    ([-5.0, -0.0, -60.0], [-20.0, -0.0, 15.0])
     """
     w = np.asarray(frequency, dtype=float)
     if not (np.isfinite(w).all() and (w >= 0).all()):
@@ -138,21 +107,9 @@ def _one(coefficients: ArrayLike) -> Floats:
 def frequency_floor(beam: float) -> float:
     """Frequency at which the U/omega^2 terms of strip theory stop growing.
 
-    Parameters
-    ----------
-    beam : float    B [m]
+    beam: B [m]
+    Returns 0.15 sqrt(g/B) [rad/s]
 
-    Returns
-    -------
-    float    0.15 sqrt(g/B) [rad/s]
-
-    Notes
-    -----
     Source: [STF70] for the terms; the floor is assumed, low enough to leave wave-frequency motion alone.
-
-    Examples
-    --------
-    >>> round(frequency_floor(16.256), 4)
-    0.1165
     """
     return float(FREQUENCY_FLOOR * np.sqrt(GRAVITY / beam))

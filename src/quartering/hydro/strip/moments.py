@@ -28,26 +28,12 @@ from quartering.hydro.strip.table import SectionTable, default_frequencies
 def section_table(hull: Hull, density: float) -> SectionTable:
     """Added mass, damping and potentials of all sections on the standard frequencies, kept for the process.
 
-    Parameters
-    ----------
-    hull : Hull        at its draught
-    density : float    rho [kg/m3]
+    hull: at its draught
+    density: rho [kg/m3]
+    Returns about the waterline point of each section, SI
 
-    Returns
-    -------
-    SectionTable    about the waterline point of each section, SI
-
-    Notes
-    -----
     Source: [Tasai61] or [Frank67], by the hull's choice of section method; [Morino74] for three-dimensional ends.
     Valid: as `radiation_table`.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import wigley_hull
-    >>> hull = wigley_hull(100.0, 10.0, 6.25, 10.0)
-    >>> section_table(hull, 1025.0) is section_table(hull, 1025.0)
-    True
     """
     frequency = default_frequencies(hull.beam, hull.draught)
     return hull_table(hull, frequency, density)
@@ -69,17 +55,9 @@ class Moments(NamedTuple):
     def about(self, x_g: float, z0: float) -> Moments:
         """The same about G.
 
-        Parameters
-        ----------
-        x_g : float    G forward of midship [m]
-        z0 : float     KG - T [m]
+        x_g: G forward of midship [m]
+        z0: KG - T [m]
 
-        Returns
-        -------
-        Moments
-
-        Notes
-        -----
         Source: [STF70] section coefficients, moved rigidly.
         """
         aft = None if self.aft is None else tuple(shifted_moments(end, x_g, z0) for end in self.aft)
@@ -105,20 +83,9 @@ class HullMoments:
     def at(self, frequency: ArrayLike) -> Moments:
         """Moments at given frequencies.
 
-        Parameters
-        ----------
-        frequency : (n,) float    omega, >= 0; held at the upper end of the table [rad/s]
+        frequency (n,): omega, >= 0; held at the upper end of the table [rad/s]
+        Returns about the waterline amidships
 
-        Returns
-        -------
-        Moments    about the waterline amidships
-
-        Raises
-        ------
-        InputError    a frequency that is negative or not finite
-
-        Notes
-        -----
         Source: [Frank67] sections, cubic spline in frequency.  Valid: as `default_frequencies`.
         """
         omega = np.asarray(frequency, dtype=float)
@@ -135,25 +102,11 @@ class HullMoments:
 def hull_moments(hull: Hull, density: float) -> HullMoments:
     """Integrals of the section coefficients of a hull, ready for any frequency; kept for the process.
 
-    Parameters
-    ----------
-    hull : Hull        at its draught
-    density : float    rho [kg/m3]
+    hull: at its draught
+    density: rho [kg/m3]
+    Returns about the waterline amidships
 
-    Returns
-    -------
-    HullMoments    about the waterline amidships
-
-    Notes
-    -----
     Source: [STF70] integrals over the length; sections [Frank67].  Valid: as `radiation_table`.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import wigley_hull
-    >>> moments = hull_moments(wigley_hull(100.0, 10.0, 6.25, 10.0), 1025.0)
-    >>> moments.transom, moments.at([0.5, 1.0]).a.shape
-    (False, (2, 3, 3))
     """
     immersed, table = strips(hull), section_table(hull, density)
     end = [hull.x_aft], [1.0]

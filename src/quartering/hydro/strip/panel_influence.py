@@ -91,19 +91,12 @@ def _add(potential: Floats, velocity: Floats, i: int, j: int, image: int, angle:
 def panel_equations(corners: Floats, normal: Floats) -> tuple[Floats, Floats]:
     """Green's identity at the centres of the panels of a quarter body.
 
-    Parameters
-    ----------
-    corners : (n, 4, 3) float    quadrilaterals; each is four triangles that meet in the mean of its corners, so that the
-                                 surface is closed whatever its twist [m]
-    normal : (n, 3) float        their normals into the water, times area; right-hand rule [m2]
+    corners (n, 4, 3): quadrilaterals; each is four triangles that meet in the mean of its corners, so that the surface
+        is closed whatever its twist [m]
+    normal (n, 3): their normals into the water, times area; right-hand rule [m2]
+    Returns potential (2, n, n): matrices of the unknown potentials; first the body mirrored evenly, then oddly in z =
+        0; velocity (2, n, n): matrices of the normal velocities [m]: potential @ phi = velocity @ dphi/dn
 
-    Returns
-    -------
-    potential : (2, n, n) float    matrices of the unknown potentials; first the body mirrored evenly, then oddly in z = 0
-    velocity : (2, n, n) float     matrices of the normal velocities [m]: potential @ phi = velocity @ dphi/dn
-
-    Notes
-    -----
     Source: [Morino74] Green's identity on constant panels; [VanOosterom83] solid angle; [Hess67] sources.
     Valid: motions odd in y; panels of any aspect, opposite sides of a thin body among them.
     """
@@ -151,17 +144,9 @@ def _piece(py: float, pz: float, y0: float, z0: float, y1: float, z1: float) -> 
 def contour_equations(y: Floats, z: Floats) -> tuple[Floats, Floats]:
     """The same in the plane, at the middles of the straight pieces of a section's contour.
 
-    Parameters
-    ----------
-    y, z : (m + 1,) float    points from the keel to the waterline [m]
+    y, z (m + 1,): points from the keel to the waterline [m]
+    Returns potential (2, m, m): as `panel_equations`; velocity (2, m, m)
 
-    Returns
-    -------
-    potential : (2, m, m) float    as `panel_equations`
-    velocity : (2, m, m) float
-
-    Notes
-    -----
     The subtended angle and the integral of ln(1/r) of a straight piece in closed form.
     Source: [Morino74], [Hess67] in two dimensions.  Valid: motions odd in y, so that no flow goes out on the whole.
     """

@@ -19,21 +19,12 @@ from quartering.hull.lines.section import Floats
 def section_motion(x: ArrayLike, depth: float) -> Floats:
     """Sway, heave and roll velocity of sections from the six velocities of the ship: H(x).
 
-    Parameters
-    ----------
-    x : (s,) float    section positions from the reference point, + forward [m]
-    depth : float     of the calm plane below the reference point, + down [m]
+    x (s,): section positions from the reference point, + forward [m]
+    depth: of the calm plane below the reference point, + down [m]
+    Returns (s, 3, 6): rows sway, heave and roll about the waterline point; columns surge .. yaw
 
-    Returns
-    -------
-    (s, 3, 6) float    rows sway, heave and roll about the waterline point; columns surge .. yaw
-
-    Notes
-    -----
     v + x r - depth p, w - x q, p.  Source: [STF70], rigid-body kinematics of a section.
 
-    Examples
-    --------
     >>> section_motion([10.0], 2.0)[0].tolist()
     [[0.0, 1.0, 0.0, -2.0, 0.0, 10.0], [0.0, 0.0, 1.0, 0.0, -10.0, 0.0], [0.0, 0.0, 0.0, 1.0, 0.0, 0.0]]
     """
@@ -47,23 +38,11 @@ def section_motion(x: ArrayLike, depth: float) -> Floats:
 def section_matrix(lateral: ArrayLike, heave: ArrayLike) -> Floats:
     """Section coefficients as matrices of sway, heave and roll.
 
-    Parameters
-    ----------
-    lateral : (..., 3) float    [22, 24, 44]
-    heave : (...) float         33
+    lateral (..., 3): [22, 24, 44]
+    heave (...): 33
+    Returns (..., 3, 3): symmetric; heave couples with nothing
 
-    Returns
-    -------
-    (..., 3, 3) float    symmetric; heave couples with nothing
-
-    Notes
-    -----
     Source: [STF70], port-starboard symmetric sections.
-
-    Examples
-    --------
-    >>> section_matrix([2.0, 3.0, 5.0], 7.0).tolist()
-    [[2.0, 0.0, 3.0], [0.0, 7.0, 0.0], [3.0, 0.0, 5.0]]
     """
     sides, up = np.asarray(lateral, dtype=float), np.asarray(heave, dtype=float)
     matrix = np.zeros((*up.shape, 3, 3))
@@ -86,31 +65,18 @@ def six_mode_matrices(
 ) -> tuple[Floats, Floats]:
     """Added mass and damping of the ship in six modes from its sections, body axes.
 
-    Parameters
-    ----------
-    x : (s,) float                 section positions from the reference point, + forward [m]
-    weight : (s,) float            quadrature weights along the ship [m]
-    a, b : (f, s, 3, 3) float      section matrices in sway, heave, roll about the waterline point, per metre
-    speed : float                  U; a negative one is the reverse flow [m/s]
-    frequency : (f,) float         encounter frequency, any sign [rad/s]
-    depth : float                  of the calm plane below the reference point [m]
-    x_aft : float                  where the first section stands as a transom [m]; None leaves the aft terms out
-    floor : float                  the U/omega^2 terms use max(|omega|, floor); infinity leaves them out [rad/s]
+    x (s,): section positions from the reference point, + forward [m]
+    weight (s,): quadrature weights along the ship [m]
+    a, b (f, s, 3, 3): section matrices in sway, heave, roll about the waterline point, per metre
+    speed: U; a negative one is the reverse flow [m/s]
+    frequency (f,): encounter frequency, any sign [rad/s]
+    depth: of the calm plane below the reference point [m]
+    x_aft: where the first section stands as a transom [m]; None leaves the aft terms out
+    floor: the U/omega^2 terms use max(|omega|, floor); infinity leaves them out [rad/s]
+    Returns added_mass, damping (f, 6, 6): surge row and column zero
 
-    Returns
-    -------
-    added_mass, damping : (f, 6, 6) float    surge row and column zero
-
-    Notes
-    -----
     Both matrices belong to omega and to -omega alike: c(-w) is the conjugate of c(w).
     Source: [STF70] heave-pitch and lateral coefficients with transom terms, in body axes.  Valid: slender ships.
-
-    Examples
-    --------
-    >>> mass, damping = six_mode_matrices([0.0], [10.0], np.eye(3)[None, None] * 2, np.zeros((1, 1, 3, 3)), 3.0, [1.0])
-    >>> float(mass[0, 2, 2]), float(damping[0, 4, 2]), float(damping[0, 5, 1])
-    (20.0, -60.0, 60.0)
     """
     w = np.maximum(np.abs(np.atleast_1d(np.asarray(frequency, dtype=float))), floor)[:, None, None]
     per_square = np.where(w > 0, 1 / np.where(w > 0, w, 1.0) ** 2, 0.0)
@@ -136,26 +102,13 @@ def six_mode_matrices(
 def seakeeping_axes(added_mass: Floats, damping: Floats, speed: float, frequency: Floats) -> tuple[Floats, Floats]:
     """The same matrices for displacements in axes that move with the mean course.
 
-    Parameters
-    ----------
-    added_mass, damping : (f, 6, 6) float    body axes
-    speed : float                            U [m/s]
-    frequency : (f,) float                   not 0 where speed is not [rad/s]
+    added_mass, damping (f, 6, 6): body axes
+    speed: U [m/s]
+    frequency (f,): not 0 where speed is not [rad/s]
+    Returns added_mass, damping (f, 6, 6): A_ij, B_ij of the literature, axes y to starboard and z down
 
-    Returns
-    -------
-    added_mass, damping : (f, 6, 6) float    A_ij, B_ij of the literature, axes y to starboard and z down
-
-    Notes
-    -----
     v = d eta2/dt - U eta6 and w = d eta3/dt + U eta5, so A = A_body - U/w^2 B_body E, B = B_body + U A_body E with
     E = -1 at (sway, yaw), +1 at (heave, pitch).  Source: [STF70].
-
-    Examples
-    --------
-    >>> one = np.eye(6)[None]
-    >>> float(seakeeping_axes(one, 0 * one, 3.0, np.ones(1))[1][0, 2, 4])
-    3.0
     """
     turn = np.zeros((6, 6))
     turn[1, 5], turn[2, 4] = -1.0, 1.0

@@ -10,26 +10,13 @@ from quartering.conventions import InputError
 def spheroid_surge(length: float, volume: float) -> float:
     """Added mass in surge over displaced mass, of half a prolate spheroid with the ship's length and volume.
 
-    Parameters
-    ----------
-    length : float    L [m]
-    volume : float    displaced volume, less than that of the half sphere over L [m3]
+    length: L [m]
+    volume: displaced volume, less than that of the half sphere over L [m3]
+    Returns k1 [1]
 
-    Returns
-    -------
-    float    k1 [1]
-
-    Raises
-    ------
-    InputError    a length or volume that is not positive, or a volume too large for a prolate spheroid
-
-    Notes
-    -----
     k1 = alpha/(2 - alpha), alpha = 2 (1 - e^2)/e^3 (artanh e - e), e the eccentricity, free surface a rigid lid.
     Source: [Lamb32] art. 114.  Valid: estimate; independent of frequency and of the shape of the ends.
 
-    Examples
-    --------
     Length over breadth 5.01, for which Lamb tabulates 0.059:
 
     >>> round(spheroid_surge(5.01, 2 * math.pi / 3 * 2.505 * 0.5**2), 3)

@@ -9,7 +9,7 @@ from typing import Any, Final, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.cache import remembered
+from quartering.cache import cached
 from quartering.conventions import GRAVITY, InputError
 from quartering.digest import fingerprint, source_digest
 from quartering.hull.lines.section import Floats
@@ -79,46 +79,19 @@ def radiation_table(
 ) -> SectionTable:
     """Section coefficients in sway and roll of a hull's strips.
 
-    Parameters
-    ----------
-    strips : Strips          (s,) sections
-    frequency : (f,) float   w >= 0, ascending [rad/s]
-    density : float          of the water, > 0 [kg/m3]
-    points : int             points on the half contour, at least 18
-    method : "auto", "lewis" or "close-fit"
-        "auto" and "close-fit" solve each section on its own contour, "lewis" on the Lewis form of its breadth, draught
-        and area.
+    strips: (s,) sections
+    frequency (f,): w >= 0, ascending [rad/s]
+    density: of the water, > 0 [kg/m3]
+    points: points on the half contour, at least 18
+    method: "auto" and "close-fit" solve each section on its own contour, "lewis" on the Lewis form of its breadth,
+        draught and area.
 
-    Returns
-    -------
-    SectionTable
-
-    Raises
-    ------
-    InputError               frequencies not ascending, negative or not finite; density not positive; unknown method;
-                             strips without contour points (not for "lewis")
-
-    Warns
-    -----
-    RangeWarning             the damping of a section on its own contour differs by pressure and by waves: section, frequency
-
-    Notes
-    -----
     A table of 8 frequencies or more is kept on disk (`quartering.cache`) by its content and that of the source.
     At w = 0 the damping is zero and the potentials are those under a rigid lid. Close-fit coefficients are those of twice
     as many panels as the contour has points; the potentials integrate to them within 1e-3 (5e-3 on offsets with kinks).
     Source: [Tasai61] sections in sway and roll by [Lewis29] forms; [Frank67] on their own contours.
     Sections wholly under water, of a bulb ahead of the stem, are left out: their coefficients are zero.
     Valid: deep water, nu B/2 < 20.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> one = np.ones((1, 1))
-    >>> half_circle = Strips(np.zeros(1), np.ones(1), one, one, one, one, np.ones(1), np.ones(1), np.full(1, np.pi / 2))
-    >>> table = radiation_table(half_circle, [0.0, np.sqrt(9.81)], density=1.0, method="lewis")
-    >>> np.round(table.a[:, 0, 0] / (np.pi / 2), 4).tolist()
-    [1.0, 0.3818]
     """
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
     if w.ndim != 1 or not (np.diff(w) > 0.0).all():
@@ -149,7 +122,7 @@ def _found(strips: Strips, w: Floats, density: float, points: int, method: Secti
     s = strips
     content = (s.y, s.z, s.dy, s.dz, s.half_breadth, s.draught, s.area, w, float(density), points, method)
     name = f"sections-{fingerprint([source_digest('hull', 'hydro'), *content])}"
-    return remembered(name, lambda: solved(strips, w, density, points))
+    return cached(name, lambda: solved(strips, w, density, points))
 
 
 def _of_lewis_forms(strips: Strips, w: Floats, density: float, points: int) -> dict[str, NDArray[Any]]:
@@ -164,7 +137,7 @@ def _of_lewis_forms(strips: Strips, w: Floats, density: float, points: int) -> d
 
 def _of_own_contours(strips: Strips, w: Floats, density: float, points: int) -> dict[str, NDArray[Any]]:
     """Arrays of a table by name; equal sections are solved once."""
-    outlines, which = own_outlines(strips)
+    outlines, which = user_outlines(strips)
     kept = close_fit(outlines, w, "lateral", density=density, panels=points + 1)
     fine = close_fit(outlines, w, "lateral", density=density, panels=REFINEMENT * (points + 1))
     zero, infinite, _ = close_fit_limits(outlines, density, panels=REFINEMENT * (points + 1))
@@ -201,38 +174,20 @@ def _table(arrays: Mapping[str, NDArray[Any]], density: float) -> SectionTable:
     return SectionTable(**flat, forms=LewisForms(**shapes) if shapes else None, density=float(density))
 
 
-def own_outlines(strips: Strips) -> tuple[list[Outline], NDArray[np.intp]]:
+def user_outlines(strips: Strips) -> tuple[list[Outline], NDArray[np.intp]]:
     """Outlines of a hull's sections, each once.
 
-    Parameters
-    ----------
-    strips : Strips    (s,) sections
-
-    Returns
-    -------
-    list of Outline    the different ones, in the order of the sections
-    (s,) int           which of them each section has
-
-    Raises
-    ------
-    InputError         a section has no contour points or no breadth: named by number and place
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.immersed import strips
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> outlines, which = own_outlines(strips(box_hull(100.0, 20.0, 5.0, 10.0)))
-    >>> len(outlines), int(which.max())
-    (1, 0)
+    strips: (s,) sections
+    Returns the different ones, in the order of the sections; (s,): which of them each section has
     """
     s = strips
     number: dict[bytes, int] = {}
     contour = np.concatenate([s.y, s.z, s.dy, s.dz, s.half_breadth[:, None], s.draught[:, None]], axis=1)
     which = [number.setdefault(row.tobytes(), len(number)) for row in contour]
-    return [_own_outline(strips, which.index(k)) for k in range(len(number))], np.array(which, dtype=np.intp)
+    return [_user_outline(strips, which.index(k)) for k in range(len(number))], np.array(which, dtype=np.intp)
 
 
-def _own_outline(strips: Strips, section: int) -> Outline:
+def _user_outline(strips: Strips, section: int) -> Outline:
     """Outline of one section, counted from 0."""
     s, i = strips, section
     called = f"section {i + 1} (x = {s.x[i]:g} m)"
@@ -246,32 +201,15 @@ def _triplet(matrix: Floats) -> Floats:
 def default_frequencies(beam: float, draught: float, count: int = STANDARD_FREQUENCIES) -> Floats:
     """Frequencies between which the coefficients of all sections of a ship may be read by cubic interpolation.
 
-    Parameters
-    ----------
-    beam, draught : float   of the ship, > 0 [m]
-    count : int             how many, at least 8
+    beam, draught: of the ship, > 0 [m]
+    count: how many, at least 8
+    Returns (count,): ascending, w sqrt(B/2g) from 0.02 to 3.5 [rad/s]
 
-    Returns
-    -------
-    (count,) float          ascending, w sqrt(B/2g) from 0.02 to 3.5 [rad/s]
-
-    Raises
-    ------
-    InputError              beam or draught not positive, or too few frequencies
-
-    Notes
-    -----
     w = w_k sinh(u), u evenly spaced, w_k = 0.8 sqrt(g/max(B/2, T)): even at low and ever wider at high frequency.
     Four-point Lagrange interpolation then errs by less than 1e-4 of each curve's maximum and a cubic spline by less
     than 3e-5 (96 frequencies; a spline needs 60 for 1e-4).
     Source: measured on Lewis forms of [Lewis29], half breadths from 0.02 of the draught.  Valid: sections within the
     ship's breadth and draught.
-
-    Examples
-    --------
-    >>> w = default_frequencies(20.0, 8.0)
-    >>> len(w), round(float(w[0]), 4), round(float(w[-1]), 3)
-    (96, 0.0198, 3.467)
     """
     for name, value in (("beam", beam), ("draught", draught)):
         if not (np.isfinite(value) and value > 0.0):

@@ -14,24 +14,12 @@ Floats = NDArray[np.float64]
 def wave_frequencies_met(frequency: ArrayLike, speed: float, heading: float) -> Floats:
     """Frequencies of all waves that a ship meets at one encounter frequency, of either sign.
 
-    Parameters
-    ----------
-    frequency : (n,) float    |omega| > 0 [rad/s]
-    speed, heading : float    [m/s], [deg]
+    frequency (n,): |omega| > 0 [rad/s]
+    speed, heading: [m/s], [deg]
+    Returns (n, 3): two waves that overtake the ship and one that it overtakes, NaN where there is none; one alone in
+        bow seas, at rest and above the largest frequency g/(4 U cos mu) of waves that overtake it [rad/s]
 
-    Returns
-    -------
-    (n, 3) float    two waves that overtake the ship and one that it overtakes, NaN where there is none; one alone in bow seas,
-                    at rest and above the largest frequency g/(4 U cos mu) of waves that overtake it [rad/s]
-
-    Notes
-    -----
     Roots of sigma - a sigma^2 = +-|omega|, a = U cos(mu)/g, in a form that holds for a -> 0.
-
-    Examples
-    --------
-    >>> wave_frequencies_met([0.3], 7.5, 30.0).round(4).tolist()
-    [[0.4129, 1.0975, 1.7668]]
     """
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
     a = -float(heading_components(heading)[0]) * speed / GRAVITY

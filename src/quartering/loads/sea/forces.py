@@ -29,22 +29,9 @@ if TYPE_CHECKING:
 def cell_forces(ship: Ship, cells: Cells, form: Form = "stf") -> Phasors:
     """Froude-Krylov and diffraction force in the cells of a sea, per metre of amplitude, lift apart.
 
-    Parameters
-    ----------
-    ship : Ship
-    cells : Cells
-    form : str    of the diffraction force
+    form: of the diffraction force
+    Returns (c, 3): sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
 
-    Returns
-    -------
-    (c, 3) complex    sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}
-
-    Raises
-    ------
-    InputError        what `ship_force_phasors` refuses
-
-    Examples
-    --------
     >>> import numpy as np
     >>> from quartering.hull.file.read import ship
     >>> cells = Cells(np.array([0.6, 0.8]), 0.2, np.array([30.0, 90.0, 150.0]), 0.0, 5.0)

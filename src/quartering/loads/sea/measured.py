@@ -22,8 +22,6 @@ _STATED: Final = 0.02
 def read_spectrum(dataset: xr.Dataset | xr.DataArray, course: float) -> MeasuredSystem:
     """A spectrum from the north and in hertz, as one from the bow of a ship and in rad/s; see `Sea.from_spectrum`.
 
-    Examples
-    --------
     See `Sea.from_spectrum`.
     """
     efth = _efth(dataset)

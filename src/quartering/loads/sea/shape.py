@@ -30,24 +30,12 @@ _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(60)
 def shape(x: ArrayLike, n: float, gamma: float = 1.0) -> Floats:
     """Spectral shape at frequencies in units of the peak's, not normalised.
 
-    Parameters
-    ----------
-    x : (...) float    sigma/sigma_p; 0 where not positive
-    n : float          power of the tail, S ~ x^-n
-    gamma : float      peak enhancement
+    x (...): sigma/sigma_p; 0 where not positive
+    n: power of the tail, S ~ x^-n
+    gamma: peak enhancement
+    Returns (...)
 
-    Returns
-    -------
-    (...) float
-
-    Notes
-    -----
     Source: [Hasselmann73] for n = 5; the family as in [OchiHubble76].
-
-    Examples
-    --------
-    >>> float(shape(1.0, 5.0, 3.3).round(4))  # 3.3 exp(-1.25)
-    0.9455
     """
     at = np.asarray(x, dtype=float)
     size = np.where(at > 0.05, at, 1.0)  # below exp(-(n/4) 20^4) is 0
@@ -64,23 +52,8 @@ def _enhanced(x: Floats, gamma: float) -> Floats:
 def integral(n: float, gamma: float = 1.0, power: float = 0.0) -> float:
     """Integral of x^power times the shape, from 0 to infinity.
 
-    Parameters
-    ----------
-    n, gamma : float    as in `shape`
-    power : float       below n - 1
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InputError          the integral does not exist: the tail falls too slowly
-
-    Examples
-    --------
-    >>> integral(5.0), round(integral(5.0, 3.3), 6)
-    (0.2, 0.30499)
+    n, gamma: as in `shape`
+    power: below n - 1
     """
     a = 0.25 * (n - 1.0 - power)
     if a <= 0:
@@ -101,8 +74,6 @@ def integral(n: float, gamma: float = 1.0, power: float = 0.0) -> float:
 def mean_period_ratio(n: float, gamma: float = 1.0) -> float:
     """Tz/Tp: mean zero-crossing period 2 pi sqrt(m0/m2) over the period of the peak.
 
-    Examples
-    --------
     >>> round(mean_period_ratio(5.0, 1.0), 6)
     0.710371
     """

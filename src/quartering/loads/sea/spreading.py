@@ -21,8 +21,6 @@ _LARGEST = 5000.0
 def checked_spreading(given: object) -> Spreading:
     """A spreading, refused when it is none; an infinite s is long-crested.
 
-    Examples
-    --------
     >>> checked_spreading(float("inf")) is None, checked_spreading("cos2"), checked_spreading(8)
     (True, 'cos2', 8.0)
     """
@@ -46,24 +44,11 @@ def checked_spreading(given: object) -> Spreading:
 def directional_density(angle: ArrayLike, spreading: float | Literal["cos2"]) -> Floats:
     """Share of the energy per radian at angles from the main direction.
 
-    Parameters
-    ----------
-    angle : (...) float    [rad]
-    spreading : float or "cos2"
+    angle (...): [rad]
+    Returns (...): [1/rad], integral 1 over the circle
 
-    Returns
-    -------
-    (...) float            [1/rad], integral 1 over the circle
-
-    Notes
-    -----
     D = G(s + 1)/(2 sqrt(pi) G(s + 1/2)) cos^2s(angle/2), with logarithms of the gamma functions G, which overflow at s = 170.
     Source: [LonguetHiggins63]; "cos2", (2/pi) cos^2 over a half circle, is the form of the ITTC.
-
-    Examples
-    --------
-    >>> float(directional_density(0.0, 1.0).round(6)), float(directional_density(2.0, "cos2"))
-    (0.31831, 0.0)
     """
     theta = np.remainder(np.asarray(angle, dtype=float) + np.pi, 2 * np.pi) - np.pi
     if spreading == "cos2":
@@ -74,13 +59,7 @@ def directional_density(angle: ArrayLike, spreading: float | Literal["cos2"]) ->
 
 
 def spread_deviation(spreading: Spreading) -> float:
-    """Circular standard deviation sqrt(2 (1 - r1)) of the directions; 0 of a long-crested sea [rad].
-
-    Examples
-    --------
-    >>> round(math.degrees(spread_deviation(10.0)), 2), round(math.degrees(spread_deviation("cos2")), 1)
-    (24.43, 31.5)
-    """
+    """Circular standard deviation sqrt(2 (1 - r1)) of the directions; 0 of a long-crested sea [rad]."""
     if spreading is None:
         return 0.0
     if spreading == "cos2":

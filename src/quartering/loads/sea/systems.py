@@ -22,8 +22,6 @@ JONSWAP_POWER: Final = 5.0
 def wrapped(heading: ArrayLike) -> Floats:
     """Headings in (-180, 180] [deg].
 
-    Examples
-    --------
     >>> wrapped([190.0, -180.0, 45.0]).tolist()
     [-170.0, 180.0, 45.0]
     """
@@ -216,8 +214,6 @@ def _running_integral(x: Floats, y: Floats, at: Floats) -> Floats:
 def checked_cut(cut: object) -> tuple[float, float]:
     """The part of a spectrum that acts, refused where it is none.
 
-    Examples
-    --------
     >>> checked_cut((0.5, 3))
     (0.5, 3.0)
     """

@@ -14,28 +14,15 @@ _POWER, _PRINTED = 4.0, 3.26
 def torsethaugen(hs: float, tp: float, gravity: float = GRAVITY) -> tuple[tuple[WaveSystem, ...], float]:
     """The wave systems of the simplified spectrum of Torsethaugen, scaled to the height exactly.
 
-    Parameters
-    ----------
-    hs : float         of both together [m]
-    tp : float         period of the larger peak [s]
-    gravity : float    [m/s2]
+    hs: of both together [m]
+    tp: period of the larger peak [s]
+    gravity: [m/s2]
+    Returns systems: the larger peak first; one alone where Tp is that of a fully grown sea; scale: 16 m0/hs^2 of the
+        printed formulas, which the systems are divided by
 
-    Returns
-    -------
-    systems : tuple of WaveSystem    the larger peak first; one alone where Tp is that of a fully grown sea
-    scale : float                    16 m0/hs^2 of the printed formulas, which the systems are divided by
-
-    Notes
-    -----
     Tf = 6.6 hs^(1/3) divides wind sea from swell. The peak enhancement is at least 1: below, the printed factor is a root of a
     negative logarithm. Source: [TorsethaugenHaver04] as DNV-RP-C205 reads it, from memory: UNVERIFIED.
     Valid: fetch-limited seas of the Norwegian shelf.
-
-    Examples
-    --------
-    >>> systems, scale = torsethaugen(4.0, 8.0)
-    >>> [round(one.tp, 2) for one in systems], round(scale, 3)
-    ([8.0, 12.48], 1.023)
     """
     grown = 6.6 * hs ** (1.0 / 3.0)
     if tp <= grown:

@@ -44,24 +44,9 @@ class FloatingHull(NamedTuple):
 def floating_hull(ship: Ship, pieces: int = PIECES) -> FloatingHull:
     """Wetted hull of a ship about its G.
 
-    Parameters
-    ----------
-    ship : Ship
-    pieces : int    straight pieces, at least, of half a smooth section
+    pieces: straight pieces, at least, of half a smooth section
 
-    Returns
-    -------
-    FloatingHull
-
-    Notes
-    -----
     The polygons are those of `righting_arm`: upright in calm water the ship floats without trim, with its GM.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> round(floating_hull(ship("box")).volume, 6)
-    10000.0
     """
     hull = wetted_hull(ship.hull, pieces)
     loads, jacobian = direct_loads(hull, np.zeros((1, 3)), Waves(*np.zeros((4, 1))))
@@ -75,17 +60,9 @@ def floating_hull(ship: Ship, pieces: int = PIECES) -> FloatingHull:
 def floating_tables(ship: Ship, wavenumber: float = 0.0) -> tuple[SectionTables, float]:
     """Tables of a ship's sections about the G at which they float without trim and have its GM, and their volume.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber : float    of the pressure that decays with depth; 0: hydrostatic [1/m]
+    wavenumber: of the pressure that decays with depth; 0: hydrostatic [1/m]
+    Returns [m3]
 
-    Returns
-    -------
-    SectionTables, float    [m3]
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> round(floating_tables(ship("box"))[1], 3)
     10000.0
@@ -125,23 +102,13 @@ def balanced(
 ) -> Balance:
     """Balance of a ship at given heel angles on frozen waves.
 
-    Parameters
-    ----------
-    floats : FloatingHull
-    roll : (n,) float      heel, + starboard down [rad]
-    waves : Waves          (n,)
-    solved : int           `TRIM`, `HEAVE`, or 0 for none: heave and pitch are then those of ``start``
-    start : (n, 2) float   heave [m] and pitch [rad]; where something is solved for, of the first row, the others starting
-                           from the row before
-    smith : bool           the pressure of the wave decays with depth
-    tables : SectionTables about G, of the wave number where the pressure decays, in place of the pressure itself
+    roll (n,): heel, + starboard down [rad]
+    waves: (n,)
+    solved: `TRIM`, `HEAVE`, or 0 for none: heave and pitch are then those of ``start``
+    start (n, 2): heave [m] and pitch [rad]; where something is solved for, of the first row, the others starting from
+        the row before
+    smith: the pressure of the wave decays with depth
 
-    Returns
-    -------
-    Balance
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> box, calm = floating_hull(ship("box")), Waves(*np.zeros((4, 1)))
     >>> round(float(balanced(box, np.zeros(1), calm, TRIM, np.zeros((1, 2))).slope[0]), 9)

@@ -59,21 +59,8 @@ class WettedHull(NamedTuple):
 def wetted_hull(hull: Hull, pieces: int = PIECES) -> WettedHull:
     """Polygons of a hull's sections about the point of the calm plane amidships.
 
-    Parameters
-    ----------
-    hull : Hull
-    pieces : int    straight pieces, at least, of half a smooth section; those on one line are one
-
-    Returns
-    -------
-    WettedHull      `about` moves it to G
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> box = wetted_hull(box_hull(100.0, 20.0, 5.0, 10.0))
-    >>> float(box.y.max()), float(box.z.min()), float(box.z.max())
-    (10.0, -5.0, 5.0)
+    pieces: straight pieces, at least, of half a smooth section; those on one line are one
+    Returns `about` moves it to G
     """
     y, height = polygons(hull, pieces)
     half = y.shape[1] // 2
@@ -119,35 +106,19 @@ def direct_loads(
 ) -> tuple[Floats, Floats]:
     """Loads of the pressure of frozen waves on a hull at given heave, roll and pitch, over density times gravity.
 
-    Parameters
-    ----------
-    hull : WettedHull     about G
-    state : (n, 3) float  heave of G, + down [m], roll, + starboard down, and pitch, + bow up [rad]
-    waves : Waves         (n,), or one for all states
-    pressure : str        "hydrostatic" or "smith"
-    exact : bool          with the lever of the surge force in pitch, the wave at the true place of a trimmed section and
-                          its area across the sloping surface; without any of the three as strip theory has it
+    hull: about G
+    state (n, 3): heave of G, + down [m], roll, + starboard down, and pitch, + bow up [rad]
+    waves: (n,), or one for all states
+    pressure: "hydrostatic" or "smith"
+    exact: with the lever of the surge force in pitch, the wave at the true place of a trimmed section and its area
+        across the sloping surface; without any of the three as strip theory has it
+    Returns loads (n, 6): X, Y, Z [m3], K, M, N about G [m4]; times rho g; jacobian (n, 6, 3): by heave, roll and pitch
+        [m2, m3, m4]
 
-    Returns
-    -------
-    loads : (n, 6) float        X, Y, Z [m3], K, M, N about G [m4]; times rho g
-    jacobian : (n, 6, 3) float  by heave, roll and pitch [m2, m3, m4]
-
-    Notes
-    -----
     K and M are the generalised forces of roll and pitch, so hydrostatic loads have a potential.  With ``exact`` the Jacobian
     leaves out how the slope of the wave changes with the place.
     Source: the pressure of linear theory, with Gauss's theorem on each section.  Valid: small trim; slopes of the hull along
     the ship enter through the areas.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> box = wetted_hull(box_hull(100.0, 20.0, 5.0, 10.0)).about(0.0, 1.0)
-    >>> calm = Waves(*np.zeros((4, 1)))
-    >>> loads, jacobian = direct_loads(box, np.zeros((1, 3)), calm)
-    >>> round(float(loads[0, 2]), 6), round(float(jacobian[0, 2, 0]), 6), round(float(jacobian[0, 3, 1] / 1e4), 4)
-    (-10000.0, -2000.0, -3.1667)
     """
     states = np.ascontiguousarray(np.atleast_2d(state), dtype=float)
     packed = np.array([np.broadcast_to(part, len(states)) for part in waves]).T.copy()
@@ -161,20 +132,12 @@ def immersion(
 ) -> Floats:
     """How deep the top of a hull lies below the surface, at the place where it lies deepest.
 
-    Parameters
-    ----------
-    hull : WettedHull
-    roll, heave, pitch : (n,) float    state [rad, m, rad]
-    waves : Waves                      (n,)
-    height : float                     of a level on the sides in place of the deck edge, down from G; at sections that do not
-                                       reach it the deck [m]
+    roll, heave, pitch (n,): state [rad, m, rad]
+    waves: (n,)
+    height: of a level on the sides in place of the deck edge, down from G; at sections that do not reach it the deck
+        [m]
+    Returns (n,): below zero where it is dry [m]
 
-    Returns
-    -------
-    (n,) float    below zero where it is dry [m]
-
-    Examples
-    --------
     >>> from quartering.hull.lines.hull import box_hull
     >>> box = wetted_hull(box_hull(100.0, 20.0, 5.0, 10.0))
     >>> calm, zero = Waves(*np.zeros((4, 1))), np.zeros(1)

@@ -14,7 +14,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from scipy.ndimage import spline_filter1d
 
-from quartering.compiled import abreast, inner, kernel
+from quartering.compiled import batch_kernel, inner, kernel
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.section import Floats
 from quartering.loads.wetted_hull.pressure import (
@@ -70,21 +70,9 @@ class SectionTables(NamedTuple):
 def section_tables(hull: Hull, wavenumber: float = 0.0, pieces: int = PIECES) -> SectionTables:
     """Tables of a hull's sections about the point of the calm plane amidships.
 
-    Parameters
-    ----------
-    hull : Hull
-    wavenumber : float    k of the pressure that decays with depth; 0: hydrostatic alone [1/m]
-    pieces : int          straight pieces, at least, of half a smooth section
-
-    Returns
-    -------
-    SectionTables         `about` moves it to G
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> section_tables(box_hull(100.0, 20.0, 5.0, 10.0)).spline.shape
-    (41, 97, 61, 3)
+    wavenumber: k of the pressure that decays with depth; 0: hydrostatic alone [1/m]
+    pieces: straight pieces, at least, of half a smooth section
+    Returns `about` moves it to G
     """
     wet = wetted_hull(hull, pieces)
     top, keel = float(-wet.z.min()), float(wet.z.max())
@@ -116,30 +104,15 @@ def _fill(points, y, z, depth, heel, k, values):  # type: ignore[no-untyped-def]
 def table_loads(tables: SectionTables, state: Floats, waves: Waves) -> tuple[Floats, Floats]:
     """Loads of the pressure of frozen waves on a hull at given heave, roll and pitch, over density times gravity.
 
-    Parameters
-    ----------
-    tables : SectionTables   about G; with a wave number the pressure of the wave decays with depth
-    state : (n, 3) float     heave of G, + down [m], roll and pitch [rad]
-    waves : Waves            (n,), or one for all states; of the tables' wave number where they have one
+    tables: about G; with a wave number the pressure of the wave decays with depth
+    state (n, 3): heave of G, + down [m], roll and pitch [rad]
+    waves: (n,), or one for all states; of the tables' wave number where they have one
+    Returns loads (n, 6): X, Y, Z [m3], K, M, N about G [m4]; times rho g; jacobian (n, 6, 3): by heave, roll and pitch;
+        NaN, as the loads, where a section leaves its table
 
-    Returns
-    -------
-    loads : (n, 6) float        X, Y, Z [m3], K, M, N about G [m4]; times rho g
-    jacobian : (n, 6, 3) float  by heave, roll and pitch; NaN, as the loads, where a section leaves its table
-
-    Notes
-    -----
     The surface is straight across a section: exact in head and following seas, and in oblique ones for k B sin mu below 0.3;
     beyond, `direct_loads`.  At small pitch the decay with depth is that of the upright section.
     Source: as `direct_loads`.
-
-    Examples
-    --------
-    >>> from quartering.hull.lines.hull import box_hull
-    >>> box = section_tables(box_hull(100.0, 20.0, 5.0, 10.0)).about(0.0, 1.0)
-    >>> loads, _ = table_loads(box, np.zeros((1, 3)), Waves(*np.zeros((4, 1))))
-    >>> round(float(loads[0, 2]), 3)
-    -10000.0
     """
     states = np.ascontiguousarray(np.atleast_2d(state), dtype=float)
     packed = np.array([np.broadcast_to(part, len(states)) for part in waves]).T.copy()
@@ -222,7 +195,7 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load
 
 # Below the last depth of its table a section heeled by less than 33 deg is under water up to its deck: area and moments stay,
 # and what is weighted with e^{-kd} falls as e^{-kd}.
-@abreast
+@batch_kernel
 def _spline(coefficients, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
     """Integrals and their derivatives by depth and heel; False outside the table."""
     last = first[0] + (coefficients.shape[0] - 3) * step[0]
@@ -257,7 +230,7 @@ def _spline(coefficients, first, step, k, depth, heel, read):  # type: ignore[no
     return True
 
 
-@abreast
+@batch_kernel
 def _weights(t):  # type: ignore[no-untyped-def]
     """Cubic B-spline and its derivative at four neighbours."""
     o = 1.0 - t

@@ -29,26 +29,12 @@ class Path(NamedTuple):
 def corrected(equations: Equations, guess: Floats, tangent: Floats) -> Floats | None:
     """Point of the curve on the plane through `guess` across `tangent`.
 
-    Parameters
-    ----------
-    equations : function    see `Equations`
-    guess : (m + 1,) float
-    tangent : (m + 1,) float
+    equations: see `Equations`
+    guess (m + 1,)
+    tangent (m + 1,)
+    Returns (m + 1,)
 
-    Returns
-    -------
-    (m + 1,) float, or None when Newton's method fails
-
-    Notes
-    -----
     Source: [Krack19] (arclength continuation).
-
-    Examples
-    --------
-    >>> def circle(x):
-    ...     return np.array([x @ x - 1.0]), 2.0 * x[None]
-    >>> corrected(circle, np.array([0.1, 1.1]), np.array([1.0, 0.0])).round(6).tolist()
-    [0.1, 0.994987]
     """
     found = _newton(equations, guess, tangent)
     return None if found is None else found[0]
@@ -57,21 +43,12 @@ def corrected(equations: Equations, guess: Floats, tangent: Floats) -> Floats | 
 def tangent_at(equations: Equations, point: Floats, along: Floats) -> Floats:
     """Unit tangent of the curve at one of its points, on the side of `along`.
 
-    Parameters
-    ----------
-    equations : function    see `Equations`
-    point, along : (m + 1,) float
+    equations: see `Equations`
+    point, along (m + 1,)
+    Returns (m + 1,)
 
-    Returns
-    -------
-    (m + 1,) float
-
-    Notes
-    -----
     Source: closed form (the null space of the derivative).
 
-    Examples
-    --------
     >>> def circle(x):
     ...     return np.array([x @ x - 1.0]), 2.0 * x[None]
     >>> tangent_at(circle, np.array([1.0, 0.0]), np.array([0.3, 1.0])).round(9).tolist()
@@ -122,32 +99,16 @@ def follow(
 ) -> Path:
     """Points of a curve from one of them onwards.
 
-    Parameters
-    ----------
-    equations : function     see `Equations`
-    start : (m + 1,) float   a point of the curve
-    along : (m + 1,) float   side to set off to
-    go_on : function         of a point: False ends the curve with that point
-    points : int             at the most
-    longest : float          step
-    may_close : bool         stop when the first point is met again
+    equations: see `Equations`
+    start (m + 1,): a point of the curve
+    along (m + 1,): side to set off to
+    go_on: of a point: False ends the curve with that point
+    points: at the most
+    longest: step
+    may_close: stop when the first point is met again
 
-    Returns
-    -------
-    Path
-
-    Notes
-    -----
     Steps go along the tangent, bent as it last turned, and are halved where the curve bends by more than 11 degrees.
     Source: [Krack19].
-
-    Examples
-    --------
-    >>> def circle(x):
-    ...     return np.array([x @ x - 1.0]), 2.0 * x[None]
-    >>> path = follow(circle, np.array([1.0, 0.0]), np.array([0.0, 1.0]), lambda x: True)
-    >>> path.closed, path.points[-1].tolist()
-    (True, [1.0, 0.0])
     """
     tangent = tangent_at(equations, start, along)
     found, tangents, length, bend = [start], [tangent], min(_FIRST_STEP, longest), np.zeros(start.size)

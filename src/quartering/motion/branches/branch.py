@@ -70,25 +70,10 @@ class Curve:
 def start_of_branch(family: Family, harmonics: int) -> tuple[Curve, Floats]:
     """The curve of a family and its first point, the motion at parameter 0 that grows out of the linear solution.
 
-    Parameters
-    ----------
-    family : function of the parameter (0 to 1)
-    harmonics : int    highest harmonic, odd
+    harmonics: highest harmonic, odd
 
-    Returns
-    -------
-    (Curve, (m + 1,) float)
-
-    Raises
-    ------
-    InputError         no motion there, `harmonics` even
-
-    Notes
-    -----
     Source: [H71] eq. (A-11).
 
-    Examples
-    --------
     See `follow_branch`.
     """
     first, last = family(0.0), family(1.0)
@@ -114,26 +99,15 @@ def follow_branch(
 ) -> tuple[Path, list[int]]:
     """Points of a branch from a start to a limit of the parameter, through folds, or until it closes.
 
-    Parameters
-    ----------
-    curve : Curve
-    start : (m + 1,) float         a point of it
-    points : int                   at the most
-    limits : (low, high)           of the parameter; a branch that reaches one ends on it
-    along : (m + 1,) float         direction to set off to; by default that of a rising parameter
-    go_on : function               of a point: False ends the branch there
+    start (m + 1,): a point of it
+    points: at the most
+    limits (low, high): of the parameter; a branch that reaches one ends on it
+    along (m + 1,): direction to set off to; by default that of a rising parameter
+    go_on: of a point: False ends the branch there
+    Returns path: scaled unknowns and parameter; folds: which points are folds, located to rounding
 
-    Returns
-    -------
-    path : Path                    scaled unknowns and parameter
-    folds : list of int            which points are folds, located to rounding
-
-    Notes
-    -----
     Pseudo-arclength continuation: steps go along the tangent, shorter where the branch bends.  Source: [Krack19].
 
-    Examples
-    --------
     >>> from dataclasses import replace
     >>> from quartering.motion.equations.system import Model
     >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
@@ -184,14 +158,7 @@ def _landed(curve: Curve, path: Path, limits: tuple[float, float]) -> Path:
 def within(curve: Curve, steepest: float) -> Callable[[Floats], bool]:
     """Whether a motion rolls no further than an angle.
 
-    Parameters
-    ----------
-    curve : Curve
-    steepest : float    [rad]
-
-    Returns
-    -------
-    function of a point, as `follow_branch` takes it
+    steepest: [rad]
     """
     return lambda point: bool(roll_peaks(*curve.motions(point[None]))[0] <= steepest)
 

@@ -29,33 +29,13 @@ _POINTS, _BACK = 200, -0.05
 def carried(system: System, seeds: list[Floats], few: tuple[int, ...], many: tuple[int, ...]) -> list[Floats | None]:
     """Motions of many harmonics that belong to motions of few.
 
-    Parameters
-    ----------
-    system : System                   one condition
-    seeds : list of (3, b) float      motions of the harmonics `few`
-    few, many : tuple of int          harmonics, `few` among `many`
+    system: one condition
+    seeds: motions of the harmonics `few`
+    few, many: harmonics, `few` among `many`
+    Returns one for each seed; None where its arc does not reach all harmonics
 
-    Returns
-    -------
-    list of (3, c) float or None      one for each seed; None where its arc does not reach all harmonics
-
-    Notes
-    -----
     Newton's method from the seed, taken where it stays within 15 % of the seed and does not lead there from another; else from
     the seed times 1.01, 0.99, 1.03 and 0.97; else along the arc of the comment above.  Source: [Krack19].
-
-    Examples
-    --------
-    A softening oscillator whose upper motion Newton's method loses on the way from one harmonic to three:
-
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.00808, "K_phiphiphi": 0.9795}
-    >>> system = Model(np.eye(3), terms, 0.83386, (0, 0.00918, 0), (0, 0, 0)).system
-    >>> start = np.array([[[0, 0], [-0.5, 0.42], [0, 0]]])
-    >>> seed, _, _ = harmonic_balance(system, (1,), start)
-    >>> (found,) = carried(system, [seed[0]], (1,), (1, 3, 5))
-    >>> round(float(np.hypot(*found[1, :2])), 4)
-    0.6625
     """
     if not seeds or few == many:
         return list(seeds)
@@ -91,18 +71,10 @@ def _near(u: Floats, seed: Floats) -> bool:
 def along_arc(system: System, seed: Floats, few: tuple[int, ...], many: tuple[int, ...]) -> Floats | None:
     """The motion of many harmonics at the end of the arc from one of few, or None where the arc does not get there.
 
-    Parameters
-    ----------
-    system : System          one condition
-    seed : (3, c) float      coefficients of the harmonics `many`, zero but for `few`
-    few, many : tuple of int
+    system: one condition
+    seed (3, c): coefficients of the harmonics `many`, zero but for `few`
+    Returns (3, c)
 
-    Returns
-    -------
-    (3, c) float or None
-
-    Notes
-    -----
     Source: [Krack19] (homotopy, arclength continuation).
     """
     size = np.abs(seed).max(axis=1)

@@ -27,28 +27,16 @@ def loops(
 ) -> list[tuple[Curve, Path, list[int]]]:
     """Curves of motions that are not on a known one: loops, and branches that enter and leave through the limits.
 
-    Parameters
-    ----------
-    curve : Curve                  whose equations are solved
-    known : (n, m + 1) float       points of the curve that is known
-    points : int                   of one loop, at the most
-    steepest : float               roll past which no curve is begun or followed [rad]
+    curve: whose equations are solved
+    known (n, m + 1): points of the curve that is known
+    points: of one loop, at the most
+    steepest: roll past which no curve is begun or followed [rad]
+    Returns each with its own scale and its folds; a loop is closed, the others run from limit to limit
 
-    Returns
-    -------
-    list of (Curve, Path, list of int)    each with its own scale and its folds; a loop is closed, the others run from limit
-                                   to limit
-
-    Notes
-    -----
     At 17 values of the parameter, one-harmonic motions are sought from a grid of roll amplitudes and phases (see
     `search`), given all harmonics, and followed both ways when no known curve passes through them.  Motions that roll
     more than 90 degrees are left out.  A loop narrower than a sixteenth of the limits may be missed.
     Source: [Krack19].
-
-    Examples
-    --------
-    See `quartering.branch`.
     """
     found: list[tuple[Curve, Path, list[int]]] = []
     for value in np.linspace(0.0, 1.0, _VALUES):

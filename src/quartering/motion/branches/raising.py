@@ -27,21 +27,14 @@ def over_height(
 ) -> list[Floats]:
     """Guesses of the motions at the wave's height that lie on the branch through a given one.
 
-    Parameters
-    ----------
-    system : System          one condition
-    orders : tuple of int    harmonics
-    begin : (3, b) float     a motion, at `height`
-    size : (3,) float        of each mode, the branch's steps are a twentieth of it
-    how : Raising            how far the branch is followed
-    height : float           of the wave at `begin`, times its own: 0 without waves
+    system: one condition
+    orders: harmonics
+    begin (3, b): a motion, at `height`
+    size (3,): of each mode, the branch's steps are a twentieth of it
+    how: how far the branch is followed
+    height: of the wave at `begin`, times its own: 0 without waves
+    Returns between neighbouring points of the branch, for Newton's method
 
-    Returns
-    -------
-    list of (3, b) float     between neighbouring points of the branch, for Newton's method
-
-    Notes
-    -----
     Pseudo-arclength continuation both ways, through folds; to the wave reversed as well, whose motions are those half a period
     later where the equations are symmetric.  With one degree of freedom and one harmonic the force is a function of the
     amplitude, F^2 = A^2 ((N(A) - w^2)^2 + w^2 C(A)^2), so that every motion lies on the branch from rest; with more, loops

@@ -49,22 +49,10 @@ class Motions(list[Motion]):
 def periodic_motions(model: Model, harmonics: int = 9) -> Motions:
     """Every periodic motion found in one condition, from the smallest roll to the largest.
 
-    Parameters
-    ----------
-    model : Model
-    harmonics : int    of the motions returned, odd
+    harmonics: of the motions returned, odd
+    Returns a list of `Motion`: of the wave's period, leaning ones among them, and of twice that (``periods`` is 2);
+        ``left_open`` says what could not be followed
 
-    Returns
-    -------
-    Motions            a list of `Motion`: of the wave's period, leaning ones among them, and of twice that (``periods`` is 2);
-                       ``left_open`` says what could not be followed
-
-    Raises
-    ------
-    InputError         `harmonics` even, not positive or above 199
-
-    Notes
-    -----
     Motions of the wave's period: by Newton's method from the linear solution and from grids of roll amplitudes, phases and
     heels, with one harmonic, and carried over to all (see `carried`); and along the branch over the wave's height from rest to
     twenty times the wave.  Leaning ones also beside the symmetric ones, each with its mirror image.  Motions of two periods:
@@ -72,13 +60,6 @@ def periodic_motions(model: Model, harmonics: int = 9) -> Motions:
     `_odd`), the branches over the wave's height through all of them are followed.  Nothing proves that no further motion
     exists.
     Source: [Krack19]; [H71] eq. (A-11) has up to as many roots as its cubics allow.
-
-    Examples
-    --------
-    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
-    >>> model = Model(np.eye(3), terms, 1.2, (0, 0.1, 0), (0, 0, 0))
-    >>> [round(float(m.amplitude[1]), 2) for m in periodic_motions(model, 5)]
-    [0.23, 1.63, 1.76]
     """
     system = model.system
     orders, whole = orders_for(system, harmonics), orders_of(harmonics, 1)
@@ -191,24 +172,10 @@ def _has(u: Floats, orders: tuple[int, ...], parity: int) -> bool:
 def from_grid(system: System) -> tuple[tuple[int, ...], list[Floats]]:
     """One-harmonic motions reached by Newton's method from a grid of roll amplitudes and phases.
 
-    Parameters
-    ----------
-    system : System    one condition
+    system: one condition
+    Returns orders: harmonics of the motions; motions: different from each other
 
-    Returns
-    -------
-    orders : tuple of int              harmonics of the motions
-    motions : list of (3, b) float     different from each other
-
-    Notes
-    -----
     Amplitudes as far as `largest_roll`.
-
-    Examples
-    --------
-    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
-    >>> len(from_grid(Model(np.eye(3), terms, 1.2, (0, 0.1, 0), (0, 0, 0)).system)[1])
-    3
     """
     low = orders_for(system, 1)
     starts = grid_of_roll(largest_roll(system), _SIZES, _ANGLES, columns(low)[1].start, 3 if low[0] == 0 else 2)

@@ -14,31 +14,13 @@ _BEYOND = 1.3
 def largest_roll(system: System) -> float:
     """Roll amplitude up to which motions are sought: well beyond the last one that the frequency could keep up by itself.
 
-    Parameters
-    ----------
-    system : System    one condition
+    system: one condition
+    Returns [rad]
 
-    Returns
-    -------
-    float              [rad]
-
-    Notes
-    -----
     At least twice the angle where the cubic restoring equals the linear, up to 2 (1.5 without a cubic); and 1.3 times the
     largest amplitude up to 1000 (pi with a righting curve) of which the free motion has the wave's frequency, where that is
     further.
     Source: closed form, K_phi phi = K_phiphiphi phi^3; describing function of the restoring moment. The bounds are ours.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> largest_roll(Model(np.eye(3), {"K_phi": -1.0, "K_phiphiphi": -4.0}, 0.8, (0, 1, 0), (0, 0, 0)).system)
-    1.0
-
-    Hardening moves the resonance out to w^2 = 1 + 3/4 A^2:
-
-    >>> largest_roll(Model(np.eye(3), {"K_phi": -1.0, "K_phiphiphi": -1.0}, 4.0, (0, 1, 0), (0, 0, 0)).system) > 20**0.5
-    True
     """
     stiffness = np.abs(system.linear[0, 1, 1])
     cubic = (system.powers[:, 1] == 3) & (system.powers.sum(axis=1) == 3) & (system.modulus == 0)

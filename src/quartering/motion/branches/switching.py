@@ -16,25 +16,13 @@ _OFFSETS = (0.01, 0.02, 0.05, 0.1)
 def leaning(curve: Curve, point: Floats) -> tuple[Curve, Floats, Floats] | None:
     """The branch of leaning motions that leaves a branch of symmetric ones where these lose their symmetry.
 
-    Parameters
-    ----------
-    curve : Curve            of odd harmonics alone
-    point : (m + 1,) float   of it, a symmetry breaking
+    curve: of odd harmonics alone
+    point (m + 1,): of it, a symmetry breaking
+    Returns curve: with the mean and all harmonics; start (k + 1,): a motion that leans a little, near the point; along
+        (k + 1,): direction away from the symmetric branch; None in place of all when nothing leaves here
 
-    Returns
-    -------
-    curve : Curve            with the mean and all harmonics
-    start : (k + 1,) float   a motion that leans a little, near the point
-    along : (k + 1,) float   direction away from the symmetric branch; None in place of all when nothing leaves here
-
-    Notes
-    -----
     The new motion grows along the null vector of the equations for the mean and the even harmonics.  Its mirror image
     (y, t) -> (-y, t + T/2) is a motion too.  Source: [Krack19].
-
-    Examples
-    --------
-    See `quartering.branch`.
     """
     return _switched(curve, point, orders_of(max(curve.orders), 1), periods=1)
 
@@ -42,25 +30,13 @@ def leaning(curve: Curve, point: Floats) -> tuple[Curve, Floats, Floats] | None:
 def doubled(curve: Curve, point: Floats) -> tuple[Curve, Floats, Floats] | None:
     """The branch of motions of two wave periods that leaves a branch at a period doubling.
 
-    Parameters
-    ----------
-    curve : Curve            of motions of one wave period, with the mean and all harmonics
-    point : (m + 1,) float   of it, a period doubling
+    curve: of motions of one wave period, with the mean and all harmonics
+    point (m + 1,): of it, a period doubling
+    Returns curve: with harmonics of half the wave's frequency; start (k + 1,): a motion of two wave periods near the
+        point; along (k + 1,): direction away from the first branch; None in place of all when nothing leaves here
 
-    Returns
-    -------
-    curve : Curve            with harmonics of half the wave's frequency
-    start : (k + 1,) float   a motion of two wave periods near the point
-    along : (k + 1,) float   direction away from the first branch; None in place of all when nothing leaves here
-
-    Notes
-    -----
     As `leaning`, along the null vector of the equations for the odd harmonics of half the wave's frequency.
     Source: [Krack19].
-
-    Examples
-    --------
-    See `quartering.branch`.
     """
     return _switched(curve, point, orders_of(max(curve.orders), 2), periods=2)
 
@@ -68,14 +44,9 @@ def doubled(curve: Curve, point: Floats) -> tuple[Curve, Floats, Floats] | None:
 def strength(curve: Curve, points: Floats) -> Floats:
     """Signed amplitude (n,) of the symmetry-breaking (or subharmonic) component.
 
-    Parameters
-    ----------
-    curve : Curve                of `leaning` or `doubled` motions
-    points : (n, m + 1) float
-
-    Returns
-    -------
-    (n, 3 c) float               scaled coefficients that are zero on the first branch
+    curve: of `leaning` or `doubled` motions
+    points (n, m + 1)
+    Returns (n, 3 c): scaled coefficients that are zero on the first branch
     """
     new = new_columns(curve.orders, curve.periods)
     return np.asarray(points[:, :-1].reshape(len(points), 3, -1)[:, :, new].reshape(len(points), -1))
@@ -84,17 +55,9 @@ def strength(curve: Curve, points: Floats) -> Floats:
 def new_columns(orders: tuple[int, ...], periods: int) -> list[int]:
     """Columns of harmonics a motion has beyond those of the branch it left: even ones, or odd ones of half the frequency.
 
-    Parameters
-    ----------
-    orders : tuple of int    of the motion
-    periods : int            1 for a leaning motion, 2 for one of two wave periods
+    orders: of the motion
+    periods: 1 for a leaning motion, 2 for one of two wave periods
 
-    Returns
-    -------
-    list of int
-
-    Examples
-    --------
     >>> new_columns((0, 1, 2), 1)
     [0, 3, 4]
     """
@@ -105,21 +68,12 @@ def new_columns(orders: tuple[int, ...], periods: int) -> list[int]:
 def disturbance(system: System, u: Floats, orders: tuple[int, ...], scale: Floats, periods: int) -> Floats:
     """Shape in which a motion is closest to losing its symmetry, or its period.
 
-    Parameters
-    ----------
-    system : System          one condition, at the frequency of the new motion
-    u : (3, b) float         the motion, as coefficients of the new harmonics
-    orders : tuple of int    the new harmonics
-    scale : (3 b,) float     size of each unknown
-    periods : int            1 for a leaning motion, 2 for one of two wave periods
-
-    Returns
-    -------
-    (3 b,) float             scaled unit vector: the smallest singular vector of the equations for the new harmonics
-
-    Notes
-    -----
-    Source: closed form.
+    system: one condition, at the frequency of the new motion
+    u (3, b): the motion, as coefficients of the new harmonics
+    orders: the new harmonics
+    scale (3 b,): size of each unknown
+    periods: 1 for a leaning motion, 2 for one of two wave periods
+    Returns (3 b,): scaled unit vector: the smallest singular vector of the equations for the new harmonics
     """
     _, matrix = balance_of(system, orders, u)
     nb = u.shape[1]

@@ -48,29 +48,16 @@ class Basis:
 def basis(orders: tuple[int, ...], degree: int, modulus: bool, extra: int = 0, fewest: int = 0) -> Basis:
     """Sampled harmonics, with enough phases for products of a given degree to project without aliasing.
 
-    Parameters
-    ----------
-    orders : tuple of int    harmonics; all odd for a motion that is symmetric over half a period
-    degree : int             highest degree of the products
-    modulus : bool           products with a modulus present: not band-limited, so many samples are taken
-    extra : int              additional harmonics of a derivative that must come out exact
-    fewest : int             samples a cycle at the least, and a quarter of that for each harmonic: drag |q| q is not
-                             band-limited, but its harmonics fall with the cube of their order
+    orders: harmonics; all odd for a motion that is symmetric over half a period
+    degree: highest degree of the products
+    modulus: products with a modulus present: not band-limited, so many samples are taken
+    extra: additional harmonics of a derivative that must come out exact
+    fewest: samples a cycle at the least, and a quarter of that for each harmonic: drag |q| q is not band-limited, but
+        its harmonics fall with the cube of their order
 
-    Returns
-    -------
-    Basis
-
-    Notes
-    -----
     Products of degree d of harmonics up to H hold harmonics up to dH; those alias back onto H unless the cycle has more
     than (d + 1) H samples.  For odd harmonics both factors of a projection change sign after half a period, so half the
     samples suffice.  Source: [Krack19] (alternating frequency-time).
-
-    Examples
-    --------
-    >>> basis((1, 3), degree=3, modulus=False).values.shape
-    (4, 7)
     """
     top = max(orders)
     samples = (degree + 1) * top + extra + 1
@@ -90,17 +77,10 @@ def basis(orders: tuple[int, ...], degree: int, modulus: bool, extra: int = 0, f
 def waves_at(phases: Floats, inputs: int) -> Floats:
     """1 and cos, sin of phases and their multiples.
 
-    Parameters
-    ----------
-    phases : (m,) float    of the wave [rad]
-    inputs : int           rows wanted, odd
+    phases (m,): of the wave [rad]
+    inputs: rows wanted, odd
+    Returns (inputs, m)
 
-    Returns
-    -------
-    (inputs, m) float
-
-    Examples
-    --------
     >>> waves_at(np.zeros(1), 3).ravel().tolist()
     [1.0, 1.0, 0.0]
     """
@@ -113,22 +93,10 @@ def waves_at(phases: Floats, inputs: int) -> Floats:
 def harmonics_at(orders: tuple[int, ...], phases: Floats) -> tuple[Floats, Floats, Floats]:
     """Cosines and sines of chosen harmonics at any phases.
 
-    Parameters
-    ----------
-    orders : tuple of int    harmonics, ascending; 0 is the mean
-    phases : (m,) float      [rad]
+    orders: harmonics, ascending; 0 is the mean
+    phases (m,): [rad]
+    Returns values, rates (b, m): as in `Basis`; factors (b,)
 
-    Returns
-    -------
-    values, rates : (b, m) float    as in `Basis`
-    factors : (b,) float
-
-    Notes
-    -----
-    Source: closed form.
-
-    Examples
-    --------
     >>> harmonics_at((0, 1), np.array([0.0]))[0].ravel().tolist()
     [1.0, 1.0, 0.0]
     """

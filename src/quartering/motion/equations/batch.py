@@ -16,21 +16,7 @@ from quartering.motion.equations.system import PER_CONDITION, System
 def joined(systems: Sequence[System]) -> System:
     """Systems as one batch, their products brought into one order of columns.
 
-    Parameters
-    ----------
-    systems : sequence of System    of any numbers of conditions; a product one of them lacks is zero there
-
-    Returns
-    -------
-    System
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> one, other = ({"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0, name: 0.1} for name in ("K_ppp", "K_phiphiphi"))
-    >>> joined([Model(np.eye(3), terms, 0.8, (0, 1, 0), (0, 0, 0)).system for terms in (one, other)]).coefficients[:, 1]
-    array([[0.1, 0. ],
-           [0. , 0.1]])
+    systems: of any numbers of conditions; a product one of them lacks is zero there
     """
     extra = max((s.extra for s in systems), key=len)
     if any(len(s.extra) and not np.array_equal(s.extra, extra) for s in systems):
@@ -82,21 +68,8 @@ def _stacked(arrays: list[NDArray[np.float64]], name: str) -> NDArray[np.float64
 def rows(system: System, which: slice | NDArray[np.intp]) -> System:
     """Some of the conditions of a batch.
 
-    Parameters
-    ----------
-    system : System            n conditions
-    which : slice or (k,) int  of them, in any order; a number may repeat
-
-    Returns
-    -------
-    System
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> one = Model(np.eye(3), {"K_phi": -1.0}, 0.8, (0, 1, 0), (0, 0, 0)).system
-    >>> rows(one, np.array([0, 0])).frequency.tolist()
-    [0.8, 0.8]
+    system: n conditions
+    which: of them, in any order; a number may repeat
     """
     return system.each(lambda array: array[which])
 
@@ -104,20 +77,7 @@ def rows(system: System, which: slice | NDArray[np.intp]) -> System:
 def apart(systems: System) -> list[System]:
     """The conditions of a batch one by one: the inverse of `joined`.
 
-    Parameters
-    ----------
-    systems : System         n conditions
-
-    Returns
-    -------
-    list of n System
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> one = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0}, 0.8, (0, 1, 0), (0, 0, 0)).system
-    >>> [s.count for s in apart(joined([one, one]))]
-    [1, 1]
+    systems: n conditions
     """
     return [rows(systems, slice(i, i + 1)) for i in range(systems.count)]
 
@@ -125,19 +85,6 @@ def apart(systems: System) -> list[System]:
 def copies(system: System, count: int) -> System:
     """One condition as a batch of equal ones.
 
-    Parameters
-    ----------
-    system : System    one condition
-    count : int
-
-    Returns
-    -------
-    System
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> copies(Model(np.eye(3), {"K_phi": -1.0}, 0.8, (0, 1, 0), (0, 0, 0)).system, 3).count
-    3
+    system: one condition
     """
     return rows(system, np.zeros(count, dtype=np.intp))

@@ -9,10 +9,10 @@ f (1, -h, x): along the gradient of q by (v, p, r). With e = c^(1/3) (1, -h, x) 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import abreast
+from quartering.compiled import batch_kernel
 
 
-@abreast
+@batch_kernel
 def one_hull(strips):
     """Have all lanes the same forms of their strips?"""
     for z in range(strips.shape[0]):
@@ -23,7 +23,7 @@ def one_hull(strips):
     return True
 
 
-@abreast
+@batch_kernel
 def drag(strips, velocities, c, s, columns, sums):
     """Sums over strips (z, 5, W) of |q| q e (3, W); ``c, s`` are cosine and sine of the wave's phase."""
     width = columns.shape[1]
@@ -41,7 +41,7 @@ def drag(strips, velocities, c, s, columns, sums):
             sums[2, l] += f * r
 
 
-@abreast
+@batch_kernel
 def drag_of_one_hull(strips, velocities, c, s, columns, sums):
     """`drag` where all lanes have the strips of one hull, so that their forms are numbers: a third of the memory is read."""
     width = columns.shape[1]
@@ -59,7 +59,7 @@ def drag_of_one_hull(strips, velocities, c, s, columns, sums):
             sums[2, l] += f * r
 
 
-@abreast
+@batch_kernel
 def drag_slopes(strips, velocities, c, s, columns, sums):
     """Sums over strips of 2 |q| e e^T: the six entries (vv, vp, vr, pp, pr, rr; W)."""
     width = columns.shape[1]
@@ -80,7 +80,7 @@ def drag_slopes(strips, velocities, c, s, columns, sums):
             sums[5, l] += g * (r * r)
 
 
-@abreast
+@batch_kernel
 def drag_slopes_of_one_hull(strips, velocities, c, s, columns, sums):
     """`drag_slopes` where all lanes have the strips of one hull."""
     width = columns.shape[1]

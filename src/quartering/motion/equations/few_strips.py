@@ -26,28 +26,14 @@ in waves from half a ship's length on."""
 def gauss_of_stations(x: Floats, c: Floats, depth: Floats, points: int = POINTS) -> tuple[Floats, Floats, Floats]:
     """Gauss' rule of a sum over stations.
 
-    Parameters
-    ----------
-    x : (s,) float    of the stations, all different [m]
-    c : (s,) float    weights, 0 or above
-    depth : (s,) float    of each station, or another function of x
-    points : int      m; where there are no more stations of weight than that, the rule is the sum itself
+    x (s,): of the stations, all different [m]
+    c (s,): weights, 0 or above
+    depth (s,): of each station, or another function of x
+    points: m; where there are no more stations of weight than that, the rule is the sum itself
+    Returns x, c, depth (m,): with which sums of polynomials up to degree 2 m - 1 are those over all stations, and those
+        of the depth times polynomials up to degree m - 1
 
-    Returns
-    -------
-    x, c, depth : (m,) float    with which sums of polynomials up to degree 2 m - 1 are those over all stations, and those of
-                                the depth times polynomials up to degree m - 1
-
-    Notes
-    -----
     Lanczos' method with all vectors made orthogonal anew, on the stations scaled to -1..1.  Source: [Golub69].
-
-    Examples
-    --------
-    >>> stations = np.linspace(-1.0, 1.0, 21)
-    >>> x, c, _ = gauss_of_stations(stations, np.full(21, 0.1), np.ones(21), 3)
-    >>> bool(np.isclose((c * x**4).sum(), (0.1 * stations**4).sum())), x.size
-    (True, 3)
     """
     held = c > 0
     nodes, weights, values = gauss_rule(x[held], c[held], points)
@@ -57,18 +43,11 @@ def gauss_of_stations(x: Floats, c: Floats, depth: Floats, points: int = POINTS)
 def gauss_rule(x: Floats, c: Floats, points: int) -> tuple[Floats, Floats, Floats]:
     """Gauss' rule of a sum over stations of weight above zero, and the map that carries any function over to its points.
 
-    Parameters
-    ----------
-    x, c : (s,) float    as of `gauss_of_stations`, c above 0
-    points : int         m
+    x, c (s,): as of `gauss_of_stations`, c above 0
+    points: m
+    Returns x, c (m,); map (m, s): from values at the stations to those of the polynomial of degree m - 1 that comes
+        nearest to them
 
-    Returns
-    -------
-    x, c : (m,) float
-    map : (m, s) float    from values at the stations to those of the polynomial of degree m - 1 that comes nearest to them
-
-    Examples
-    --------
     >>> stations = np.linspace(-1.0, 1.0, 21)
     >>> x, _, values = gauss_rule(stations, np.full(21, 0.1), 3)
     >>> bool(np.allclose(values @ stations**2, x**2))

@@ -97,25 +97,10 @@ class _Columns:
 def program(powers: NDArray[np.int64], modulus: NDArray[np.int64], extra: NDArray[np.int64], layout: Layout) -> Program:
     """The program of a system's products.
 
-    Parameters
-    ----------
-    powers : (t, 4 + e) int    of v, phi, p, r and of the variables that known inputs enter
-    modulus : (t,) int         variable (from 1) between modulus bars; 0 for none
-    extra : (e,) int           state that each known input is added to; -1 where it stands alone
-    layout : Layout            v, phi, p, r in front
-
-    Returns
-    -------
-    Program
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.layout import SHIP
-    >>> made = program(np.array([[0, 0, 3, 0]]), np.array([0]), np.empty(0, np.int64), SHIP)
-    >>> made.links.tolist()  # p^2 into column 4, p^3 into column 5
-    [[0, 4, 2, 2], [0, 5, 4, 2]]
-    >>> made.slopes.tolist(), made.factors.tolist()  # 3 p^2
-    ([[0, 2, 4]], [3.0])
+    powers (t, 4 + e): of v, phi, p, r and of the variables that known inputs enter
+    modulus (t,): variable (from 1) between modulus bars; 0 for none
+    extra (e,): state that each known input is added to; -1 where it stands alone
+    layout: v, phi, p, r in front
     """
     arrays = (np.ascontiguousarray(array, dtype=np.int64) for array in (powers, modulus, extra))
     return _program(*(array.tobytes() for array in arrays), layout)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import abreast
+from quartering.compiled import batch_kernel
 from quartering.motion.equations.drag import drag, drag_of_one_hull, drag_slopes, drag_slopes_of_one_hull, one_hull
 from quartering.motion.equations.program import SIGN, SIZE, TIMES
 from quartering.motion.equations.restoring import (
@@ -64,7 +64,7 @@ class Parts(NamedTuple):
 
 
 class Lanes(NamedTuple):
-    """`Parts` of a row of lanes, the lane in the last axis, and what `note_likeness` finds.
+    """`Parts` of a row of lanes, the lane in the last axis, and what `note_equal_lanes` finds.
 
     ``alike`` (2,): have all the same strips but for the water, and the same table of the restoring moment? Then that table
     stands in ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
@@ -87,7 +87,7 @@ class Lanes(NamedTuple):
     alike: NDArray[np.bool_]
 
 
-@abreast
+@batch_kernel
 def row_of_lanes(parts, width):
     """An empty row of lanes for the numbers of a system."""
     rows, states = parts.linear.shape[1], parts.linear.shape[2]
@@ -100,7 +100,7 @@ def row_of_lanes(parts, width):
     )  # fmt: skip
 
 
-@abreast
+@batch_kernel
 def _put(parts, i, strength, lanes, l):
     """Copy condition ``i`` into lane ``l``, its nonlinear parts times ``strength``."""
     lanes.frequency[l] = parts.frequency[i]
@@ -126,8 +126,8 @@ def _put(parts, i, strength, lanes, l):
             lanes.cubics[b, j, l] = parts.cubics[i, b, j]
 
 
-@abreast
-def note_likeness(lanes):
+@batch_kernel
+def note_equal_lanes(lanes):
     """Note what all lanes have alike, so that it need be read once for them all."""
     lanes.alike[0] = one_hull(lanes.strips)
     lanes.alike[1] = lanes.knots.shape[0] > 0 and one_table(lanes.knots, lanes.cubics)
@@ -135,21 +135,21 @@ def note_likeness(lanes):
         lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
 
 
-@abreast
+@batch_kernel
 def gather(begin, last, parts, lanes):
     """Copy the conditions from ``begin`` on into the lanes; those left over hold the last condition again."""
     for l in range(lanes.frequency.size):
         _put(parts, min(begin + l, last - 1), 1.0, lanes, l)
-    note_likeness(lanes)
+    note_equal_lanes(lanes)
 
 
-@abreast
+@batch_kernel
 def fill_lane(parts, i, lanes, l):
     """Copy condition ``i`` into lane ``l``."""
     _put(parts, i, 1.0, lanes, l)
 
 
-@abreast
+@batch_kernel
 def fill(i, strength, parts, lanes):
     """Copy one condition into all lanes, its nonlinear parts times ``strength``."""
     for l in range(lanes.frequency.size):
@@ -159,7 +159,7 @@ def fill(i, strength, parts, lanes):
         lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
 
 
-@abreast
+@batch_kernel
 def at_instants(i, share, parts, waves, begin, lanes):
     """Known inputs of condition ``i`` at the instants from ``begin`` on of ``waves`` (h, m), one a lane, times a share.
 
@@ -179,7 +179,7 @@ def at_instants(i, share, parts, waves, begin, lanes):
             lanes.strips[z, 3, l], lanes.strips[z, 4, l] = share * value, 0.0
 
 
-@abreast
+@batch_kernel
 def room_for(program, lanes):
     """What one evaluation needs: columns, forces, their derivatives, and the sums over strips."""
     width = lanes.frequency.size
@@ -188,7 +188,7 @@ def room_for(program, lanes):
             np.zeros((6, width)))  # fmt: skip
 
 
-@abreast
+@batch_kernel
 def enter_inputs(program, lanes, waves, columns):
     """Columns of the variables that known inputs enter: input, plus the state it is added to.
 
@@ -203,7 +203,7 @@ def enter_inputs(program, lanes, waves, columns):
                 columns[column, l] += waves[h] * lanes.inputs[e, h, l]
 
 
-@abreast
+@batch_kernel
 def multiply(links, first, last, columns):
     """Make the columns of links first..last."""
     width = columns.shape[1]
@@ -223,14 +223,12 @@ def multiply(links, first, last, columns):
                 columns[made, l] = 1.0
 
 
-@abreast
+@batch_kernel
 def forces(program, lanes, c, s, columns, sums, force):
     """Right-hand sides (k, W) without excitation; the states and known inputs stand in ``columns``, the products are made here.
 
     ``c, s``: cosine and sine of the wave's phase, for the water at the strips.
 
-    Notes
-    -----
     Source: [H71] eq. (3).
     """
     width = columns.shape[1]
@@ -252,7 +250,7 @@ def forces(program, lanes, c, s, columns, sums, force):
     add_strips_and_table(program, lanes, c, s, columns, sums, force)
 
 
-@abreast
+@batch_kernel
 def add_strips_and_table(program, lanes, c, s, columns, sums, force):
     """Add to the right-hand sides what drag by strips and a table of the restoring moment do."""
     width = columns.shape[1]
@@ -276,12 +274,10 @@ def add_strips_and_table(program, lanes, c, s, columns, sums, force):
                 force[k, l] += lanes.arm[k, l] * sums[0, l]
 
 
-@abreast
+@batch_kernel
 def slopes(program, lanes, c, s, columns, sums, jacobian):
     """Derivatives (k, s, W) of the right-hand sides by the state; arguments as of `forces`.
 
-    Notes
-    -----
     Source: [H71] eq. (8).
     """
     width = columns.shape[1]

@@ -10,14 +10,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from quartering.compiled import abreast
+from quartering.compiled import batch_kernel
 
 CELLS: Final = 64
 """Equal cells of the guide: narrower than the pieces of a ship's own curve, every 4 degrees to 88."""
 _BEFORE = 1.0 - 1e-9  # of a cell's left end: rounding must not lead past a knot that stands there
 
 
-@abreast
+@batch_kernel
 def one_table(knots, cubics):
     """Have all lanes the same table?"""
     for b in range(knots.shape[0]):
@@ -30,7 +30,7 @@ def one_table(knots, cubics):
     return True
 
 
-@abreast
+@batch_kernel
 def lay_out(knots, cubics, table, guide):
     """The first lane's table (b, 5), its knots in front, and the piece (c,) that each cell begins in."""
     most, b = knots.shape[0] - 1, 0
@@ -45,7 +45,7 @@ def lay_out(knots, cubics, table, guide):
         guide[cell] = b
 
 
-@abreast
+@batch_kernel
 def moment_of_table(table, guide, angle, out):
     """Moment (W,) at the roll angles, odd in them."""
     most = table.shape[0] - 1
@@ -62,7 +62,7 @@ def moment_of_table(table, guide, angle, out):
         out[l] = moment if angle[l] >= 0.0 else -moment
 
 
-@abreast
+@batch_kernel
 def slope_of_table(table, guide, angle, out):
     """Its derivative (W,) by the roll angle."""
     most = table.shape[0] - 1
@@ -78,7 +78,7 @@ def slope_of_table(table, guide, angle, out):
         out[l] = table[b, 2] + x * (2.0 * table[b, 3] + 3.0 * x * table[b, 4])
 
 
-@abreast
+@batch_kernel
 def moment_of_tables(knots, cubics, angle, out):
     """`moment_of_table` where each lane has a table of its own."""
     most = knots.shape[0] - 1
@@ -91,7 +91,7 @@ def moment_of_tables(knots, cubics, angle, out):
         out[l] = moment if angle[l] >= 0.0 else -moment
 
 
-@abreast
+@batch_kernel
 def slope_of_tables(knots, cubics, angle, out):
     """`slope_of_table` where each lane has a table of its own."""
     most = knots.shape[0] - 1

@@ -24,24 +24,12 @@ HEADING, RUDDER = 4, 5
 def steered(linear: Floats, push: Floats, autopilot: Autopilot) -> Floats:
     """Linear part of the equations of a ship with an autopilot.
 
-    Parameters
-    ----------
-    linear : (n, 3, 4) float    without one: rows sway, roll, yaw; columns v, phi, p, r
-    push : (n, 3) float         accelerations per radian of rudder
-    autopilot : Autopilot
+    linear (n, 3, 4): without one: rows sway, roll, yaw; columns v, phi, p, r
+    push (n, 3): accelerations per radian of rudder
+    Returns (n, 3, 5): a column psi added; with a lag (n, 4, 6): columns psi and delta, and the rudder's own equation as
+        a row
 
-    Returns
-    -------
-    (n, 3, 5) float    a column psi added; with a lag (n, 4, 6): columns psi and delta, and the rudder's own equation as a row
-
-    Notes
-    -----
     delta = -gain psi - rate_gain r, or lag d delta/dt = -gain psi - rate_gain r - delta.  Source: [Lewis89] ch. IX.
-
-    Examples
-    --------
-    >>> steered(np.zeros((1, 3, 4)), np.array([[0.0, 0.0, 2.0]]), Autopilot(gain=1.0, rate_gain=5.0))[0, 2].tolist()
-    [0.0, 0.0, 0.0, -10.0, -2.0]
     """
     if autopilot.lag == 0.0:
         out = np.concatenate([linear, -autopilot.gain * push[:, :, None]], axis=2)
@@ -57,23 +45,11 @@ def steered(linear: Floats, push: Floats, autopilot: Autopilot) -> Floats:
 def state_matrix(rows: NDArray[Any], linear: Floats) -> Any:
     """Matrices of the whole state from rows of derivatives by (v, phi, p, r).
 
-    Parameters
-    ----------
-    rows : (n, 3, 4)            d(v', p', r')/d(v, phi, p, r), real or complex
-    linear : (n, 3 or 4, s)     linear part, for the heading and rudder columns
+    rows (n, 3, 4): d(v', p', r')/d(v, phi, p, r), real or complex
+    linear (n, 3 or 4, s): linear part, for the heading and rudder columns
+    Returns (n, s, s): rows v', phi', p', r' and, with an autopilot, psi' and delta'
 
-    Returns
-    -------
-    (n, s, s)    rows v', phi', p', r' and, with an autopilot, psi' and delta'
-
-    Notes
-    -----
     Source: [H71] eq. (8) as a first-order system; the heading and rudder rows by definition (`Autopilot`).
-
-    Examples
-    --------
-    >>> state_matrix(np.ones((1, 3, 4)), np.zeros((1, 3, 4)))[0, 1].tolist()
-    [0.0, 0.0, 1.0, 0.0]
     """
     states = linear.shape[2]
     matrix = np.zeros((len(rows), states, states), dtype=rows.dtype)
@@ -90,20 +66,11 @@ def state_matrix(rows: NDArray[Any], linear: Floats) -> Any:
 def holds_heading(linear: Floats) -> NDArray[np.bool_]:
     """Does the heading act back on the ship? Not without an autopilot, without gain, or without way on.
 
-    Parameters
-    ----------
-    linear : (n, 3 or 4, s)
+    linear (n, 3 or 4, s)
+    Returns (n,)
 
-    Returns
-    -------
-    (n,) bool
-
-    Notes
-    -----
     Source: closed form, from the columns `steered` adds.
 
-    Examples
-    --------
     >>> steering = Autopilot(gain=1.0)
     >>> holds_heading(steered(np.zeros((1, 3, 4)), np.array([[0.0, 0.0, 2.0]]), steering)).tolist()
     [True]
@@ -119,25 +86,12 @@ def holds_heading(linear: Floats) -> NDArray[np.bool_]:
 def turning(linear: Floats, u: Floats, orders: tuple[int, ...]) -> Floats:
     """Motions with zero in place of the mean heading, where the mean's column of yaw holds one: the true mean rate of turn.
 
-    Parameters
-    ----------
-    linear : (n, 3 or 4, s)
-    u : (n, 3, b)             motions, as from `harmonic_balance`
-    orders : tuple of int     their harmonics
+    linear (n, 3 or 4, s)
+    u (n, 3, b): motions, as from `harmonic_balance`
+    orders: their harmonics
+    Returns (n, 3, b): the same array where there is nothing to change
 
-    Returns
-    -------
-    (n, 3, b)                 the same array where there is nothing to change
-
-    Notes
-    -----
     Source: closed form: a heading that is held turns at no mean rate.
-
-    Examples
-    --------
-    >>> motion = np.ones((1, 3, 3))
-    >>> turning(np.zeros((1, 3, 4)), motion, (0, 1)) is motion
-    True
     """
     held = holds_heading(linear)
     if orders[0] > 0 or not held.any():
@@ -150,21 +104,12 @@ def turning(linear: Floats, u: Floats, orders: tuple[int, ...]) -> Floats:
 def feedback(linear: Floats, frequency: Floats) -> NDArray[np.complex128]:
     """Accelerations per unit phasor of the heading that an autopilot answers with, the rate of turn's own column apart.
 
-    Parameters
-    ----------
-    linear : (n, 3 or 4, s)
-    frequency : (n,) float    [1/s]
+    linear (n, 3 or 4, s)
+    frequency (n,): [1/s]
+    Returns (n, 3): sway, roll, yaw; zero without an autopilot
 
-    Returns
-    -------
-    (n, 3) complex    sway, roll, yaw; zero without an autopilot
-
-    Notes
-    -----
     Source: closed form, the rudder of `Autopilot` at one frequency; with a lag delta = (order)/(1 + i w T).
 
-    Examples
-    --------
     >>> at_once = steered(np.zeros((1, 3, 4)), np.array([[0.0, 0.0, 2.0]]), Autopilot(gain=1.0, rate_gain=5.0))
     >>> feedback(at_once, np.array([0.5]))[0].real.tolist()[2]
     -2.0
@@ -181,8 +126,6 @@ def feedback(linear: Floats, frequency: Floats) -> NDArray[np.complex128]:
 def mean_is_heading(linear, factors):
     """Does the mean's column of yaw hold the mean heading, in place of a mean rate of turn?
 
-    Notes
-    -----
     With the heading held, a steady moment leaves a steady heading error and no turning.
     Source: closed form; `holds_heading` for one condition.
     """
@@ -200,8 +143,6 @@ def mean_is_heading(linear, factors):
 def add_steering(linear, factors, w, u, residual, matrix):
     """Take what the autopilot answers to the yaw of the motion ``u`` (3, b) off the balance and, if wanted, its derivative.
 
-    Notes
-    -----
     Linear: each harmonic of the rudder follows from the same harmonic of the heading.  Source: closed form (`feedback`).
     """
     nb = u.shape[1]

@@ -96,7 +96,7 @@ class System:
 
     @property
     def plain(self) -> bool:
-        """Is there nothing but (v, phi, p, r)? Then many conditions are solved abreast."""
+        """Is there nothing but (v, phi, p, r)? Then many conditions are solved in a batch."""
         return self.states == 4
 
     @property
@@ -229,37 +229,19 @@ def canonical(
 ) -> System:
     """Remove the acceleration coupling: multiply every row by the inverse inertia.
 
-    Parameters
-    ----------
-    inertia : (n, 3, 3) or (3, 3) float    rigid body plus added mass [kg, kg m, kg m2]
-    table : TermTable                      the terms on the right
-    frequency : (n,) float                 w > 0 [rad/s]
-    force_cos, force_sin, force_mean : (n, 3) or (3,) float    excitation [N, N m, N m]
-    linear : (n, 3, 4) float, optional     linear terms of each condition in place of the table's
-    rudder : (n, 3) or (3,) float          Y_delta, K_delta, N_delta [N, N m, N m]
-    autopilot : Autopilot, optional        that moves it; without one it stays amidships
-    restoring : OddSpline, optional        a moment K over phi beside the terms [N m]
-    water : (w0, w1), optional             (n,) complex each: the velocity products of the table are then on the velocity
-                                           through the water, see `relative_terms` [m/s, 1/s]
-    strips : Strips, optional              cross-flow drag on the velocity through the water; of one or of n conditions
+    inertia (n, 3, 3): rigid body plus added mass [kg, kg m, kg m2]
+    table: the terms on the right
+    frequency (n,): w > 0 [rad/s]
+    force_cos, force_sin, force_mean (n, 3): excitation [N, N m, N m]
+    linear (n, 3, 4): linear terms of each condition in place of the table's
+    rudder (n, 3): Y_delta, K_delta, N_delta [N, N m, N m]
+    autopilot: that moves it; without one it stays amidships
+    restoring: a moment K over phi beside the terms [N m]
+    water (w0, w1): (n,) complex each: the velocity products of the table are then on the velocity through the water,
+        see `relative_terms` [m/s, 1/s]
+    strips: cross-flow drag on the velocity through the water; of one or of n conditions
 
-    Returns
-    -------
-    System
-
-    Raises
-    ------
-    InputError    every inertia matrix is singular; where only some of many are, their conditions come back as NaN
-
-    Notes
-    -----
     Source: [H71] eq. (3); the restoring moment then stands in all three rows.
-
-    Examples
-    --------
-    >>> system = canonical(2 * np.eye(3), term_table({"K_phi": -3.0}), [0.5], np.zeros(3), np.ones(3))
-    >>> float(system.linear[0, 1, 1]), float(system.sin[0, 0])
-    (-1.5, 0.5)
     """
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
     inverse = _inverse(np.asarray(inertia, dtype=float))
@@ -319,22 +301,8 @@ def _inverse(masses: Floats) -> Floats:
 def restoring_table(spline: OddSpline) -> tuple[Floats, Floats]:
     """Cubics of a righting spline between its knots, without its slope at 0.
 
-    Parameters
-    ----------
-    spline : OddSpline
-
-    Returns
-    -------
-    knots : (b,) float       where each begins, the first 0 [rad]
-    cubics : (b, 4) float    a, b, c, d of a + b x + c x^2 + d x^3, x beyond the knot
-
-    Examples
-    --------
-    >>> spline = odd_spline([10, 20, 30, 40], [-1.0, -1.8, -2.0, -1.5])
-    >>> knots, cubics = restoring_table(spline)
-    >>> x = np.radians(18.0) - knots[1]
-    >>> bool(np.isclose(cubics[1] @ x ** np.arange(4) + spline.slope * np.radians(18.0), spline.value(np.radians(18.0))))
-    True
+    Returns knots (b,): where each begins, the first 0 [rad]; cubics (b, 4): a, b, c, d of a + b x + c x^2 + d x^3, x
+        beyond the knot
     """
     knots = np.append(0.0, spline.knots)
     cubics = [np.array([0.0, 0.0, 0.0, spline.cubic])]

@@ -38,27 +38,11 @@ class Factors:
 def parse(name: str) -> tuple[int, Factors]:
     """Row and factors of a term name.
 
-    Parameters
-    ----------
-    name : str    such as "Y_v", "K_phi5", "N_rvv", "K_p|p|"
+    name: such as "Y_v", "K_phi5", "N_rvv", "K_p|p|"
+    Returns (int, Factors): row (0 sway, 1 roll, 2 yaw) and powers
 
-    Returns
-    -------
-    (int, Factors)    row (0 sway, 1 roll, 2 yaw) and powers
-
-    Raises
-    ------
-    InputError    a name that is not a row and known factors, or of a degree the equations do not carry
-
-    Notes
-    -----
     The order of the factors does not matter.  Source: [H71] eq. (2), [Abkowitz64].
     Valid: polynomials to third degree, phi^5, phi^7, and one modulus factor beside one plain factor.
-
-    Examples
-    --------
-    >>> parse("K_prr")
-    (1, Factors(powers=(0, 0, 1, 2), modulus=0))
     """
     row, factors = term(name)
     bars = barred(name)
@@ -95,12 +79,7 @@ class TermTable:
 
 
 def checked_number(name: str, value: float) -> float:
-    """The value of a term, refused when it is not a finite number.
-
-    Raises
-    ------
-    InputError
-    """
+    """The value of a term, refused when it is not a finite number."""
     if not np.isfinite(value):
         raise InputError(f"term {name!r} is {value}; every coefficient must be a finite number (leave out what is 0)")
     return value
@@ -109,27 +88,9 @@ def checked_number(name: str, value: float) -> float:
 def term_table(terms: Mapping[str, float]) -> TermTable:
     """Arrays of the named terms.
 
-    Parameters
-    ----------
-    terms : mapping of name to value    as in [H71] eq. (2), every term on the right with its own sign [SI]
+    terms: as in [H71] eq. (2), every term on the right with its own sign [SI]
 
-    Returns
-    -------
-    TermTable
-
-    Raises
-    ------
-    InputError    an unknown name, or a value that is not a finite number
-
-    Notes
-    -----
     Source: [H71] eq. (2); complete coefficients, not Taylor derivatives (a cubic in one variable is 1/6 of its derivative).
-
-    Examples
-    --------
-    >>> table = term_table({"K_phi": -1.0, "K_ppp": -0.2, "N_ppp": 0.1})
-    >>> table.linear[1], table.coefficients.T
-    (array([ 0., -1.,  0.,  0.]), array([[ 0. , -0.2,  0.1]]))
     """
     linear = np.zeros((3, 4))
     columns: dict[Factors, NDArray[np.float64]] = {}

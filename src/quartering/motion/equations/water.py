@@ -82,22 +82,12 @@ class Strips:
 def relative_terms(table: TermTable) -> tuple[TermTable, NDArray[np.int64]]:
     """The terms with their velocity products on ``v - w0, p, r - w1``.
 
-    Parameters
-    ----------
-    table : TermTable    products of v, phi, p, r
+    table: products of v, phi, p, r
+    Returns table: with two columns of powers more, of v - w0 and r - w1; products that contain phi, and those of p
+        alone, stay as they are; extra (2,): states to which the known inputs -w0 and -w1 are added
 
-    Returns
-    -------
-    table : TermTable    with two columns of powers more, of v - w0 and r - w1; products that contain phi, and those of p alone,
-                         stay as they are
-    extra : (2,) int     states to which the known inputs -w0 and -w1 are added
-
-    Notes
-    -----
     Linear terms stay on the velocity over ground: what the water does through lift and added mass stands in the wave force.
 
-    Examples
-    --------
     >>> from quartering.motion.equations.terms import term_table
     >>> relative_terms(term_table({"K_vvr": 1.0, "K_ppp": 1.0}))[0].powers.tolist()
     [[0, 0, 0, 0, 2, 1], [0, 0, 3, 0, 0, 0]]
@@ -115,20 +105,9 @@ def relative_terms(table: TermTable) -> tuple[TermTable, NDArray[np.int64]]:
 def relative_inputs(w0: ArrayLike, w1: ArrayLike) -> Floats:
     """Known inputs -w0 and -w1 as Fourier series.
 
-    Parameters
-    ----------
-    w0, w1 : (n,) complex    phasors of e^{i w t}: velocity of the water across the ship at G [m/s], its slope along it [1/s]
+    w0, w1 (n,): phasors of e^{i w t}: velocity of the water across the ship at G [m/s], its slope along it [1/s]
+    Returns (n, 2, 3): mean, cos and sin parts
 
-    Returns
-    -------
-    (n, 2, 3) float          mean, cos and sin parts
-
-    Raises
-    ------
-    InputError               not finite
-
-    Examples
-    --------
     >>> relative_inputs(1 + 2j, 0)[0, 0].tolist()
     [0.0, -1.0, 2.0]
     """

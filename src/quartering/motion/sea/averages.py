@@ -89,15 +89,11 @@ def _restoring(knots, cubics, mean, deviation):
 def averages(powers, modulus, coefficients, knots, cubics, mean, c, gain, force):
     """Mean forces (3,) and gains (3, m) of the nonlinear terms of one ship over Gaussian variables.
 
-    Parameters
-    ----------
-    powers, modulus, coefficients    (t, m), (t,), (3, t) of the products
-    knots, cubics                    (b,), (b, 4) of the restoring moment K beyond its slope at 0
-    mean, c                          (m,), (m, m) of v, phi, p, r and the variables that the water enters
-    gain, force                      (3, m), (3,) to write
+    (t, m), (t,), (3, t) of the products
+    (b,), (b, 4) of the restoring moment K beyond its slope at 0
+    (m,), (m, m) of v, phi, p, r and the variables that the water enters
+    (3, m), (3,) to write
 
-    Notes
-    -----
     Source: [Kazakov54], [Rice44] for the moments of normal variables.
     """
     gain[:], force[:] = 0.0, 0.0
@@ -147,8 +143,6 @@ def averages(powers, modulus, coefficients, knots, cubics, mean, c, gain, force)
 def drag_averages(forms, c, mean, variance, gain, force):
     """Gains 2 c E|q| of strips (z,) and their mean force (3,); forms (z, 3) are 1, -h, x.
 
-    Notes
-    -----
     q = v + x r - h p - w with ``mean`` of v, p, r (3,) and variance (z,) of q; the force is -c q|q| (1, -h, x).
     """
     force[:] = 0.0

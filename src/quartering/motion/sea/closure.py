@@ -115,15 +115,7 @@ class Solution:
 def gains_of(terms: Terms, at: Statistics, held: bool) -> Gains:
     """Gains and mean forces of all nonlinear terms at the statistics of a motion.
 
-    Parameters
-    ----------
-    terms : Terms
-    at : Statistics
-    held : bool       is the mean rate of turn zero, a heading being held?
-
-    Returns
-    -------
-    Gains
+    held: is the mean rate of turn zero, a heading being held?
     """
     m, z = terms.powers.shape[1], terms.drag.size
     mean = np.zeros(m)
@@ -229,13 +221,7 @@ class _Passes:
 def linear_response(equations: SeaEquations) -> Complex:
     """Phasors per metre (m, c) of the linear equations, the nonlinear terms left out, in every cell.
 
-    Parameters
-    ----------
-    equations : SeaEquations
-
-    Returns
-    -------
-    (m, c) complex
+    Returns (m, c)
     """
     passes = _Passes(equations, np.ones(equations.frequency.size))
     passes.respond(_no_gains(equations.terms))
@@ -245,15 +231,8 @@ def linear_response(equations: SeaEquations) -> Complex:
 def linear_solution(equations: SeaEquations, energy: Floats, motion: Complex) -> Solution:
     """Response of the linear equations to one sea; its statistics hold the means alone, the sums are the caller's.
 
-    Parameters
-    ----------
-    equations : SeaEquations
-    energy : (c,) float         of the sea in each cell [m2]
-    motion : (m, c) complex     from `linear_response`
-
-    Returns
-    -------
-    Solution
+    energy (c,): of the sea in each cell [m2]
+    motion (m, c): from `linear_response`
     """
     passes, gains = _Passes(equations, energy), _no_gains(equations.terms)
     nothing = passes.nothing
@@ -270,18 +249,10 @@ def _no_gains(terms: Terms) -> Gains:
 def closure_solutions(equations: SeaEquations, energy: Floats) -> list[Solution]:
     """All motions the Gaussian closure finds in one sea, from rest, from the linear response and from large roll.
 
-    Parameters
-    ----------
-    equations : SeaEquations
-    energy : (c,) float         of the sea in each cell [m2]
+    energy (c,): of the sea in each cell [m2]
+    Returns the first from rest; further ones differ from it by 1 % of roll or more. One that did not converge is the
+        only one and says so
 
-    Returns
-    -------
-    list of Solution            the first from rest; further ones differ from it by 1 % of roll or more. One that did not
-                                converge is the only one and says so
-
-    Notes
-    -----
     Source: [Kazakov54]; the fixed point by Anderson's acceleration.
     """
     passes = _Passes(equations, energy)

@@ -119,18 +119,10 @@ class SeaEquations:
 def roll_mode_of(inertia: Floats, linear: Floats) -> tuple[float, float, float]:
     """Frequency and damping ratio of free roll, and the rate of the slowest other mode, of a linear ship.
 
-    Parameters
-    ----------
-    inertia, linear : (3, 3), (3, 4)
+    inertia, linear (3, 3)
+    Returns frequency: |lambda| of the pair that oscillates [rad/s]; without one sqrt of stiffness over inertia;
+        damping: -Re lambda/|lambda|; slow: least |Re| of the others [1/s]
 
-    Returns
-    -------
-    frequency : float    |lambda| of the pair that oscillates [rad/s]; without one sqrt of stiffness over inertia
-    damping : float      -Re lambda/|lambda|
-    slow : float         least |Re| of the others [1/s]
-
-    Examples
-    --------
     >>> linear = np.array([[-1.0, 0, 0, 0], [0, -4.0, -0.4, 0], [0, 0, 0, -0.5]])
     >>> [round(one, 3) for one in roll_mode_of(np.eye(3), linear)]
     [2.0, 0.1, 0.5]
@@ -164,14 +156,7 @@ def angle_of_largest_arm(equations: SeaEquations) -> float:
 
 
 def free_roll_of(ship: Ship | Model, speed: float) -> tuple[float, float]:
-    """Natural frequency [rad/s] and damping ratio of small free roll, all linear terms in.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> 0.0 < free_roll_of(ship("wigley"), 5.0)[1] < 0.5
-    True
-    """
+    """Natural frequency [rad/s] and damping ratio of small free roll, all linear terms in."""
     if isinstance(ship, Model):
         named = {name: value for name, value in ship.terms.items() if name not in RUDDER_NAMES}
         return roll_mode_of(np.array(ship.inertia), _table(named, ship.restoring, False)[0])[:2]
@@ -213,22 +198,8 @@ def _strips(strips: Strips | None, count: int) -> tuple[dict[str, Any], Floats]:
 def equations_of_ship(ship: Ship, cells: Cells, form: Form = "stf") -> SeaEquations:
     """Equations of a ship in the cells of a sea: coefficients at each encounter frequency, forces of each wave.
 
-    Parameters
-    ----------
-    ship : Ship
-    cells : Cells
-    form : str       of the diffraction force
+    form: of the diffraction force
 
-    Returns
-    -------
-    SeaEquations
-
-    Raises
-    ------
-    InputError       what `coefficients` and the wave forces refuse
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> from quartering.loads.sea.cells import wave_cells
     >>> from quartering.loads.sea.sea import Sea
@@ -288,30 +259,10 @@ def _with_roll(linear: Floats) -> Floats:
 def equations_of_model(model: Model, cells: Cells, force: Force) -> SeaEquations:
     """Equations given by numbers in the cells of a sea, coefficients alike in all.
 
-    Parameters
-    ----------
-    model : Model       its regular wave is left out
-    cells : Cells
-    force : callable    frequencies (n,) [rad/s], headings (n,) [deg] -> (n, 3 + m) complex: force per metre, then of a model
-                        with water in motion w0, w1 and the velocity at each strip, as `irregular` takes them; phasors of
-                        e^{i omega t} with the signed omega
-
-    Returns
-    -------
-    SeaEquations
-
-    Raises
-    ------
-    InputError          a force that is no function, or gives what does not fit
-
-    Examples
-    --------
-    >>> from quartering.loads.sea.cells import wave_cells
-    >>> from quartering.loads.sea.sea import Sea
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    >>> cells = wave_cells([Sea(hs=3, tp=6, heading=90)], 0.0, 1.0, 0.05)
-    >>> equations_of_model(model, cells, lambda sigma, mu: np.ones((sigma.size, 3))).roll_frequency
-    1.0
+    model: its regular wave is left out
+    force: frequencies (n,) [rad/s], headings (n,) [deg] -> (n, 3 + m) complex: force per metre, then of a model with
+        water in motion w0, w1 and the velocity at each strip, as `irregular` takes them; phasors of e^{i omega t} with
+        the signed omega
     """
     sigma, mu = cells.flat
     relative, z = model.water is not None, 0 if model.strips is None else model.strips.x.size

@@ -37,18 +37,9 @@ class FrozenEquations:
 def with_few_strips(equations: SeaEquations, points: int) -> SeaEquations:
     """The same equations with the drag and the water's velocity on fewer strips.
 
-    Parameters
-    ----------
-    equations : SeaEquations
-    points : int                strips wanted, see `gauss_rule`; where there are no more, or two of them stand at one place, the
-                                equations come back as they are
+    points: strips wanted, see `gauss_rule`; where there are no more, or two of them stand at one place, the equations
+        come back as they are
 
-    Returns
-    -------
-    SeaEquations
-
-    Notes
-    -----
     The velocity of the water at the new strips is that of the polynomial of degree ``points`` - 1 along the hull that comes
     nearest to it: as many shapes as strips.
     """
@@ -66,18 +57,9 @@ def with_few_strips(equations: SeaEquations, points: int) -> SeaEquations:
 def frozen_equations(equations: SeaEquations, variance: Floats, memory: Memory | None = None) -> FrozenEquations:
     """Equations in time of those over the cells of a sea.
 
-    Parameters
-    ----------
-    equations : SeaEquations
-    variance : (z,) float       of the strips' velocity through the water, by which matched cubic drag is made [m2/s2]
-    memory : Memory             of the radiated waves, whose states follow those of the ship; None: without
+    variance (z,): of the strips' velocity through the water, by which matched cubic drag is made [m2/s2]
+    memory: of the radiated waves, whose states follow those of the ship; None: without
 
-    Returns
-    -------
-    FrozenEquations
-
-    Notes
-    -----
     Without memory inertia and linear forces are those of free roll. The wave force of each cell, lift in it, is that
     of its own encounter frequency.
     """

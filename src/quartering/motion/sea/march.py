@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from quartering.compiled import abreast, kernel
+from quartering.compiled import batch_kernel, kernel
 from quartering.conventions import GRAVITY
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.transient.rk4 import room_to_march, step_sum
@@ -31,16 +31,13 @@ _CHECK = 32
 def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_limit, sums, largest, time, cause):
     """Runge-Kutta steps of one row of records from rest, until all have failed or ``steps`` are done.
 
-    Parameters
-    ----------
-    equations : Alike
-    forcing : (2 steps + 1, 3 + e + z, W) float32    accelerations, known inputs and water at every half step
-    steps, first, h                                  steps to do, the first that counts, and their length [s]
-    speed, x, z                                      U, and the point of the lateral acceleration from G
-    roll_limit, felt_limit                           of a failure [rad], [m/s2]
-    sums : (16, W)                                   see `SUMS`; of what counts
-    largest : (2, W)                                 |phi| [rad] and |f| [m/s2]
-    time, cause : (W,)                               of the failure since the first step that counts [s]; ``steps`` without
+    forcing (2 steps + 1, 3 + e + z, W): accelerations, known inputs and water at every half step
+    steps to do, the first that counts, and their length [s]
+    U, and the point of the lateral acceleration from G
+    of a failure [rad], [m/s2]
+    sums (16, W): see `SUMS`; of what counts
+    largest (2, W): |phi| [rad] and |f| [m/s2]
+    time, cause (W,): of the failure since the first step that counts [s]; ``steps`` without
     """
     kinds = forcing.shape[1]
     room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
@@ -89,7 +86,7 @@ def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_lim
             return
 
 
-@abreast
+@batch_kernel
 def _take(series, mean, given):
     """Known inputs of one time in double precision, the steady acceleration added."""
     for k in range(series.shape[0]):
@@ -98,7 +95,7 @@ def _take(series, mean, given):
             given[k, l] = series[k, l] + more
 
 
-@abreast
+@batch_kernel
 def _feel(program, rate, y, speed, x, z, felt):
     roll, yaw = program.displacements[1], program.velocities[2]
     for l in range(felt.shape[1]):
@@ -106,7 +103,7 @@ def _feel(program, rate, y, speed, x, z, felt):
         felt[2, l] = rate[0, l] + speed * y[yaw, l] + x * rate[2, l] - z * rate[1, l] - GRAVITY * y[roll, l]
 
 
-@abreast
+@batch_kernel
 def _peak(felt):
     """Size of the acceleration now, or at the vertex of the parabola where the step before is the largest of three."""
     for l in range(felt.shape[1]):
@@ -116,7 +113,7 @@ def _peak(felt):
         felt[3, l] = max(abs(c), abs(b + more))
 
 
-@abreast
+@batch_kernel
 def _count(program, y, felt, going, sums, largest):
     place = (program.velocities[0], program.displacements[1], program.velocities[1], program.velocities[2])
     k = 0
@@ -134,14 +131,14 @@ def _count(program, y, felt, going, sums, largest):
         largest[1, l] = max(largest[1, l], going[l] * felt[3, l])
 
 
-@abreast
+@batch_kernel
 def _advance(by, total, going, y):
     for s in range(y.shape[0]):
         for l in range(y.shape[1]):
             y[s, l] += going[l] * by * total[s, l]
 
 
-@abreast
+@batch_kernel
 def _between(a, b, left, right):
     """|value| of the cubic with ends a, b and slopes left, right of opposite sign over 0..1, where their secant is 0."""
     t = left / (left - right)

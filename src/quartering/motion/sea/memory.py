@@ -81,17 +81,8 @@ class Memory:
 def memory_of(equations: SeaEquations, energy: Floats) -> Memory | None:
     """The fit of least order that is near enough, stable and passive; None where nothing changes with frequency.
 
-    Parameters
-    ----------
-    equations : SeaEquations
-    energy : (c,) float         of the sea, which tells the frequencies that count [m2]
+    energy (c,): of the sea, which tells the frequencies that count [m2]
 
-    Returns
-    -------
-    Memory or None
-
-    Notes
-    -----
     With the speed terms of strip theory the fractions neither vanish at frequency 0 nor are passive: where a fit that vanishes
     is not near enough, one that does not is taken, and said not to be passive.
     """

@@ -68,29 +68,13 @@ def rational_fit(
 ) -> RationalFit:
     """Fit transfer functions at s = i w.
 
-    Parameters
-    ----------
-    frequency : (f,) float         w > 0 [rad/s]
-    response : (f, k, k) complex
-    order : int                    number of poles
-    weight : (f,) float            of each frequency
-    vanishing : bool               are the fractions to add up to 0 at s = 0, as radiation damping does?
+    frequency (f,): w > 0 [rad/s]
+    response (f, k, k)
+    order: number of poles
+    weight (f,): of each frequency
+    vanishing: are the fractions to add up to 0 at s = 0, as radiation damping does?
 
-    Returns
-    -------
-    RationalFit
-
-    Notes
-    -----
     Each entry counts by its `change_with_frequency`.  Source: [Gustavsen99].
-
-    Examples
-    --------
-    >>> w = np.linspace(0.1, 3.0, 40)
-    >>> s = 1j * w
-    >>> fit = rational_fit(w, (2 * s + s / (s * s + s + 0.81))[:, None, None], 2)
-    >>> bool(np.allclose(sorted(fit.poles.imag), [-np.sqrt(0.56), np.sqrt(0.56)]))
-    True
     """
     k = response.shape[1]
     entries = response.reshape(frequency.size, -1).T

@@ -18,15 +18,13 @@ from quartering.compiled import summing
 def respond(cells, w, inertia, linear, steering, gain, extra, force, inputs, forms, drag, water, out):
     """Phasors per metre of (v, phi, p, r) and of the variables the water enters, out (m, n), in the cells listed.
 
-    Parameters
-    ----------
-    cells (n,)                    indices into the arrays over cells that follow
-    w                             |omega|
-    inertia, linear, steering     (c or 1, 3, 3), (c or 1, 3, 4), (c or 0, 3) complex
-    gain (3, m), extra (e,)       on variables, those beyond the fourth being state extra[j] plus input j
-    force, inputs                 (c, 3), (c, e) complex per metre
-    forms (z, 3), drag (z,)       of the strips, with their gains
-    water                         (2, z, c) real and imaginary part of the water's velocity at the strips
+    indices into the arrays over cells that follow
+    |omega|
+    (c or 1, 3, 3), (c or 1, 3, 4), (c or 0, 3) complex
+    on variables, those beyond the fourth being state extra[j] plus input j
+    (c, 3), (c, e) complex per metre
+    of the strips, with their gains
+    (2, z, c) real and imaginary part of the water's velocity at the strips
     """
     n, many = cells.size, inertia.shape[0] > 1
     total = gain[:, :4].copy()
@@ -88,12 +86,10 @@ def respond(cells, w, inertia, linear, steering, gain, extra, force, inputs, for
 def covariances(cells, energy, motion, forms, water, c, variance):
     """Covariance (m, m) of the variables and variances (z,) of the strips' velocity through the water.
 
-    Parameters
-    ----------
-    cells (n,), energy (n,)    of the cells listed [m2]
-    motion (m, n)              from `respond`
-    forms, water               as there
-    c, variance                to write
+    of the cells listed [m2]
+    from `respond`
+    as there
+    to write
     """
     c[:], variance[:] = 0.0, 0.0
     size = motion.shape[0]

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scipy.fft import irfft, next_fast_len
 from scipy.interpolate import CubicSpline
 
-from quartering.compiled import abreast, kernel
+from quartering.compiled import batch_kernel, kernel
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
 from quartering.motion.equations.rates import WIDTH
@@ -65,17 +65,9 @@ class Record:
 def record_of(cells: Cells, sea: Sea, channels: Complex, duration: float, interval: float) -> Record:
     """What records of a sea are made of.
 
-    Parameters
-    ----------
-    cells : Cells
-    sea : Sea
-    channels : (c, m) complex    per metre in each cell, phasors of e^{i |omega| t}; the first three are forces
-    duration : float             of a record at the least [s]
-    interval : float             between samples [s]
-
-    Returns
-    -------
-    Record
+    channels (c, m): per metre in each cell, phasors of e^{i |omega| t}; the first three are forces
+    duration: of a record at the least [s]
+    interval: between samples [s]
     """
     samples = int(next_fast_len(math.ceil(duration / interval), real=True))
     spacing = 2.0 * math.pi / (samples * interval)
@@ -136,16 +128,10 @@ def _roots(spectra: Complex) -> NDArray[np.complex64]:
 def series_of(record: Record, entropy: int, condition: int, first: int) -> Single:
     """A row of records, each from a seed of its own.
 
-    Parameters
-    ----------
-    record : Record
-    entropy : int      the user's seed
-    condition : int    number of the condition the records are of
-    first : int        number of the first of the `WIDTH` records
-
-    Returns
-    -------
-    (n, m, W) float32
+    entropy: the user's seed
+    condition: number of the condition the records are of
+    first: number of the first of the `WIDTH` records
+    Returns (n, m, W)
     """
     bins, m, _ = record.roots.shape
     draws = np.empty((WIDTH, bins, m, 2), dtype=np.float32)
@@ -177,7 +163,7 @@ def _fill(roots, draws, scale, spectrum):
                 spectrum[j, c, l, 1] = np.float32(scale) * total[1, l] if j > 0 else np.float32(0.0)
 
 
-@abreast
+@batch_kernel
 def _row(root, z, total):
     """Sums (2, W) of one row of a root (m, 2) times all draws (m, 2, W)."""
     for l in range(total.shape[1]):

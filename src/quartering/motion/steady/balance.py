@@ -1,11 +1,11 @@
 """The balance equations of one condition, their derivative, and Newton's method on them: compiled kernels.
 
-The right-hand side is that of `rates`, evaluated at all instants of the cycle abreast.
+The right-hand side is that of `rates`, evaluated at all instants of the cycle in a batch.
 
-A single condition is solved first as a row of one by `lockstep`, as many are; this is the other algorithm, for those which that
-leaves: steps are damped, each takes a matrix of its own, the wave may act in part (`follow`), an autopilot may steer, and the
-harmonics may be so many that the matrices of a row would fill the memory. Conditions abreast cannot damp, since each would take
-its own number of trials.
+A single condition is solved first as a row of one by `newton_batch`, as many are; this is the other algorithm, for those which
+that leaves: steps are damped, each takes a matrix of its own, the wave may act in part (`follow`), an autopilot may steer, and
+the harmonics may be so many that the matrices of a row would fill the memory. Conditions of a batch cannot damp, since each
+would take its own number of trials.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -43,8 +43,6 @@ def room_for_one(program, parts, tables):
 def _orbit_states(program, tables, w, u, held, begin, columns):
     """States at the samples from ``begin`` on of the motion ``u`` (3, b), one a lane.
 
-    Notes
-    -----
     Source: [H71] eq. (A-3), for any set of harmonics; the mean's column holds mean sway and yaw velocity, mean heel.
     """
     values, rates, factors, _, _ = tables
@@ -72,17 +70,13 @@ def _orbit_states(program, tables, w, u, held, begin, columns):
 def balance(one, tables, u, residual, matrix, room):
     """Residual of the balance equations at ``u`` and, if asked for, its exact derivative.
 
-    Parameters
-    ----------
-    one : tuple       program and parts of a `System`, which condition, and the share of the known inputs that acts; the lanes
-                      of ``room`` hold the condition (`rates.fill`)
-    tables : tuple    of a `Basis`: values, rates, factors, weights, and the wave's harmonics
-    u : (3, b)        unknowns: mean, cos and sin coefficients of sway, roll, yaw
-    residual : (3 b,), matrix : (3 b, 3 b)    out, mode by mode; a matrix of (0, 0) is not wanted
-    room : tuple      from `room_for_one`
+    one: program and parts of a `System`, which condition, and the share of the known inputs that acts; the lanes of
+        ``room`` hold the condition (`rates.fill`)
+    tables: of a `Basis`: values, rates, factors, weights, and the wave's harmonics
+    u (3, b): unknowns: mean, cos and sin coefficients of sway, roll, yaw
+    residual (3 b,): out, mode by mode; a matrix of (0, 0) is not wanted
+    room: from `room_for_one`
 
-    Notes
-    -----
     Row (k, c) is projection c of acceleration minus right-hand side.  Source: [H71] eqs. (A-10), (A-11) for one
     harmonic, [Krack19] for more; exact for polynomials by the number of samples in the tables.
     """
@@ -159,8 +153,6 @@ def balance_at(program, parts, tables, u, residual, matrix):
 def relative_step(step, u):
     """Largest step in any unknown relative to its mode's amplitude, so that metres and radians count alike.
 
-    Notes
-    -----
     Source: a norm of this library's choice.
     """
     nb = u.shape[1]
@@ -209,8 +201,6 @@ def newton(one, tables, u, work):
     A damped step is taken when the next step, with the old matrix, is shorter (the natural monotonicity test): the
     result does not depend on how the equations are scaled.
 
-    Notes
-    -----
     Source: [Krack19] (Newton's method on balance equations).
     """
     residual, no_matrix, factored, pivots, trial, step, after, room = work
@@ -253,29 +243,13 @@ def balance_of(
 ) -> tuple[Floats, Floats]:
     """Residual of the balance equations of one condition, and its derivative.
 
-    Parameters
-    ----------
-    system : System         one condition
-    orders : tuple of int   harmonics, the wave's own in front (after the mean)
-    u : (3, b) float        coefficients
-    with_matrix : bool      is the derivative wanted?
+    system: one condition
+    orders: harmonics, the wave's own in front (after the mean)
+    u (3, b): coefficients
+    with_matrix: is the derivative wanted?
+    Returns residual (3 b,); matrix (3 b, 3 b)
 
-    Returns
-    -------
-    residual : (3 b,) float
-    matrix : (3 b, 3 b) float, or (0, 0)
-
-    Notes
-    -----
     Source: [H71] eqs. (A-10), (A-11); [Krack19].
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_p": -0.1}
-    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.1, 0), (0, 0, 0)).system
-    >>> balance_of(system, (1,), np.array([[0, 0], [0.0, 1.0], [0, 0]]))[0].round(12).tolist()
-    [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     table = system.basis(orders, fewest=FEWEST)
     size = 3 * table.factors.size

@@ -2,22 +2,20 @@
 
 It stands here in two forms, as what can be done several at a time differs. Of one matrix (`lu_factor`) the rows are: motions of
 many harmonics have hundreds of unknowns, and a branch followed through a fold a row and a column more. Of small matrices of
-many conditions (`factor_abreast`) those with the same row and column are, whatever each one pivots on. Either form with the
+many conditions (`factor_batch`) those with the same row and column are, whatever each one pivots on. Either form with the
 other's loops would work on one number at a time.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import abreast, inner
+from quartering.compiled import batch_kernel, inner
 
 
 @inner
 def lu_factor(a, pivots):
     """Factor the square matrix ``a`` in place; returns the sign of its determinant, 0 when it is singular.
 
-    Notes
-    -----
     Source: closed form (Gaussian elimination with partial pivoting).
     """
     n = a.shape[0]
@@ -50,8 +48,6 @@ def lu_factor(a, pivots):
 def lu_solve(a, pivots, b):
     """Solve in place for one right-hand side ``b``, with ``a`` and ``pivots`` from `lu_factor`.
 
-    Notes
-    -----
     Source: closed form (forward and back substitution).
     """
     n = a.shape[0]
@@ -67,13 +63,11 @@ def lu_solve(a, pivots, b):
         b[i] /= a[i, i]
 
 
-@abreast
-def factor_abreast(a, pivots, inverse, sign):
+@batch_kernel
+def factor_batch(a, pivots, inverse, sign):
     """Factor the matrices ``a`` (m, m, W) in place; ``sign`` (W,) is that of each determinant, 0 where it is singular.
 
-    Notes
-    -----
-    Source: closed form (Gaussian elimination with partial pivoting), conditions abreast.
+    Source: closed form (Gaussian elimination with partial pivoting), conditions in a batch.
     """
     m, width = a.shape[0], a.shape[2]
     for l in range(width):
@@ -103,13 +97,11 @@ def factor_abreast(a, pivots, inverse, sign):
                     a[i, k, l] -= a[i, j, l] * a[j, k, l]
 
 
-@abreast
-def solve_abreast(a, pivots, inverse, b):
-    """Solve in place for right-hand sides minus ``b`` (m, W) with what `factor_abreast` left.
+@batch_kernel
+def solve_batch(a, pivots, inverse, b):
+    """Solve in place for right-hand sides minus ``b`` (m, W) with what `factor_batch` left.
 
-    Notes
-    -----
-    Source: closed form (forward and back substitution), conditions abreast.
+    Source: closed form (forward and back substitution), conditions in a batch.
     """
     m, width = a.shape[0], a.shape[2]
     for j in range(m):

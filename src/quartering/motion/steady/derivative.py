@@ -23,23 +23,10 @@ _HIGHEST = 8
 def difference(values: Floats, step: float) -> Floats:
     """Derivative of a smooth function by central differences extrapolated to fourth order.
 
-    Parameters
-    ----------
-    values : (4, ...) float    of the function at `OFFSETS` times the step
-    step : float
+    values (4, ...): of the function at `OFFSETS` times the step
+    Returns (...): exact but for rounding for polynomials to the fourth degree
 
-    Returns
-    -------
-    (...) float                exact but for rounding for polynomials to the fourth degree
-
-    Notes
-    -----
     Source: closed form (Richardson extrapolation).
-
-    Examples
-    --------
-    >>> round(float(difference((1 + 0.1 * OFFSETS) ** 4, 0.1)), 12)
-    4.0
     """
     return np.asarray(np.tensordot(_WEIGHTS, values, 1) / step)
 
@@ -47,32 +34,15 @@ def difference(values: Floats, step: float) -> Floats:
 def change_of_motion(system: System, changes: System, u: Floats, orders: tuple[int, ...]) -> Floats:
     """Derivatives of a periodic motion by parameters of its equations.
 
-    Parameters
-    ----------
-    system : System          one condition
-    changes : System         derivatives of its arrays by each of m parameters, with its products
-    u : (3, b) float         the motion, as from `harmonic_balance`
-    orders : tuple of int    its harmonics
+    system: one condition
+    changes: derivatives of its arrays by each of m parameters, with its products
+    u (3, b): the motion, as from `harmonic_balance`
+    orders: its harmonics
+    Returns (m, 3, b)
 
-    Returns
-    -------
-    (m, 3, b) float
-
-    Notes
-    -----
     du = -R_u^-1 dR, with the residual R of the balance equations differenced at the motion held: without error where it is a
     polynomial in the parameter, as in every coefficient and in the water's velocity of a cubic.  Singular at a fold.
     Source: implicit function theorem; [Krack19].
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
-    >>> none = {name: 0 * getattr(system, name) for name in ("linear", "coefficients", "mean", "sin", "frequency")}
-    >>> u = np.array([[0, 0], [0, 0.1], [0, 0]])
-    >>> bool(np.allclose(change_of_motion(system, replace(system, **none), u, (1,))[0], u))  # proportional to the force
-    True
     """
     here, matrix = balance_of(system, orders, u)
     by_frequency = np.zeros_like(here)
@@ -97,25 +67,13 @@ def _moved(system: System, changes: System, i: int, step: float) -> System:
 def states_along(u: Floats, frequency: Floats, orders: tuple[int, ...], phases: Floats) -> Floats:
     """States of periodic motions at given phases.
 
-    Parameters
-    ----------
-    u : (n, 3, b) float       motions, as from `harmonic_balance`
-    frequency : (n,) float    [rad/s]
-    orders : tuple of int     their harmonics
-    phases : (s,) float       [rad]
+    u (n, 3, b): motions, as from `harmonic_balance`
+    frequency (n,): [rad/s]
+    orders: their harmonics
+    phases (s,): [rad]
+    Returns (n, s, 4): v, phi, p, r
 
-    Returns
-    -------
-    (n, s, 4) float           v, phi, p, r
-
-    Notes
-    -----
     Source: [H71] eq. (A-3), for any set of harmonics.
-
-    Examples
-    --------
-    >>> states_along(np.array([[[0, 0], [0, 0.1], [0, 0]]]), np.array([2.0]), (1,), np.array([0.0])).tolist()
-    [[[0.0, 0.0, 0.2, 0.0]]]
     """
     values, rates, factors = harmonics_at(orders, phases)
     speed = np.where(factors > 0, frequency[:, None], 1.0)
@@ -129,21 +87,14 @@ def change_of_states(
 ) -> Floats:
     """Derivatives of the states of one motion at given phases.
 
-    Parameters
-    ----------
-    u : (3, b) float        the motion
-    du : (m, 3, b) float    its derivatives by m parameters
-    frequency : float       [rad/s]
-    turned : (m,) float     derivatives of the frequency
-    orders : tuple of int   harmonics
-    phases : (s,) float     [rad], held
+    u (3, b): the motion
+    du (m, 3, b): its derivatives by m parameters
+    frequency: [rad/s]
+    turned (m,): derivatives of the frequency
+    orders: harmonics
+    phases (s,): [rad], held
+    Returns (m, s, 4)
 
-    Returns
-    -------
-    (m, s, 4) float
-
-    Notes
-    -----
     Source: closed form (`states_along`).
     """
     swinging = u.copy()
@@ -157,15 +108,9 @@ def change_of_states(
 def variables_along(system: System, states: Floats, phases: Floats) -> Floats:
     """What the products of a system's first condition are made of, at given phases.
 
-    Parameters
-    ----------
-    system : System
-    states : (..., s, 4) float    v, phi, p, r
-    phases : (s,) float           [rad]
-
-    Returns
-    -------
-    (..., s, 4 + e) float         with the variables that known inputs enter
+    states (..., s, 4): v, phi, p, r
+    phases (s,): [rad]
+    Returns (..., s, 4 + e): with the variables that known inputs enter
     """
     return _with_inputs(system, states, system.inputs[0], phases)
 
@@ -191,26 +136,11 @@ def products(
 ) -> Callable[[tuple[int, ...]], Floats]:
     """The nonlinear products, and their derivatives of any order by the variables they are made of.
 
-    Parameters
-    ----------
-    variables : (s, v) float                   v, phi, p, r, then those that known inputs enter
-    sign : (s, v) float                        of each, or its mean over some neighbourhood
-    powers : (t, v) int, modulus : (t,) int    of each product, as in `System`
+    variables (s, v): v, phi, p, r, then those that known inputs enter
+    sign (s, v): of each, or its mean over some neighbourhood
+    powers (t, v): of each product, as in `System`
 
-    Returns
-    -------
-    function of the variables (from 0) to differentiate by, which gives (s, t) float
-
-    Notes
-    -----
     |x| is sign(x) x: every product is a monomial with a sign.  Source: closed form.
-
-    Examples
-    --------
-    >>> state = np.array([[0.0, 0.0, -3.0, 0.0]])
-    >>> made = products(state, np.sign(state), np.array([[0, 0, 1, 0]]), np.array([3]))  # p|p|
-    >>> made(())[0].tolist(), made((2,))[0].tolist(), made((2, 2))[0].tolist()
-    ([-9.0], [6.0], [-2.0])
     """
     count = variables.shape[1]
     raised = [_powers(variables[:, v]) for v in range(count)]
@@ -241,18 +171,10 @@ def _powers(x: Floats) -> Floats:
 def table_at(knots: Floats, cubics: Floats, angle: Floats) -> tuple[Floats, Floats, NDArray[np.intp]]:
     """Slope and curvature of a table of cubics, odd in the angle, and which of its pieces holds each angle.
 
-    Parameters
-    ----------
-    knots : (b,), cubics : (b, 4)    as in `System`
-    angle : (s,) float               [rad]
+    knots (b,): as in `System`
+    angle (s,): [rad]
+    Returns slope, curvature (s,); piece (s,)
 
-    Returns
-    -------
-    slope, curvature : (s,) float
-    piece : (s,) int
-
-    Examples
-    --------
     >>> table_at(np.zeros(1), np.array([[0.0, 0.0, 0.0, 2.0]]), np.array([-0.5]))[:2]
     (array([1.5]), array([-6.]))
     """

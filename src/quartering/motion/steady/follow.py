@@ -128,12 +128,8 @@ def follow(one, tables, linear_motion, u, work):
     Pseudo-arclength continuation: the share of the excitation is an unknown beside the harmonics, and each step goes along
     the tangent, so the branch is followed through folds where no motion exists for a slightly higher wave.
 
-    Returns
-    -------
-    bool    True when the full excitation was reached
+    Returns True when the full excitation was reached
 
-    Notes
-    -----
     Source: [Krack19] (arclength continuation).
     """
     nb = u.shape[1]

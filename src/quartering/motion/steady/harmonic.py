@@ -17,7 +17,7 @@ from quartering.motion.equations.system import FEWEST, Floats, System, kernel_ar
 from quartering.motion.status import Status
 from quartering.motion.steady.balance import balance, copy_motion, newton, room_for_one
 from quartering.motion.steady.follow import follow
-from quartering.motion.steady.newton import ALTERED, FOUND, FOUND_ALTERED, TO_FOLLOW, WAITING, in_step
+from quartering.motion.steady.newton import ALTERED, FOUND, FOUND_ALTERED, TO_FOLLOW, WAITING, newton_batch
 from quartering.threads import in_threads
 
 MOST_HARMONICS: Final = 199
@@ -26,9 +26,9 @@ _CONVERGED, _BY_FOLLOWING = int(Status.CONVERGED), int(Status.CONVERGED_BY_FOLLO
 _RUNAWAY = 1e9
 _NO_MOTION, _SINGULAR, _NOT_FINITE = int(Status.NO_MOTION_FOUND), int(Status.SINGULAR), int(Status.NOT_FINITE)
 
-_MOST_ABREAST = 40
-"""Columns of a motion up to which a row of conditions is tried abreast, be they many or one: beyond, their matrices would fill
-the memory. The number of conditions must not decide: the two ways differ in the last digits."""
+_MOST_BATCHED = 40
+"""Columns of a motion up to which a row of conditions is tried in a batch, be they many or one: beyond, their matrices would
+fill the memory. The number of conditions must not decide: the two ways differ in the last digits."""
 
 
 @inner
@@ -97,32 +97,11 @@ def _solve(first, last, program, parts, tables, given_start, from_rest, u, waiti
 def orders_for(system: System, harmonics: int) -> tuple[int, ...]:
     """Harmonics that a motion of a system can hold up to a given order.
 
-    Parameters
-    ----------
-    system : System
-    harmonics : int    highest harmonic wanted, 1, 3, 5, ..
+    harmonics: highest harmonic wanted, 1, 3, 5, ..
+    Returns odd ones alone when the system is symmetric; else the mean and all
 
-    Returns
-    -------
-    tuple of int    odd ones alone when the system is symmetric; else the mean and all
-
-    Raises
-    ------
-    InputError    what `checked_harmonics` refuses
-
-    Notes
-    -----
     Source: [H71] eq. (3) is unchanged by (y, t) -> (-y, t + T/2), so a motion that continues from the linear one has odd
     harmonics only; a steady force or an even term breaks this.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> orders_for(Model(np.eye(3), terms, 1.0, (0, 1, 0), (0, 0, 0)).system, 5)
-    (1, 3, 5)
-    >>> orders_for(Model(np.eye(3), terms, 1.0, (0, 1, 0), (0, 0, 0), force_mean=(0, 0.1, 0)).system, 3)
-    (0, 1, 2, 3)
     """
     checked_harmonics(harmonics)
     return tuple(range(1, harmonics + 1, 2)) if system.symmetric else tuple(range(harmonics + 1))
@@ -131,20 +110,8 @@ def orders_for(system: System, harmonics: int) -> tuple[int, ...]:
 def checked_harmonics(harmonics: int) -> int:
     """A highest harmonic, refused when it is none.
 
-    Parameters
-    ----------
-    harmonics : int
+    Returns the same
 
-    Returns
-    -------
-    int    the same
-
-    Raises
-    ------
-    InputError    not a whole number, even, not positive, or above `MOST_HARMONICS`
-
-    Examples
-    --------
     >>> checked_harmonics(9)
     9
     """
@@ -162,36 +129,20 @@ def harmonic_balance(
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by harmonic balance.
 
-    Parameters
-    ----------
-    system : System                   n conditions
-    orders : tuple of int             harmonics kept (see `orders_for`)
-    start : (n, 3, b), optional       start of Newton's method; by default the linear solution
-    from_rest : bool                  take the motion that raising the wave from nothing leads to: it is looked for wherever
-                                      Newton's method ends beyond a fold, or at roll a tenth off the linear solution's
+    system: n conditions
+    orders: harmonics kept (see `orders_for`)
+    start (n, 3, b): start of Newton's method; by default the linear solution
+    from_rest: take the motion that raising the wave from nothing leads to: it is looked for wherever Newton's method
+        ends beyond a fold, or at roll a tenth off the linear solution's
+    Returns u (n, 3, b): coefficients of sway [m], roll, yaw [rad]: cos and sin of each harmonic in turn; in front of
+        them, when 0 is among the orders, mean sway velocity, heel and yaw rate; NaN where none found; status (n,):
+        `Status`; residual (n,): largest imbalance relative to the excitation
 
-    Returns
-    -------
-    u : (n, 3, b) float       coefficients of sway [m], roll, yaw [rad]: cos and sin of each harmonic in turn; in front of
-                              them, when 0 is among the orders, mean sway velocity, heel and yaw rate; NaN where none found
-    status : (n,) int8        `Status`
-    residual : (n,) float     largest imbalance relative to the excitation
-
-    Notes
-    -----
     Source: [H71] eqs. (A-10), (A-11) (one harmonic), [Krack19].  Several motions may exist: this is the one reached by
     damped Newton from the linear solution or, failing that, by raising the wave from nothing along the branch of
     motions, through its folds.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> u, status, _ = harmonic_balance(Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system, (1,))
-    >>> bool(np.allclose(u[0, 1], [0.0, 0.1])), int(status[0])
-    (True, 0)
     """
-    return _solved(system, orders, start, from_rest, abreast=system.plain and 2 * len(orders) <= _MOST_ABREAST)
+    return _solved(system, orders, start, from_rest, batched=system.plain and 2 * len(orders) <= _MOST_BATCHED)
 
 
 def solve_with_care(
@@ -199,39 +150,25 @@ def solve_with_care(
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by damped steps and following alone, without the fast attempt.
 
-    Parameters
-    ----------
-    system, orders, start, from_rest    as in `harmonic_balance`
+    as in `harmonic_balance`
+    Returns as from `harmonic_balance`, which is this but for speed
 
-    Returns
-    -------
-    u, status, residual                 as from `harmonic_balance`, which is this but for speed
-
-    Notes
-    -----
     Source: [Krack19].
     """
-    return _solved(system, orders, start, from_rest, abreast=False)
+    return _solved(system, orders, start, from_rest, batched=False)
 
 
 def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tuple[Floats, NDArray[np.int8]]:
     """Periodic motions that Newton's full steps reach from many starts, of which some may fail.
 
-    Parameters
-    ----------
-    system, orders            as in `harmonic_balance`
-    start : (n, 3, b) float   of Newton's method
+    as in `harmonic_balance`
+    start (n, 3, b): of Newton's method
+    Returns as from `harmonic_balance`, without the damped steps; where it cannot solve in a batch, the same
 
-    Returns
-    -------
-    u, status                 as from `harmonic_balance`, without the damped steps; where it cannot solve abreast, the same
-
-    Notes
-    -----
     Source: [Krack19].
     """
-    plain = system.plain and 2 * len(orders) <= _MOST_ABREAST
-    return _solved(system, orders, start, False, abreast=plain, careful=not plain)[:2]
+    plain = system.plain and 2 * len(orders) <= _MOST_BATCHED
+    return _solved(system, orders, start, False, batched=plain, careful=not plain)[:2]
 
 
 _SAME, _NEAR = 1e-3, 0.1
@@ -242,8 +179,9 @@ def _reached_otherwise(system: System, table: Basis, u: Floats) -> NDArray[np.bo
     """Conditions (n,) whose motion is not the one that the wave raised in thirds leads to.
 
     Where the linear motion is large, Newton's method may come from it to a motion that stands beside the one from rest, on the
-    same side of folds and even of the linear motion's own roll. To go up in thirds is cheap, abreast, the last third only where
-    the first two do not point at the motion; where that ends elsewhere, or loses the motion, the branch is to be followed.
+    same side of folds and even of the linear motion's own roll. To go up in thirds is cheap in a batch, the last third only
+    where the first two do not point at the motion; where that ends elsewhere, or loses the motion, the branch is to
+    be followed.
     """
     v, before, lost = np.zeros_like(u), np.zeros_like(u), np.zeros(system.count, dtype=bool)
     for k, share in enumerate(_SHARES):
@@ -260,10 +198,10 @@ def _reached_otherwise(system: System, table: Basis, u: Floats) -> NDArray[np.bo
 
 
 def _raised(system: System, table: Basis, share: float, start: Floats, *, from_linear: bool) -> NDArray[np.bool_]:
-    """Solve in a share of the wave, abreast and in place, and say where (n,) a motion was found."""
+    """Solve in a share of the wave, in a batch and in place, and say where (n,) a motion was found."""
     waiting, residual = np.full(system.count, WAITING, dtype=np.int8), np.zeros(system.count)
     given = kernel_arguments(system.raised(np.array([share])), table)
-    in_threads(in_step, system.count, *given, not from_linear, False, start, waiting, residual, smallest=WIDTH)
+    in_threads(newton_batch, system.count, *given, not from_linear, False, start, waiting, residual, smallest=WIDTH)
     return np.asarray(waiting == FOUND)
 
 
@@ -278,17 +216,17 @@ def _solved(
     start: Floats | None,
     from_rest: bool,
     *,
-    abreast: bool,
+    batched: bool,
     careful: bool = True,
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
-    """Solve what full steps abreast find, if wanted, then with care what still waits; mark what has no motion."""
+    """Solve what full steps in a batch find, if wanted, then with care what still waits; mark what has no motion."""
     table = system.basis(orders, fewest=FEWEST)
     u = np.zeros((system.count, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
     finite, residual = system.finite, np.zeros(system.count)
     status, waiting = np.where(finite, _CONVERGED, _NOT_FINITE).astype(np.int8), finite.astype(np.int8)
     given = (*kernel_arguments(system, table), start is not None, from_rest, u, waiting)
-    if abreast:
-        in_threads(in_step, system.count, *given, residual, smallest=WIDTH)
+    if batched:
+        in_threads(newton_batch, system.count, *given, residual, smallest=WIDTH)
         altered = np.flatnonzero(waiting == FOUND_ALTERED)
         waiting[altered] = FOUND
         if altered.size:

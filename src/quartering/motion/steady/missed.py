@@ -17,9 +17,9 @@ from quartering.compiled import kernel
 from quartering.motion.equations.rates import WIDTH, fill, gather, room_for, row_of_lanes
 from quartering.motion.equations.system import Floats, System, kernel_arguments
 from quartering.motion.steady.balance import balance, room_for_one
-from quartering.motion.steady.dense import factor_abreast, lu_factor, lu_solve, solve_abreast
+from quartering.motion.steady.dense import factor_batch, lu_factor, lu_solve, solve_batch
 from quartering.motion.steady.harmonic import MOST_HARMONICS
-from quartering.motion.steady.newton import balance_abreast, derivative_abreast, gather_motions
+from quartering.motion.steady.newton import balance_batch, derivative_batch, gather_motions
 from quartering.motion.steady.truncation import columns_of, widened
 from quartering.rowwise import rowwise
 from quartering.threads import in_threads
@@ -33,7 +33,7 @@ _PHASES: Final = 24
 
 @kernel
 def _first_step(first, last, program, parts, tables, u, out):
-    """Newton's first step in roll (n, b) from the motions (n, 3, b), conditions abreast."""
+    """Newton's first step in roll (n, b) from the motions (n, 3, b), conditions in a batch."""
     nb = tables[2].size
     size = 3 * nb
     lanes = row_of_lanes(parts, WIDTH)
@@ -44,10 +44,10 @@ def _first_step(first, last, program, parts, tables, u, out):
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)
         gather_motions(begin, last, u, motion)
-        derivative_abreast(program, tables, lanes, motion, matrix, column, room)
-        factor_abreast(matrix, pivots, inverse, sign)
-        balance_abreast(program, tables, lanes, motion, step, room)
-        solve_abreast(matrix, pivots, inverse, step)
+        derivative_batch(program, tables, lanes, motion, matrix, column, room)
+        factor_batch(matrix, pivots, inverse, sign)
+        balance_batch(program, tables, lanes, motion, step, room)
+        solve_batch(matrix, pivots, inverse, step)
         for l in range(min(WIDTH, last - begin)):
             for b in range(nb):
                 out[begin + l, b] = step[nb + b, l]
@@ -55,7 +55,7 @@ def _first_step(first, last, program, parts, tables, u, out):
 
 @kernel
 def _first_step_with_autopilot(first, last, program, parts, tables, u, out):
-    """As `_first_step`, one condition after another: an autopilot's state adds columns that conditions abreast do not hold."""
+    """As `_first_step`, one condition after another: an autopilot's state adds columns that a batch does not hold."""
     nb = tables[2].size
     size = 3 * nb
     room = room_for_one(program, parts, tables)
@@ -73,23 +73,14 @@ def _first_step_with_autopilot(first, last, program, parts, tables, u, out):
 def missed_roll(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
     """Estimate of what the next harmonics change of roll.
 
-    Parameters
-    ----------
-    system : System           n conditions
-    u : (n, 3, b) float       motions, as from `harmonic_balance`; NaN where there is none
-    orders : tuple of int     harmonics of them
+    system: n conditions
+    u (n, 3, b): motions, as from `harmonic_balance`; NaN where there is none
+    orders: harmonics of them
+    Returns (n,): largest change of the roll angle over a cycle, as a share of the roll amplitude; NaN where there is no
+        motion, and beyond the most harmonics that there are
 
-    Returns
-    -------
-    (n,) float                largest change of the roll angle over a cycle, as a share of the roll amplitude; NaN where there
-                              is no motion, and beyond the most harmonics that there are
-
-    Notes
-    -----
     Newton's first step in a set with the next two harmonics.  Source: [Krack19].
 
-    Examples
-    --------
     >>> from quartering.motion.equations.system import Model
     >>> from quartering.motion.steady.harmonic import harmonic_balance
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_phiphiphi": 0.1, "K_p": -0.1, "N_r": -1.0}
@@ -106,9 +97,9 @@ def missed_roll(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
         return np.asarray(out[:, 0])
     table = system.basis(wider, fewest=FEWEST_OF_ESTIMATE)
     start = np.ascontiguousarray(widened(np.where(found[:, None, None], u, 0.0), orders, wider))
-    abreast = system.plain and len(columns) <= _MOST_COLUMNS
+    batched = system.plain and len(columns) <= _MOST_COLUMNS
     in_threads(
-        _first_step if abreast else _first_step_with_autopilot,
+        _first_step if batched else _first_step_with_autopilot,
         system.count,
         *kernel_arguments(system, table),
         start,

@@ -118,23 +118,11 @@ class Motion(ShownInNotebooks):
 def peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
     """Largest |sway|, |roll|, |yaw| of each motion over a cycle.
 
-    Parameters
-    ----------
-    u : (n, 3, b) float       coefficients as from `harmonic_balance`
-    orders : tuple of int     their harmonics
+    u (n, 3, b): coefficients as from `harmonic_balance`
+    orders: their harmonics
+    Returns (n, 3): [m, rad, rad]; sway and yaw without their drift
 
-    Returns
-    -------
-    (n, 3) float              [m, rad, rad]; sway and yaw without their drift
-
-    Notes
-    -----
     Source: closed form; sampled at 256 phases, which finds a maximum to 1e-4 of a fundamental and 1e-3 of a ninth harmonic.
-
-    Examples
-    --------
-    >>> peaks(np.array([[[0.0, 1.0], [0.3, 0.4], [0.0, 0.0]]]), (1,)).round(3)
-    array([[1. , 0.5, 0. ]])
     """
     displacement = u @ _sampled(orders)
     if 0 in orders:
@@ -146,23 +134,11 @@ def peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
 def roll_peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
     """Largest |roll| of each motion over a cycle, heel included.
 
-    Parameters
-    ----------
-    u : (n, 3, b) float       coefficients as from `harmonic_balance`
-    orders : tuple of int     their harmonics
+    u (n, 3, b): coefficients as from `harmonic_balance`
+    orders: their harmonics
+    Returns (n,): [rad]
 
-    Returns
-    -------
-    (n,) float                [rad]
-
-    Notes
-    -----
     Source: as `peaks`, for one mode of many conditions.
-
-    Examples
-    --------
-    >>> roll_peaks(np.array([[[0.0, 1.0], [0.3, 0.4], [0.0, 0.0]]]), (1,)).round(3)
-    array([0.5])
     """
     return np.asarray(np.abs(rowwise(u[:, 1], _sampled(orders))).max(axis=1))
 
@@ -181,28 +157,13 @@ def steady_motions(
 ) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions.
 
-    Parameters
-    ----------
-    system : System    n conditions
-    harmonics : int    1: the paper's modified Struble method; 3, 5, ..: harmonic balance to that order
-    start : str        which motion where several exist, as in `steady_motion`
+    system: n conditions
+    harmonics: 1: the paper's modified Struble method; 3, 5, ..: harmonic balance to that order
+    start: which motion where several exist, as in `steady_motion`
+    Returns u (n, 3, b): coefficients as from `harmonic_balance`; orders: their harmonics; status (n,): `Status`;
+        residual (n,): largest imbalance relative to the excitation
 
-    Returns
-    -------
-    u : (n, 3, b) float       coefficients as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    status : (n,) int8        `Status`
-    residual : (n,) float     largest imbalance relative to the excitation
-
-    Notes
-    -----
     Source: [H71] Appendix A, [Krack19].
-
-    Examples
-    --------
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}, 0.8, (0, 0.1, 0), (0, 0, 0))
-    >>> steady_motions(model.system, 5)[1]
-    (1, 3, 5)
     """
     if start not in get_args(Start):
         raise InputError(
@@ -231,21 +192,12 @@ def motion_record(
 ) -> Motion:
     """One motion of a batch as a record.
 
-    Parameters
-    ----------
-    model : Model
-    u : (3, b) float          coefficients as from `harmonic_balance`
-    orders : tuple of int     their harmonics
-    status : int              `Status`
-    residual : float          relative imbalance
-    method : str              how it was found
+    u (3, b): coefficients as from `harmonic_balance`
+    orders: their harmonics
+    status: `Status`
+    residual: relative imbalance
+    method: how it was found
 
-    Returns
-    -------
-    Motion
-
-    Notes
-    -----
     Source: [H71] eq. (A-3).
     """
     mean = u[:, 0].copy() if orders[0] == 0 else np.zeros(3)
@@ -329,20 +281,7 @@ def steady_motion(model: Model, harmonics: int = 1, *, start: Start = "linear", 
 def within_limit(model: Model, motion: Motion) -> Motion:
     """A motion, or none where it rolls past the capsize limit of its model, as in a map.
 
-    Parameters
-    ----------
-    model : Model
-    motion : Motion
-
-    Returns
-    -------
-    Motion    of status `BEYOND_CAPSIZE_LIMIT` and NaN where it passes the limit
-
-    Examples
-    --------
-    >>> model = Model(np.eye(3), {"Y_v": -1, "N_r": -1, "K_phi": -1, "K_p": -1}, 1.0, (0, 1, 0), (0, 0, 0), openings=40.0)
-    >>> within_limit(model, steady_motion(model)).status.name
-    'BEYOND_CAPSIZE_LIMIT'
+    Returns of status `BEYOND_CAPSIZE_LIMIT` and NaN where it passes the limit
     """
     if not motion.peak[1] > model.capsize_limit.radians:
         return motion

@@ -10,9 +10,9 @@ from typing import Final
 
 import numpy as np
 
-from quartering.compiled import abreast, kernel
+from quartering.compiled import batch_kernel, kernel
 from quartering.motion.equations.rates import WIDTH, enter_inputs, forces, gather, room_for, row_of_lanes, slopes
-from quartering.motion.steady.dense import factor_abreast, solve_abreast
+from quartering.motion.steady.dense import factor_batch, solve_batch
 
 _ITERATIONS = 8
 _LEFT, _DONE = 1, 2
@@ -27,7 +27,7 @@ ALTERED: Final = 0.1**2
 _NO_AUTOPILOT = (0j, 0j, 0j)
 
 
-@abreast
+@batch_kernel
 def gather_motions(begin, last, u, row):
     """Copy the motions (n, 3, b) from ``begin`` on into a row (3, b, W)."""
     for l in range(row.shape[2]):
@@ -37,12 +37,10 @@ def gather_motions(begin, last, u, row):
                 row[k, b, l] = u[i, k, b]
 
 
-@abreast
+@batch_kernel
 def states(program, factors, value, rate, u, w, columns):
     """States of the motions ``u`` (3, b, W) where the harmonics have the values and rates (b,), into the first columns.
 
-    Notes
-    -----
     The mean's column holds mean displacements, and mean velocities of modes whose displacement the equations do not hold.
     Source: [H71] eq. (A-3), for any set of harmonics.
     """
@@ -68,7 +66,7 @@ def states(program, factors, value, rate, u, w, columns):
                     columns[held, l] += u[k, b, l] * own
 
 
-@abreast
+@batch_kernel
 def at_sample(program, tables, n, u, lanes, columns):
     """Everything ``columns`` need at sample ``n``: states, and the variables that known inputs enter."""
     values, rates, factors, _, waves = tables
@@ -76,7 +74,7 @@ def at_sample(program, tables, n, u, lanes, columns):
     enter_inputs(program, lanes, waves[:, n], columns)
 
 
-@abreast
+@batch_kernel
 def _inertia_and_waves(factors, lanes, u, residual):
     """Start of the residual (3 b, W): acceleration less excitation."""
     nb, width = factors.size, lanes.frequency.size
@@ -94,12 +92,10 @@ def _inertia_and_waves(factors, lanes, u, residual):
                 residual[k * nb, l] -= lanes.mean[k, l]
 
 
-@abreast
-def balance_abreast(program, tables, lanes, u, residual, room):
+@batch_kernel
+def balance_batch(program, tables, lanes, u, residual, room):
     """Residuals (3 b, W) of the balance equations, as `balance.balance` has them for one condition.
 
-    Notes
-    -----
     Row (k, c) is projection c of acceleration minus right-hand side.  Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
     values, _, factors, weights, waves = tables
@@ -117,8 +113,8 @@ def balance_abreast(program, tables, lanes, u, residual, room):
                     residual[k * nb + c, l] -= project * force[k, l]
 
 
-@abreast
-def derivative_abreast(program, tables, lanes, u, matrix, column, room):
+@batch_kernel
+def derivative_batch(program, tables, lanes, u, matrix, column, room):
     """Derivatives (3 b, 3 b, W) of the residuals by the unknowns.
 
     With drag from every second sample: there are many for the sake of |q| q alone, and the matrix only leads Newton's steps,
@@ -167,12 +163,10 @@ def derivative_abreast(program, tables, lanes, u, matrix, column, room):
                             matrix[k * nb + c, j * nb + b, l] += project * column[k, j, b, l]
 
 
-@abreast
+@batch_kernel
 def linear_response(linear, l, w, x, y, z, answer):
     """Phasors of sway, roll, yaw under accelerations (x, y, z) at frequency ``w`` without the products; Cramer's rule.
 
-    Notes
-    -----
     ``answer`` is what an autopilot does to (sway, roll, yaw) per unit of yaw, as `steering.feedback`.
     Source: [H71] eq. (3), linear part.
     """
@@ -190,12 +184,10 @@ def linear_response(linear, l, w, x, y, z, answer):
     return sway, roll, yaw
 
 
-@abreast
+@batch_kernel
 def steady_response(linear, l, x, y, z):
     """Mean sway velocity, heel and yaw rate under steady accelerations (x, y, z), and the sign of their determinant.
 
-    Notes
-    -----
     Source: [H71] eq. (3), linear part; Cramer's rule.
     """
     a, b, c = -linear[0, 0, l], -linear[0, 1, l], -linear[0, 3, l]
@@ -209,7 +201,7 @@ def steady_response(linear, l, x, y, z):
     return sway, heel, yaw, 1.0 if det > 0.0 else -1.0
 
 
-@abreast
+@batch_kernel
 def _move(u, step, out, size):
     """Add a step to the motions; ``size`` (W,) is the largest change relative to its mode's amplitude afterwards.
 
@@ -232,7 +224,7 @@ def _move(u, step, out, size):
         size[l] = largest
 
 
-@abreast
+@batch_kernel
 def _copy(u, out):
     for k in range(3):
         for b in range(u.shape[1]):
@@ -240,7 +232,7 @@ def _copy(u, out):
                 out[k, b, l] = u[k, b, l]
 
 
-@abreast
+@batch_kernel
 def _linear(lanes, factors, u, side):
     """Motion without the products; ``side`` (W,) is the sign of its equations' determinant.
 
@@ -263,7 +255,7 @@ def _linear(lanes, factors, u, side):
             u[0, 0, l], u[1, 0, l], u[2, 0, l] = v, heel, r
 
 
-@abreast
+@batch_kernel
 def _judge(l, sign, sizes, stage):
     """Choose the accepted iterate among three chord-Newton steps; update the ``stage`` of condition ``l``.
 
@@ -283,18 +275,18 @@ def _judge(l, sign, sizes, stage):
     return 3
 
 
-@abreast
+@batch_kernel
 def _newton(program, tables, lanes, u, stage, sign, work):
     """Newton's method on all conditions whose ``stage`` is 0, each matrix used for three steps."""
     matrix, pivots, inverse, step, points, sizes, column, room = work
     nb, width = u.shape[1], u.shape[2]
     for _ in range(_ITERATIONS):
-        derivative_abreast(program, tables, lanes, u, matrix, column, room)
-        factor_abreast(matrix, pivots, inverse, sign[1])
+        derivative_batch(program, tables, lanes, u, matrix, column, room)
+        factor_batch(matrix, pivots, inverse, sign[1])
         _copy(u, points[0])
         for j in range(3):
-            balance_abreast(program, tables, lanes, points[j], step, room)
-            solve_abreast(matrix, pivots, inverse, step)
+            balance_batch(program, tables, lanes, points[j], step, room)
+            solve_batch(matrix, pivots, inverse, step)
             _move(points[j], step, points[j + 1], sizes[j])
         working = False
         for l in range(width):
@@ -310,7 +302,7 @@ def _newton(program, tables, lanes, u, stage, sign, work):
             break
 
 
-@abreast
+@batch_kernel
 def _altered(linear_motion, u, l):
     """Does the roll differ by more than a tenth of the lesser, in size or phase?"""
     old, new, apart = 0.0, 0.0, 0.0
@@ -322,20 +314,16 @@ def _altered(linear_motion, u, l):
 
 
 @kernel
-def in_step(first, last, program, parts, tables, given_start, from_rest, start, waiting, error):
+def newton_batch(first, last, program, parts, tables, given_start, from_rest, start, waiting, error):
     """Motions of conditions first..last that full Newton steps find, with ``waiting`` set.
 
-    Parameters
-    ----------
-    program, parts, tables    of a `System`, and of a `Basis` with the wave's harmonics
-    given_start : bool        begin at ``start``, not at the linear motion
-    from_rest : bool          leave a condition whose motion lies beyond a fold, mark one with roll not near the linear one's
-    start : (n, 3, b)         in and, where found, out
-    waiting : (n,) int8       `WAITING` where a motion is wanted; out: `FOUND`, or `FOUND_ALTERED` where ``from_rest`` asks
-    error : (n,)              out: largest imbalance relative to the excitation
+    of a `System`, and of a `Basis` with the wave's harmonics
+    given_start: begin at ``start``, not at the linear motion
+    from_rest: leave a condition whose motion lies beyond a fold, mark one with roll not near the linear one's
+    start (n, 3, b): in and, where found, out
+    waiting (n,): `WAITING` where a motion is wanted; out: `FOUND`, or `FOUND_ALTERED` where ``from_rest`` asks
+    error (n,): out: largest imbalance relative to the excitation
 
-    Notes
-    -----
     Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
     factors = tables[2]
@@ -359,7 +347,7 @@ def in_step(first, last, program, parts, tables, given_start, from_rest, start, 
                 for b in range(nb):
                     u[k, b, l] = start[i, k, b] if given_start else linear_motion[k, b, l]
         _newton(program, tables, lanes, u, stage, sign, work)
-        balance_abreast(program, tables, lanes, u, step, room)
+        balance_batch(program, tables, lanes, u, step, room)
         for l in range(min(WIDTH, last - begin)):
             i = begin + l
             if stage[l] != _DONE:

@@ -11,7 +11,7 @@ from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_la
 from quartering.motion.equations.steering import feedback, turning
 from quartering.motion.equations.system import FEWEST, Floats, System, kernel_arguments
 from quartering.motion.steady.harmonic import harmonic_balance
-from quartering.motion.steady.newton import balance_abreast, gather_motions, linear_response
+from quartering.motion.steady.newton import balance_batch, gather_motions, linear_response
 from quartering.threads import in_threads
 
 
@@ -29,7 +29,7 @@ def _add_linear_harmonics(first, last, program, parts, tables, fundamental, answ
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)
         gather_motions(begin, last, fundamental, row[:, :known])
-        balance_abreast(program, tables, lanes, row, residual, room)
+        balance_batch(program, tables, lanes, row, residual, room)
         for l in range(min(WIDTH, last - begin)):
             i = begin + l
             for b in range(known, nb, 2):
@@ -48,32 +48,16 @@ def modified_struble(
 ) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by the paper's method.
 
-    Parameters
-    ----------
-    system : System      n conditions
-    from_rest : bool     which motion where several exist, as in `harmonic_balance`
-    start : (n, 3, b)    start of Newton's method for the fundamental, as in `harmonic_balance`
+    system: n conditions
+    from_rest: which motion where several exist, as in `harmonic_balance`
+    start (n, 3, b): start of Newton's method for the fundamental, as in `harmonic_balance`
+    Returns u (n, 3, b): coefficients as from `harmonic_balance`, third harmonic included; orders: (1, 3); (0, 1, 2, 3)
+        when a steady force or an even term breaks the symmetry; status (n,): `Status` of the fundamental; residual
+        (n,): imbalance of the fundamental relative to the excitation
 
-    Returns
-    -------
-    u : (n, 3, b) float        coefficients as from `harmonic_balance`, third harmonic included
-    orders : tuple of int      (1, 3); (0, 1, 2, 3) when a steady force or an even term breaks the symmetry
-    status : (n,) int8         `Status` of the fundamental
-    residual : (n,) float      imbalance of the fundamental relative to the excitation
-
-    Notes
-    -----
     The six equations (A-11) for the fundamental are one-harmonic balance; (A-8) is one linear solve for the third harmonic,
     which does not act back on the fundamental: its error is of second order in the nonlinearity.
     Source: [H71] eqs. (A-3)-(A-11), [Struble62].
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "K_phiphiphi": 0.2, "N_r": -1.0}
-    >>> u, orders, _, _ = modified_struble(Model(np.eye(3), terms, 0.8, (0, 0.1, 0), (0, 0, 0)).system)
-    >>> orders, u.shape
-    ((1, 3), (1, 3, 4))
     """
     low, orders = ((1,), (1, 3)) if system.symmetric else ((0, 1), (0, 1, 2, 3))
     fundamental, status, residual = harmonic_balance(system, low, start, from_rest=from_rest)

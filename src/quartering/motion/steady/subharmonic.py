@@ -17,21 +17,12 @@ from quartering.motion.equations.system import Floats, System
 def orders_of(harmonics: int, periods: int) -> tuple[int, ...]:
     """Harmonics of a motion without symmetry that repeats after some wave periods, the wave's own in front.
 
-    Parameters
-    ----------
-    harmonics : int    highest harmonic of the wave's frequency
-    periods : int      wave periods after which the motion repeats
+    harmonics: highest harmonic of the wave's frequency
+    periods: wave periods after which the motion repeats
+    Returns multiples of the wave's frequency divided by `periods`; 0 is the mean
 
-    Returns
-    -------
-    tuple of int       multiples of the wave's frequency divided by `periods`; 0 is the mean
-
-    Notes
-    -----
     Source: [Krack19] (subharmonic motions).
 
-    Examples
-    --------
     >>> orders_of(3, 1), orders_of(2, 2)
     ((0, 1, 2, 3), (0, 2, 1, 3, 4))
     """
@@ -42,14 +33,7 @@ def orders_of(harmonics: int, periods: int) -> tuple[int, ...]:
 def slowed(system: System, periods: int) -> System:
     """The system written for a subharmonic period: base frequency w/n, excitation in harmonic n.
 
-    Parameters
-    ----------
-    system : System    n conditions, at the wave's frequency
-    periods : int
-
-    Returns
-    -------
-    System
+    system: n conditions, at the wave's frequency
     """
     return system if periods == 1 else replace(system, frequency=system.frequency / periods, periods=periods)
 
@@ -57,22 +41,10 @@ def slowed(system: System, periods: int) -> System:
 def columns(orders: tuple[int, ...]) -> dict[int, slice]:
     """Where each harmonic stands among the coefficients.
 
-    Parameters
-    ----------
-    orders : tuple of int    in the order of the columns
+    orders: in the order of the columns
+    Returns one column for the mean (0), cosine and sine for the others
 
-    Returns
-    -------
-    dict of int to slice     one column for the mean (0), cosine and sine for the others
-
-    Notes
-    -----
     Source: the layout of coefficients of `harmonic_balance`.
-
-    Examples
-    --------
-    >>> columns((0, 2, 1))
-    {0: slice(0, 1, None), 2: slice(1, 3, None), 1: slice(3, 5, None)}
     """
     found, at = {}, 0
     for h in orders:
@@ -85,23 +57,12 @@ def columns(orders: tuple[int, ...]) -> dict[int, slice]:
 def rearranged(u: Floats, orders: tuple[int, ...], into: tuple[int, ...], factor: int = 1) -> Floats:
     """The same motions as coefficients of other harmonics; those absent from `into` are dropped, new ones are zero.
 
-    Parameters
-    ----------
-    u : (n, 3, b) float       coefficients
-    orders : tuple of int     their harmonics
-    into : tuple of int       harmonics wanted
-    factor : int              harmonic h becomes `factor` h
+    u (n, 3, b): coefficients
+    orders: their harmonics
+    into: harmonics wanted
+    factor: harmonic h becomes `factor` h
+    Returns (n, 3, c)
 
-    Returns
-    -------
-    (n, 3, c) float
-
-    Notes
-    -----
-    Source: closed form.
-
-    Examples
-    --------
     >>> rearranged(np.array([[[5.0, 6.0]]]), (1,), (0, 2, 1), factor=2).tolist()
     [[[0.0, 5.0, 6.0, 0.0, 0.0]]]
     """
@@ -116,19 +77,8 @@ def rearranged(u: Floats, orders: tuple[int, ...], into: tuple[int, ...], factor
 def ascending(u: Floats, orders: tuple[int, ...]) -> tuple[Floats, tuple[int, ...]]:
     """Coefficients by ascending harmonics, as every function but the balance equations takes them.
 
-    Parameters
-    ----------
-    u : (n, 3, b) float
-    orders : tuple of int
-
-    Returns
-    -------
-    (n, 3, b) float, tuple of int
-
-    Examples
-    --------
-    >>> ascending(np.array([[[0.0, 5.0, 6.0, 1.0, 2.0]]]), (0, 2, 1))
-    (array([[[0., 1., 2., 5., 6.]]]), (0, 1, 2))
+    u (n, 3, b)
+    Returns (n, 3, b)
     """
     into = tuple(sorted(orders))
     return (np.ascontiguousarray(u), into) if into == tuple(orders) else (rearranged(u, orders, into), into)

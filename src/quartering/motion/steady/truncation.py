@@ -40,18 +40,12 @@ def followed_up(
 ) -> tuple[Floats, tuple[int, ...], float, NDArray[np.int8] | None]:
     """A motion with as many harmonics as it takes until four more change roll by less than 1 %.
 
-    Parameters
-    ----------
-    system : System           one condition
-    u : (1, 3, b) float       its motion
-    orders : tuple of int     harmonics of it
-
-    Returns
-    -------
-    u, orders                 with no harmonic more where those there suffice, or where more of them lead nowhere
-    missed : float            change of the roll amplitude by the last four harmonics, as a share of it; NaN where no answer
-                              was found with them
-    status : (1,) int8        of the motion with more harmonics; None where it is the one given
+    system: one condition
+    u (1, 3, b): its motion
+    orders: harmonics of it
+    Returns with no harmonic more where those there suffice, or where more of them lead nowhere; missed: change of the
+        roll amplitude by the last four harmonics, as a share of it; NaN where no answer was found with them; status
+        (1,): of the motion with more harmonics; None where it is the one given
     """
     found: tuple[Floats, tuple[int, ...], NDArray[np.int8] | None] = (u, orders, None)
     while True:

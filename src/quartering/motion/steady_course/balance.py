@@ -82,16 +82,9 @@ def columns(orders: NDArray[np.int64], phase: Floats) -> tuple[Floats, Floats]:
 def harmonics(vertical: tuple[int, ...], lateral: tuple[int, ...], samples: int) -> Harmonics:
     """Harmonics of the modes, in halves of the encounter frequency.
 
-    Parameters
-    ----------
-    vertical, lateral : tuple of int    (0, 2, 4, ..) and () for the symmetric motion; with lateral (1, 3, ..) the motion of two
-                                        periods; (0, 2, 4, ..) twice for one period without symmetry, (0, 1, 2, ..) for two
-    samples : int                       of one period of the encounter
-
-    Examples
-    --------
-    >>> harmonics((0, 2, 4), (1, 3), 16).sizes
-    (5, 4)
+    vertical, lateral: (0, 2, 4, ..) and () for the symmetric motion; with lateral (1, 3, ..) the motion of two periods;
+        (0, 2, 4, ..) twice for one period without symmetry, (0, 1, 2, ..) for two
+    samples: of one period of the encounter
     """
     mixed = any(o % 2 for o in vertical) or len({o % 2 for o in lateral}) == 2
     count = samples * (2 if mixed else 1)
@@ -112,8 +105,6 @@ def harmonics(vertical: tuple[int, ...], lateral: tuple[int, ...], samples: int)
 def symmetric_harmonics(order: int = 7, samples: int = 32) -> Harmonics:
     """Heave and pitch over harmonics 0 to ``order`` of the encounter.
 
-    Examples
-    --------
     >>> symmetric_harmonics(3).vertical.tolist()
     [0, 2, 4, 6]
     """
@@ -121,21 +112,13 @@ def symmetric_harmonics(order: int = 7, samples: int = 32) -> Harmonics:
 
 
 def doubled_harmonics(order: int = 7, lateral: int = 5, samples: int = 48) -> Harmonics:
-    """Heave and pitch as in the symmetric motion, with odd multiples of half the encounter in sway, roll and yaw.
-
-    Examples
-    --------
-    >>> doubled_harmonics(3, 2).lateral.tolist()
-    [1, 3]
-    """
+    """Heave and pitch as in the symmetric motion, with odd multiples of half the encounter in sway, roll and yaw."""
     return harmonics(tuple(range(0, 2 * order + 1, 2)), tuple(range(1, 2 * lateral, 2)), samples)
 
 
 def periodic_harmonics(order: int = 5, samples: int = 32) -> Harmonics:
     """All harmonics of the encounter in every mode: the forced motion of an oblique sea.
 
-    Examples
-    --------
     >>> periodic_harmonics(2).lateral.tolist()
     [0, 2, 4]
     """
@@ -152,16 +135,9 @@ def force_scale(course: Course) -> Floats:
 def solved(course: Course, basis: Harmonics, start: Floats) -> tuple[Floats, NDArray[np.int64]]:
     """Motions of all conditions by Newton's method.
 
-    Parameters
-    ----------
-    course : Course
-    basis : Harmonics
-    start : (n, m) float    first guess
-
-    Returns
-    -------
-    x : (n, m) float        coefficients; where none is found the last try
-    outcome : (n,) int      `FOUND`, `NO_MOTION`, `OUTSIDE` or `SINGULAR`
+    start (n, m): first guess
+    Returns x (n, m): coefficients; where none is found the last try; outcome (n,): `FOUND`, `NO_MOTION`, `OUTSIDE` or
+        `SINGULAR`
     """
     x = np.array(start, dtype=float)
     outcome = np.zeros(course.count, dtype=np.int64)

@@ -155,10 +155,8 @@ class Course:
     def rolling_alone(self, damping: float, quadratic: float = 0.0) -> Course:
         """Sway and yaw locked; of the whole damping in roll a fraction of critical at the ship's GM, and B2 |p| p.
 
-        Parameters
-        ----------
-        damping : float      zeta, of critical at omega_0^2 = rho g V GM/(I44 + A44(omega/2))
-        quadratic : float    B2 over I44 + A44 [1/rad]
+        damping: zeta, of critical at omega_0^2 = rho g V GM/(I44 + A44(omega/2))
+        quadratic: B2 over I44 + A44 [1/rad]
         """
         numbers, weight = self.numbers, self.numbers.scale[0] * self.numbers.scale[1]
         inertia = roll_inertia(self.ship, 0.5 * numbers.omega)
@@ -179,12 +177,7 @@ class Course:
 
 
 def warn_across(ship: Ship, wavenumber: float, heading: float) -> None:
-    """Say that a wave is too short across a ship for tables of its sections.
-
-    Warns
-    -----
-    RangeWarning    k B sin(heading) above `STRAIGHT`
-    """
+    """Say that a wave is too short across a ship for tables of its sections."""
     across = wavenumber * ship.hull.beam * abs(math.sin(math.radians(heading)))
     if across > STRAIGHT:
         warnings.warn(
@@ -198,8 +191,6 @@ def warn_across(ship: Ship, wavenumber: float, heading: float) -> None:
 def roll_inertia(ship: Ship, frequency: Floats) -> Floats:
     """I44 + A44 about G at frequencies (n,) [kg m2].
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> bool(roll_inertia(ship("box"), np.array([0.5]))[0] > 10250e3 * ship("box").loading.gyradius_roll**2)
     True
@@ -211,32 +202,12 @@ def roll_inertia(ship: Ship, frequency: Floats) -> Floats:
 def course(ship: Ship, wavenumber: float, amplitude: Floats, speed: Floats, heading: Floats) -> Course:
     """Equations of a ship on a steady course at many conditions in waves of one length.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber : float                  k > 0 [1/m]
-    amplitude, speed, heading : (n,)    of the wave [m]; U >= 0 [m/s]; mu [deg]
+    wavenumber: k > 0 [1/m]
+    amplitude, speed, heading (n,): of the wave [m]; U >= 0 [m/s]; mu [deg]
 
-    Returns
-    -------
-    Course
-
-    Raises
-    ------
-    InputError    what `coefficients` refuses
-
-    Notes
-    -----
     Section tables hold the surface straight across a section: exact in head and following seas, and within about 1 % in
     oblique ones for k B sin mu below 0.3.
     Source: [STF70] radiation and diffraction.  Valid: deep water, constant speed, slender ship.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> one = course(ship("wigley"), 0.06, np.array([1.0]), np.array([3.0]), np.array([180.0]))
-    >>> one.count, one.numbers.mass.shape
-    (1, (1, 15, 5, 5))
     """
     a, U, mu = (np.array(v, dtype=float) for v in np.broadcast_arrays(*map(np.atleast_1d, (amplitude, speed, heading))))
     k = np.full(a.size, wavenumber)

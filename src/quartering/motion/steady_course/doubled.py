@@ -87,15 +87,10 @@ def largest_roll(basis: Harmonics, x: Floats) -> Floats:
 def onsets(course: Course, amplitudes: Floats, basis: Harmonics | None = None) -> list[tuple[float, Floats, Floats]]:
     """Wave amplitudes at which motions of two periods begin, of one condition.
 
-    Parameters
-    ----------
-    course : Course          one condition
-    amplitudes : (n,) float  rising, between which a change of the determinant's sign is looked for [m]
-    basis : Harmonics        of two periods
-
-    Returns
-    -------
-    list of (amplitude, symmetric motion (m,), direction (m,))    coefficients of two periods
+    course: one condition
+    amplitudes (n,): rising, between which a change of the determinant's sign is looked for [m]
+    basis: of two periods
+    Returns coefficients of two periods
     """
     basis = doubled_harmonics() if basis is None else basis
     orbits = climbed(course, amplitudes, _symmetric_part(basis))
@@ -155,20 +150,13 @@ def doubled_branch(
 ) -> Doubled:
     """The branch of motions of two periods that begins at one onset.
 
-    Parameters
-    ----------
-    course : Course     one condition
-    onset               one of `onsets`
-    top : float         amplitude of the wave up to which it is followed [m]
-    basis : Harmonics   of two periods
+    course: one condition
+    one of `onsets`
+    top: amplitude of the wave up to which it is followed [m]
+    basis: of two periods
+    Returns followed until the wave is higher than ``top`` or lower than nothing, the roll exceeds `LARGEST_ROLL`, or
+        the hull leaves its tables
 
-    Returns
-    -------
-    Doubled             followed until the wave is higher than ``top`` or lower than nothing, the roll exceeds `LARGEST_ROLL`,
-                        or the hull leaves its tables
-
-    Notes
-    -----
     Steps along the arc length of the branch, each corrected at right angles to its tangent; a step whose correction fails is
     halved.  Source: [Krack19] (arclength continuation).
     """
@@ -254,17 +242,11 @@ class _Path:
 def doubled_motions(course: Course, amplitude: float, top: float, rungs: int = 12) -> tuple[Floats, list[Doubled]]:
     """All motions of two periods in one wave, on branches that begin in waves up to a given amplitude.
 
-    Parameters
-    ----------
-    course : Course      one condition
-    amplitude : float    of the wave [m]
-    top : float          amplitude up to which onsets are looked for, and branches followed [m]
-    rungs : int          heights between nothing and the top at which the symmetric motion is looked at
-
-    Returns
-    -------
-    x : (j, m) float     coefficients of each motion, least roll first
-    branches : list of Doubled
+    course: one condition
+    amplitude: of the wave [m]
+    top: amplitude up to which onsets are looked for, and branches followed [m]
+    rungs: heights between nothing and the top at which the symmetric motion is looked at
+    Returns x (j, m): coefficients of each motion, least roll first
     """
     basis = doubled_harmonics()
     begun = onsets(course, top * np.append(0.01, np.arange(1, rungs + 1)) / rungs, basis)

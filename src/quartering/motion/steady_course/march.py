@@ -46,32 +46,15 @@ def march(
 ) -> History:  # fmt: skip
     """Motion in time from a given state.
 
-    Parameters
-    ----------
-    course : Course
-    start : (10,) float    as `STATES`
-    periods : float        of the encounter
-    steps : int            of a period, each one kept
-    limit : float          roll at which it ends [rad]
-    half : bool            sway, roll and yaw with the water's coefficients at half the encounter frequency
-    rise : float           periods over which the wave rises from nothing
-    condition : int        which of the course's conditions
+    start (10,): as `STATES`
+    periods: of the encounter
+    steps: of a period, each one kept
+    limit: roll at which it ends [rad]
+    half: sway, roll and yaw with the water's coefficients at half the encounter frequency
+    rise: periods over which the wave rises from nothing
+    condition: which of the course's conditions
 
-    Returns
-    -------
-    History
-
-    Notes
-    -----
     Runge-Kutta of order 4; at 48 steps a period a roll of two periods is right to 0.1 %.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.motion.steady_course.course import course
-    >>> one = course(ship("wigley"), 0.06, np.array([0.5]), np.array([3.0]), np.array([180.0]))
-    >>> march(one, np.zeros(10), 2.0).state.shape
-    (97, 10)
     """
     h = 2 * np.pi / course.numbers.omega[condition] / steps
     return march_in_steps(

@@ -55,9 +55,7 @@ class Orbits(NamedTuple):
     def slopes(self, phase: Floats) -> Floats:
         """Derivatives (n, t, 5, 6) of the forces by heave, pitch, sway, roll, yaw and rate of roll, at phases of the encounter.
 
-        Parameters
-        ----------
-        phase : (t,) float    [rad]
+        phase (t,): [rad]
         """
         return slopes(self.course, self.basis, self.x, phase)
 
@@ -70,30 +68,11 @@ class Orbits(NamedTuple):
 def symmetric_orbits(course: Course, order: int = 7, samples: int = 32) -> Orbits:
     """Heave and pitch of a ship that does not roll, in head and following seas.
 
-    Parameters
-    ----------
-    course : Course
-    order : int      harmonics of the encounter frequency, even and odd
-    samples : int    of the forces in a period
+    order: harmonics of the encounter frequency, even and odd
+    samples: of the forces in a period
 
-    Returns
-    -------
-    Orbits
-
-    Notes
-    -----
     Newton's method from the linear motion; where it fails the wave is raised in steps.  Head and following seas leave port and
     starboard alike, so this motion exists whether or not it is stable.
-
-    Examples
-    --------
-    In a low wave the ship follows the linear motion.
-
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.motion.steady_course.course import course
-    >>> low = course(ship("wigley"), 0.06, np.array([0.01]), np.array([3.0]), np.array([180.0]))
-    >>> symmetric_orbits(low).found.tolist()
-    [True]
     """
     return followed_up(course, symmetric_harmonics(order, samples))
 
@@ -101,18 +80,9 @@ def symmetric_orbits(course: Course, order: int = 7, samples: int = 32) -> Orbit
 def forced_motions(course: Course, order: int = 5, samples: int = 32) -> Orbits:
     """Motions of one wave period in all five modes: those an oblique sea forces.
 
-    Parameters
-    ----------
-    course : Course
-    order : int      harmonics of the encounter frequency, even and odd
-    samples : int    of the forces in a period
+    order: harmonics of the encounter frequency, even and odd
+    samples: of the forces in a period
 
-    Returns
-    -------
-    Orbits
-
-    Notes
-    -----
     As `symmetric_orbits`; the course is held: an autopilot finds a mean heading, and without one a mean moment in yaw
     stands for the rudder.
     """
@@ -134,16 +104,10 @@ def followed_up(course: Course, basis: Harmonics) -> Orbits:
 def climbed(course: Course, amplitudes: Floats, basis: Harmonics) -> Orbits:
     """Motions of every condition at rising amplitudes of the wave, each from the one before: conditions times amplitudes rows.
 
-    Parameters
-    ----------
-    course : Course          n conditions
-    amplitudes : (k,) float  rising [m]
-    basis : Harmonics
-
-    Returns
-    -------
-    Orbits                   n k rows, the amplitudes of one condition beside each other; where a motion is not reached from the
-                             one before or from the linear one, the status says so
+    course: n conditions
+    amplitudes (k,): rising [m]
+    Returns n k rows, the amplitudes of one condition beside each other; where a motion is not reached from the one
+        before or from the linear one, the status says so
     """
     n, count = course.count, amplitudes.size
     linear = linear_start(course.at_amplitude(np.ones(n)), basis)

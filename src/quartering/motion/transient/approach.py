@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import abreast, kernel
+from quartering.compiled import batch_kernel, kernel
 from quartering.motion.equations.basis import waves_at
 from quartering.motion.equations.rates import enter_inputs, forces, gather, room_for, row_of_lanes
 from quartering.motion.equations.system import Floats, System
@@ -27,14 +27,14 @@ PERIODS: Final = 10
 STEPS: Final = 48
 """Runge-Kutta steps a cycle, twice, four times, .. as many where the ship itself is faster than the wave."""
 
-ABREAST: Final = 32
+BATCH: Final = 32
 """Conditions of a row: few are asked of most maps, and a row that is not full costs as much as a full one."""
 
 SETTLED: Final = 1e-4
 """Change of every state over a cycle, as a share of its largest size in it, at which a history has come to its motion."""
 
 
-@abreast
+@batch_kernel
 def _step(program, lanes, h, waves, begin, y, room, total):
     """Sum of the four rates of a Runge-Kutta step over the phase ``h`` (W,) from the states ``y`` (s, W), into ``total``.
 
@@ -121,32 +121,17 @@ def _march(first, last, program, parts, waves, cycles, limit, states, times):
                         going -= 1
 
 
-def capsizes_before(system: System, limit: Floats, width: int = ABREAST) -> Floats:
+def capsizes_before(system: System, limit: Floats, width: int = BATCH) -> Floats:
     """When ships capsize that meet their wave upright, and such whose wave is raised in three steps.
 
-    Parameters
-    ----------
-    system : System       n conditions, all numbers finite
-    limit : (n,) float    roll angle that counts as a capsize [rad]
-    width : int           conditions abreast; with one width no condition feels its neighbours to the last digit
+    system: n conditions, all numbers finite
+    limit (n,): roll angle that counts as a capsize [rad]
+    width: conditions in a batch; with one width no condition feels its neighbours to the last digit
+    Returns (n, 2): time from the beginning: at rest in the whole wave, ten periods; at rest in a third of it, then two
+        thirds and the whole, ten periods each; NaN where the ship does not capsize [s]
 
-    Returns
-    -------
-    (n, 2) float          time from the beginning: at rest in the whole wave, ten periods; at rest in a third of it, then two
-                          thirds and the whole, ten periods each; NaN where the ship does not capsize [s]
-
-    Notes
-    -----
     The first thirty periods of a wave, not all time: what capsizes later is not told.
     Source: [H71] eq. (3), the classical fourth-order method; [Thompson89] for the use.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "K_phiphiphi": 1.0, "N_r": -1.0}
-    >>> model = Model(np.eye(3), terms, 0.85, (0, 0.4, 0), (0, 0, 0))
-    >>> capsizes_before(model.system, np.ones(1)).round(1).tolist()
-    [[5.0, 17.1]]
     """
     times = np.full((system.count, 2), np.nan)
     steps = _steps(system)

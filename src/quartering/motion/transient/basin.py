@@ -32,7 +32,7 @@ _AT_ONCE = 64
 
 @kernel
 def _march(first, last, equations, h, forcing, begin, steps, limit, states, times):
-    """Runge-Kutta steps for rows first..last of starts abreast; `forcing` (2 per period, h): the wave's harmonics.
+    """Runge-Kutta steps for rows first..last of starts, a row being a batch; `forcing` (2 per period, h): the wave's harmonics.
 
     ``begin`` steps, whole periods, have been taken before. ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes
     `limit`; ``times`` (rows, W) is when it did, NaN before.
@@ -69,35 +69,14 @@ def capsize_times(
 ) -> tuple[Floats, Floats]:
     """When each of many starts capsizes, and where the others have got to.
 
-    Parameters
-    ----------
-    model : Model
-    starts : (n, 4) float    v [m/s], phi [rad], p, r [rad/s] at time 0; an autopilot starts on course, its rudder amidships
-    periods : int            of the wave, to go on for
-    steps : int              Runge-Kutta steps a period
-    limit : float            roll angle that counts as capsize [rad]; by default the model's ``capsize_limit``
+    starts (n, 4): v [m/s], phi [rad], p, r [rad/s] at time 0; an autopilot starts on course, its rudder amidships
+    periods: of the wave, to go on for
+    steps: Runge-Kutta steps a period
+    limit: roll angle that counts as capsize [rad]; by default the model's ``capsize_limit``
+    Returns times (n,): [s]; NaN for a start that does not capsize; states (n, 4): at the end (or at the capsize)
 
-    Returns
-    -------
-    times : (n,) float       [s]; NaN for a start that does not capsize
-    states : (n, 4) float    at the end (or at the capsize)
-
-    Raises
-    ------
-    InputError               starts that are not four finite numbers each, periods below 1 or above `MOST_PERIODS`, fewer than 4
-                             steps
-
-    Notes
-    -----
     Fixed-step Runge-Kutta of order 4: for statistics of many starts, not for one exact history (see `simulate`).
     Source: [H71] eq. (3); [Thompson89] for the use.
-
-    Examples
-    --------
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_phiphi": 1.0, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    >>> times, _ = capsize_times(model, [[0, 0.5, 0, 0], [0, 1.2, 0, 0]])
-    >>> np.isnan(times).tolist()
-    [True, False]
     """
     states = np.array(starts, dtype=float)
     if states.ndim != 2 or states.shape[1] != 4 or not np.isfinite(states).all():
@@ -107,7 +86,7 @@ def capsize_times(
         raise InputError(f"periods = {periods}; give 1 to {MOST_PERIODS:,}: most capsizes come within 16 periods")
     angle = model.capsize_limit.radians if limit is None else number(None, "limit", limit)
     rows = -(-len(states) // WIDTH)
-    # the last row is filled up with its last start, and all stand abreast: (rows, states, W)
+    # the last row is filled up with its last start, and all stand in batches: (rows, states, W)
     filled = np.pad(states, ((0, rows * WIDTH - len(states)), (0, 0)), mode="edge")
     filled = np.pad(filled, ((0, 0), (0, model.system.states - 4)))
     going = np.ascontiguousarray(filled.reshape(rows, WIDTH, -1).transpose(0, 2, 1))
@@ -199,25 +178,12 @@ def safe_shares(
 ) -> NDArray[np.float64]:
     """Share of the starts that stay safe in each of several waves: the integrity curve.
 
-    Parameters
-    ----------
-    models : list of Model    such as one ship in waves of rising height
-    starts : (n, 4) float     as for `capsize_times`
-    periods : int             of the wave, to go on for
-    limit : float             roll angle that counts as capsize [rad]; by default the model's ``capsize_limit``
+    models: such as one ship in waves of rising height
+    starts (n, 4): as for `capsize_times`
+    periods: of the wave, to go on for
+    limit: roll angle that counts as capsize [rad]; by default the model's ``capsize_limit``
+    Returns (m,): 0 to 1, of each model
 
-    Returns
-    -------
-    (m,) float                0 to 1, of each model
-
-    Notes
-    -----
     Source: [Thompson89].
-
-    Examples
-    --------
-    >>> calm = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_phiphi": 1.0, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    >>> safe_shares([calm], [[0, 0.5, 0, 0], [0, 1.2, 0, 0]]).tolist()
-    [0.5]
     """
     return np.array([np.isnan(capsize_times(m, starts, periods, limit=limit)[0]).mean() for m in models])

@@ -35,7 +35,7 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 
 @kernel
 def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
-    """Runge-Kutta steps for rows first..last of realisations abreast.
+    """Runge-Kutta steps for rows first..last of realisations, a row being a batch.
 
     ``forcing`` (steps + 7, 3 + e + z, n) begins 3 steps before the first step: accelerations, known inputs, water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
@@ -88,50 +88,25 @@ def irregular(
 ) -> xr.Dataset:
     """Largest roll of many realisations of an irregular sea, from rest.
 
-    Parameters
-    ----------
-    model : Model               its terms, inertia and steady force; its regular wave is left out
-    frequency : (c,) float      encounter frequencies of the components [rad/s]; here and below numbers, or text with a unit:
-                                "0.1 Hz", "30 deg", "2 min" (forces and velocities: numbers)
-    force : (c, 3) complex      amplitude and phase of sway force [N], roll and yaw moment [N m] of each component:
-                                the real part of force exp(i (w t + phase)) acts
-    phase : (n, c) float        phases of the components in each of n realisations [rad]
-    duration : float            [s]
-    step : float                of time [s]
-    limit : float               roll angle that counts as capsize [rad], by default the model's ``capsize_limit``; a
-                                realisation stops there
-    water : (c, m) complex      velocity of the water in each component, as `force`, of a model that has it: w0 [m/s] and w1
-                                [1/s] of `Model.water`, then that at each of `Model.strips` [m/s]
+    model: its terms, inertia and steady force; its regular wave is left out
+    frequency (c,): encounter frequencies of the components [rad/s]; here and below numbers, or text with a unit: "0.1
+        Hz", "30 deg", "2 min" (forces and velocities: numbers)
+    force (c, 3): amplitude and phase of sway force [N], roll and yaw moment [N m] of each component: the real part of
+        force exp(i (w t + phase)) acts
+    phase (n, c): phases of the components in each of n realisations [rad]
+    duration: [s]
+    step: of time [s]
+    limit: roll angle that counts as capsize [rad], by default the model's ``capsize_limit``; a realisation stops there
+    water (c, m): velocity of the water in each component, as `force`, of a model that has it: w0 [m/s] and w1 [1/s] of
+        `Model.water`, then that at each of `Model.strips` [m/s]
+    Returns over realisation: roll_peak, roll_rms [deg] (until a capsize), capsize_time [s] (NaN where none), and state
+        at the end (realisation, component: v [m/s], phi [rad], p, r [rad/s]; with an autopilot psi and, with a lag,
+        delta [rad])
 
-    Returns
-    -------
-    xarray.Dataset    over realisation: roll_peak, roll_rms [deg] (until a capsize), capsize_time [s] (NaN where none), and
-                      state at the end (realisation, component: v [m/s], phi [rad], p, r [rad/s]; with an
-                      autopilot psi and, with a lag, delta [rad])
-
-    Raises
-    ------
-    InputError        a model with water in motion and none given, or the reverse; shapes that do not fit together, numbers
-                      that are not finite, a step, duration or limit not above 0
-
-    Warns
-    -----
-    RangeWarning      equally spaced frequencies whose groups of waves repeat within the duration: extremes are then too low and
-                      scatter too little; a `Sea` in place of arrays has random amplitudes
-
-    Notes
-    -----
     Fourth-order Runge-Kutta with a fixed step. The excitation at the steps is one matrix product for all realisations, that
     between two steps the polynomial through eight of them: its error, (w step)^8/940, is far below that of the method.
     Source: [H71] eq. (3), superposition of components.  Valid: coefficients taken at one frequency stand for all
     components (they are those of ``model``); long waves and small steepness, so that components add.
-
-    Examples
-    --------
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    >>> sea = irregular(model, [0.5], [[0, 0.03, 0]], [[0.0], [1.0]], duration=400.0)
-    >>> sea["roll_peak"].dims, bool((sea["roll_peak"] > 2.29).all())  # 0.04 rad once the start has died out
-    (('realisation',), True)
     """
     w, phases = numbers(None, "signed_frequency", frequency), numbers(None, "phase", phase)
     duration, step = number(None, "duration", duration), number(None, "step", step)
@@ -187,8 +162,6 @@ def irregular(
 def repeat_period(frequency: Floats) -> float:
     """Time after which the groups of waves of equally spaced frequencies repeat [s]; infinite of others, and of two or one.
 
-    Examples
-    --------
     >>> round(repeat_period(np.linspace(0.2, 1.2, 50)), 1)
     307.9
     """

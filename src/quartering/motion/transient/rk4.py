@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import abreast
+from quartering.compiled import batch_kernel
 from quartering.motion.equations.program import Program
 from quartering.motion.equations.rates import (
     WIDTH,
@@ -49,24 +49,7 @@ class Alike(NamedTuple):
 def alike(system: System) -> Alike:
     """The equations of a system's first condition.
 
-    Parameters
-    ----------
-    system : System
-
-    Returns
-    -------
-    Alike
-
-    Notes
-    -----
     Source: [H71] eq. (3); no approximation, only the order of multiplications.
-
-    Examples
-    --------
-    >>> from quartering.motion.equations.system import Model
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_ppp": -0.2, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
-    >>> alike(model.system).columns.tolist(), alike(model.system).row.tolist()  # p^3 of roll is in column 5
-    ([[0, 0, 0, 0], [1, 5, 0, 0], [3, 0, 0, 0]], [0, 1, 2])
     """
     program = system.program
     rows, states = system.linear.shape[1:]
@@ -88,7 +71,7 @@ def alike(system: System) -> Alike:
     return Alike(matrix, at, np.array(of, dtype=np.int64), program, parts)
 
 
-@abreast
+@batch_kernel
 def room_to_march(equations):
     """What `step_sum` works in: lanes, columns and rates, the sum of four rates, and the first of them."""
     lanes = row_of_lanes(equations.parts, WIDTH)
@@ -97,7 +80,7 @@ def room_to_march(equations):
     return lanes, columns, rate, sums, np.zeros((equations.program.states, WIDTH)), np.zeros(rate.shape)
 
 
-@abreast
+@batch_kernel
 def _rates(equations, lanes, c, s, columns, sums, rate):
     """Add to ``rate`` (k, W) what the state and the known inputs in ``columns`` do; the products are made here."""
     matrix, at, program = equations.matrix, equations.columns, equations.program
@@ -111,7 +94,7 @@ def _rates(equations, lanes, c, s, columns, sums, rate):
     add_strips_and_table(program, lanes, c, s, columns, sums, rate)
 
 
-@abreast
+@batch_kernel
 def _hold(series, lanes):
     """Known inputs and the water at the strips as they are at one time (e + z, W), in place of a wave's."""
     inputs = lanes.inputs.shape[0]
@@ -126,20 +109,16 @@ def _hold(series, lanes):
             lanes.strips[z, 3, l] = series[inputs + z, l]
 
 
-@abreast
+@batch_kernel
 def step_sum(equations, h, excitation, series, waves, y, room):
     """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last but one of ``room``.
 
     The last takes the accelerations at the beginning of the step.
 
-    Parameters
-    ----------
-    excitation : (3, 3, W)    accelerations at the beginning, the middle and the end of the step
-    series : (3, e + z, W)    known inputs and water at the strips at these times; (3, 0, W) where they follow the wave
-    waves : (3, h)            1 and the wave's cosines and sines at these times; 1, 1, 0 with a series
+    excitation (3, 3, W): accelerations at the beginning, the middle and the end of the step
+    series (3, e + z, W): known inputs and water at the strips at these times; (3, 0, W) where they follow the wave
+    waves (3, h): 1 and the wave's cosines and sines at these times; 1, 1, 0 with a series
 
-    Notes
-    -----
     The state after the step is ``y + h/6`` times the sum.  Source: [H71] eq. (3), the classical fourth-order method.
     """
     lanes, columns, rate, sums, total, first = room

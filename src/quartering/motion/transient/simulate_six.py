@@ -48,31 +48,14 @@ def simulate_on_course(
 ) -> xr.Dataset:
     """Heave, pitch, sway, roll and yaw in time of a ship on a steady course.
 
-    Parameters
-    ----------
-    ship : Ship
-    wave : Wave
-    speed, heading : float    U [m/s], mu [deg]
-    duration : float          [s]
-    state0 : (4,) float       v [m/s], phi [rad], p, r [rad/s] at time 0; heave and pitch begin at rest in calm water, and the
-                              wave rises over `RISE` periods
-    step : float              between output samples [s]; by default 1/48 of a period
+    speed, heading: U [m/s], mu [deg]
+    duration: [s]
+    state0 (4,): v [m/s], phi [rad], p, r [rad/s] at time 0; heave and pitch begin at rest in calm water, and the wave
+        rises over `RISE` periods
+    step: between output samples [s]; by default 1/48 of a period
+    Returns heave [m], pitch [deg], sway_velocity [m/s], roll, yaw [deg], roll_rate, yaw_rate [deg/s] over time [s]; NaN
+        after a capsize, as `simulate`
 
-    Returns
-    -------
-    xarray.Dataset            heave [m], pitch [deg], sway_velocity [m/s], roll, yaw [deg], roll_rate, yaw_rate [deg/s] over
-                              time [s]; NaN after a capsize, as `simulate`
-
-    Raises
-    ------
-    InputError    the ship keeps pace with the wave; a number out of its range
-
-    Warns
-    -----
-    RangeWarning  a wave so short across the ship that its surface is not straight there
-
-    Notes
-    -----
     Nonlinear restoring and Froude-Krylov force from the pressure over the instantaneous wetted hull; radiation at the encounter
     frequency in heave and pitch, at half of it in sway, roll and yaw in head and following seas and at it elsewhere; linear
     diffraction; lift, drag and roll damping as `equations` has them. The speed is constant: surge is left out.

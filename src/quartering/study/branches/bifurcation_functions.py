@@ -23,7 +23,7 @@ _OSCILLATES = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
-class Border:
+class Boundary:
     """What vanishes at one kind of change of stability, for motions of given harmonics.
 
     Parameters
@@ -38,16 +38,10 @@ class Border:
     def evaluated(self, here: System, near: list[System], x: Floats) -> tuple[Floats, Floats]:
         """The test function of a motion x (m,), scaled unknowns: in one condition and some near ones; its derivative by x.
 
-        Parameters
-        ----------
-        here : System            one condition
-        near : list of System    k others
-        x : (m,) float           the motion, the same in all
-
-        Returns
-        -------
-        values : (k + 1,) float  good enough in the others for differences
-        gradient : (m,) float    in the first condition
+        here: one condition
+        near: k others
+        x (m,): the motion, the same in all
+        Returns values (k + 1,): good enough in the others for differences; gradient (m,): in the first condition
         """
         if self.kind == NEIMARK_SACKER:
             beside = np.concatenate([x + STEP * np.eye(x.size), x - STEP * np.eye(x.size)])

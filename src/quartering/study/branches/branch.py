@@ -20,7 +20,7 @@ from quartering.motion.branches.switching import doubled, leaning, strength
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.steady.motion import peaks
 from quartering.motion.steady.subharmonic import columns
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 from quartering.study.branches.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.branches.family import Limits, family, parameter_attributes
 from quartering.study.dataset import amplitudes_named
@@ -115,23 +115,11 @@ def branch(
 def lines_of(at: Family, harmonics: int, points: int = 2000, steepest: float = np.inf) -> list[Line]:
     """Every curve of motions found over one parameter, the one from the start first.
 
-    Parameters
-    ----------
-    at : function     of the parameter (0 to 1), gives the system
-    harmonics : int   highest harmonic of the wave's frequency, odd
-    points : int      of one curve, at the most
-    steepest : float  roll past which no curve is followed [rad]
+    at: of the parameter (0 to 1), gives the system
+    harmonics: highest harmonic of the wave's frequency, odd
+    points: of one curve, at the most
+    steepest: roll past which no curve is followed [rad]
 
-    Returns
-    -------
-    list of Line
-
-    Raises
-    ------
-    InputError        no motion to start from
-
-    Examples
-    --------
     See `branch`.
     """
     curve, start = start_of_branch(at, harmonics)

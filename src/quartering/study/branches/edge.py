@@ -20,9 +20,9 @@ from quartering.motion.steady.balance import balance_of
 from quartering.motion.steady.motion import peaks
 from quartering.motion.steady.subharmonic import ascending, columns, slowed
 from quartering.options import quoted
-from quartering.stability.ahead import announce_compilation
 from quartering.stability.assessment import assess
-from quartering.study.branches.bifurcation_functions import STEP, Border
+from quartering.stability.precompile import announce_compilation
+from quartering.study.branches.bifurcation_functions import STEP, Boundary
 from quartering.study.branches.branch import lines_of, references_of, steepest_of
 from quartering.study.branches.family import Limits, Parameters, along, parameter_attributes, parameters
 from quartering.study.dataset import attributes
@@ -36,7 +36,7 @@ _LONGEST = 0.05
 class Edge(NamedTuple):
     """One curve of an edge: what changes there, its points (scaled unknowns, two shares), whether it closes."""
 
-    border: Border
+    boundary: Boundary
     points: Floats
     closed: bool
 
@@ -107,27 +107,27 @@ def edge(
     edges: list[Edge] = []
     with small_matrices():
         steepest = steepest_of(ship_or_model)
-        for border, start in _starts(of, harmonics, steepest, splined=isinstance(ship_or_model, Ship)):
-            found = alone(lambda begin: _followed(of, *begin, edges, points, steepest), (border, start))
+        for boundary, start in _starts(of, harmonics, steepest, splined=isinstance(ship_or_model, Ship)):
+            found = alone(lambda begin: _followed(of, *begin, edges, points, steepest), (boundary, start))
             if found is not None:
                 edges.append(found)
     parts = [_columns(of, one, i) for i, one in enumerate(edges)] or [_nothing(of)]
     return xr.concat(parts, "point").assign_attrs(references=references_of(ship_or_model))
 
 
-def _starts(of: Parameters, harmonics: int, steepest: float, *, splined: bool) -> list[tuple[Border, Floats]]:
+def _starts(of: Parameters, harmonics: int, steepest: float, *, splined: bool) -> list[tuple[Boundary, Floats]]:
     """Points (scaled unknowns, two shares) of edges, from branches over the first parameter."""
     own = float((of.own[1] - of.low[1]) / (of.high[1] - of.low[1]))
     shares = [*([own] if 0 <= own <= 1 else []), *((np.arange(_SCAN) + 0.5) / _SCAN)]
 
-    def starts_at(share: float) -> list[tuple[Border, Floats]] | InputError:
+    def starts_at(share: float) -> list[tuple[Boundary, Floats]] | InputError:
         others = np.array([of.low[0], of.low[1] + share * (of.high[1] - of.low[1])])
         try:
             lines = lines_of(along(of, 0, others, splined=splined), harmonics, steepest=steepest)
         except InputError as refusal:  # no motion, or the ship keeps pace with the wave, at this value: others may do
             return refusal
         return [
-            (Border(str(event), line.curve), np.append(point, share))
+            (Boundary(str(event), line.curve), np.append(point, share))
             for line in lines
             for event in np.unique(line.events[line.events != ""])
             for point in line.points[line.events == event]
@@ -140,9 +140,9 @@ def _starts(of: Parameters, harmonics: int, steepest: float, *, splined: bool) -
     return [start for one in found if not isinstance(one, InputError) for start in one]
 
 
-def _equations(of: Parameters, border: Border) -> Equations:
+def _equations(of: Parameters, boundary: Boundary) -> Equations:
     """Balance equations and the test function of one edge, as `follow` takes them."""
-    curve, offsets = border.curve, STEP * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
+    curve, offsets = boundary.curve, STEP * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
 
     def equations(point: Floats) -> tuple[Floats, Floats]:
         x, m = point[:-2], point.size - 2
@@ -153,7 +153,7 @@ def _equations(of: Parameters, border: Border) -> Equations:
             return np.full(m + 1, np.nan), np.full((m + 1, m + 2), np.nan)
         derivative = np.empty((m + 1, m + 2))
         derivative[:m, :m] = matrix * curve.scale
-        tests, derivative[m, :m] = border.evaluated(here, near, x)
+        tests, derivative[m, :m] = boundary.evaluated(here, near, x)
         for j in (0, 1):
             ahead, behind = near[2 * j], near[2 * j + 1]
             values = [
@@ -172,12 +172,12 @@ def _systems(of: Parameters, shares: Floats) -> list[System]:
 
 
 def _followed(
-    of: Parameters, border: Border, guess: Floats, known: list[Edge], points: int, steepest: float
+    of: Parameters, boundary: Boundary, guess: Floats, known: list[Edge], points: int, steepest: float
 ) -> Edge | None:
     """The edge through a point both ways, or None where the point is on a known one or on none."""
-    if any(_on(one, border, guess) for one in known):
+    if any(_on(one, boundary, guess) for one in known):
         return None
-    equations, low = _equations(of, border), within(border.curve, steepest)
+    equations, low = _equations(of, boundary), within(boundary.curve, steepest)
     across = np.zeros(guess.size)
     across[-1] = 1.0
     start = corrected(equations, guess, across)
@@ -189,10 +189,10 @@ def _followed(
 
     ahead = follow(equations, start, across, inside, points=points, longest=_LONGEST)
     if ahead.closed:
-        return Edge(border, ahead.points, True)
+        return Edge(boundary, ahead.points, True)
     back = follow(equations, start, -across, inside, points=points, longest=_LONGEST)
     both = [_cut(equations, path) for path in (back, ahead)]
-    return Edge(border, np.concatenate([both[0][:0:-1], both[1]]), False)
+    return Edge(boundary, np.concatenate([both[0][:0:-1], both[1]]), False)
 
 
 def _cut(equations: Equations, path: Path) -> Floats:
@@ -210,18 +210,18 @@ def _cut(equations: Equations, path: Path) -> Floats:
     return path.points[:-1] if end is None else np.concatenate([path.points[:-1], end[None]])
 
 
-def _on(one: Edge, border: Border, point: Floats) -> bool:
+def _on(one: Edge, boundary: Boundary, point: Floats) -> bool:
     """Does a known edge pass through a point, or through the mirror image or the delayed copy of its motion?"""
-    if one.border.kind != border.kind or one.border.curve.orders != border.curve.orders:
+    if one.boundary.kind != boundary.kind or one.boundary.curve.orders != boundary.curve.orders:
         return False
-    path = _unsigned(one.border, one.points, border)
-    target = _unsigned(border, point[None], border)[0]
+    path = _unsigned(one.boundary, one.points, boundary)
+    target = _unsigned(boundary, point[None], boundary)[0]
     a, chord = path[:-1], np.diff(path, axis=0)
     share = np.clip(((target - a) * chord).sum(axis=1) / (chord**2).sum(axis=1), 0.0, 1.0)
     return bool(np.linalg.norm(a + share[:, None] * chord - target, axis=1).min() < _SAME)
 
 
-def _unsigned(of: Border, points: Floats, scale: Border) -> Floats:
+def _unsigned(of: Boundary, points: Floats, scale: Boundary) -> Floats:
     """Shares and harmonic amplitudes (n, 2 + 3 h) of points: what a mirror image and a delayed copy have in common."""
     u = (points[:, :-2] * of.curve.scale / scale.curve.scale).reshape(len(points), 3, -1)
     amplitudes = [np.linalg.norm(u[:, :, where], axis=2) for where in columns(of.curve.orders).values()]
@@ -230,7 +230,7 @@ def _unsigned(of: Border, points: Floats, scale: Border) -> Floats:
 
 def _columns(of: Parameters, one: Edge, number: int) -> xr.Dataset:
     """One edge as a dataset along ``point``."""
-    points, curve = one.points, one.border.curve
+    points, curve = one.points, one.boundary.curve
     u, orders = ascending((points[:, :-2] * curve.scale).reshape(len(points), 3, -1), curve.orders)
     systems = slowed(joined(_systems(of, points[:, -2:])), curve.periods)
     own = columns(orders)[curve.periods].start
@@ -241,7 +241,7 @@ def _columns(of: Parameters, one: Edge, number: int) -> xr.Dataset:
     }
     ends = of.low + (of.high - of.low) * points[:, -2:]
     words = {
-        "kind": (np.full(len(points), one.border.kind), "what happens at the edge"),
+        "kind": (np.full(len(points), one.boundary.kind), "what happens at the edge"),
         "curve": (np.full(len(points), number), "number of the curve"),
         "periods": (np.full(len(points), curve.periods), "wave periods after which the motion repeats"),
         "closed": (np.full(len(points), one.closed), "the curve returns to its beginning"),

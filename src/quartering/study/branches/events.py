@@ -22,18 +22,10 @@ _PLACE = 1e-13
 def judged(curve: Curve, points: Floats, accuracy: float = _ACCURACY) -> Assessment:
     """Stability of points of a branch, as one batch.
 
-    Parameters
-    ----------
-    curve : Curve
-    points : (n, m + 1) float
-    accuracy : float             of the multipliers
+    points (n, m + 1)
+    accuracy: of the multipliers
+    Returns multipliers over one period of the motion, which may be two of the wave
 
-    Returns
-    -------
-    Assessment    multipliers over one period of the motion, which may be two of the wave
-
-    Notes
-    -----
     Source: Floquet's theorem.
     """
     u, orders = curve.motions(points)
@@ -43,19 +35,10 @@ def judged(curve: Curve, points: Floats, accuracy: float = _ACCURACY) -> Assessm
 def with_events(curve: Curve, points: Floats, folds: list[int]) -> tuple[Floats, NDArray[np.str_]]:
     """The points of a branch with those between them where stability changes, and what happens at each.
 
-    Parameters
-    ----------
-    curve : Curve
-    points : (n, m + 1) float
-    folds : list of int          which of them are folds
+    points (n, m + 1)
+    folds: which of them are folds
+    Returns points (k, m + 1); events (k,): "fold", "symmetry-breaking", "period-doubling", "neimark-sacker", or ""
 
-    Returns
-    -------
-    points : (k, m + 1) float
-    events : (k,) str            "fold", "symmetry-breaking", "period-doubling", "neimark-sacker", or ""
-
-    Notes
-    -----
     A change is a change of the number of multipliers outside the unit circle between two neighbours, located where the
     one that crosses has modulus 1.  Two changes between two neighbours are seen as their sum.  Source: [Krack19].
     """

@@ -23,7 +23,7 @@ from quartering.motion.of_ship import equations, ship_system
 from quartering.options import OPTIONS, Refused, quoted
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES
-from quartering.study.loadings import LOADING_AXES, loaded, own_value
+from quartering.study.loadings import LOADING_AXES, loaded, user_value
 
 Limits = tuple[float | str, float | str] | None
 """The two ends of a parameter, numbers or text with a unit; None for the usual ones."""
@@ -52,27 +52,9 @@ def parameters(
 ) -> Parameters:
     """Parameters by name, their limits checked.
 
-    Parameters
-    ----------
-    ship_or_model : Ship or Model
-    over : sequence of str       as in `quartering.branch`
-    limits : sequence            (low, high) of each, or None for 0.5 to 1.5 times the present value (0 to 2 for an excitation)
-    wave, speed, heading         of a ship [m/s, deg]
-
-    Returns
-    -------
-    Parameters
-
-    Raises
-    ------
-    InputError                   an unknown parameter, limits that do not rise, a ship without a wave
-
-    Examples
-    --------
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0}, 0.8, (0, 1, 0), (0, 0, 0))
-    >>> two = parameters(model, ["frequency", "K_phi"], [None, (1.0, 2.0)], None, 0.0, 90.0)
-    >>> float(two.systems(np.array([[0.7, 2.0]])).linear[0, 1, 1])
-    -2.0
+    over: as in `quartering.branch`
+    limits: (low, high) of each, or None for 0.5 to 1.5 times the present value (0 to 2 for an excitation)
+    of a ship [m/s, deg]
     """
     if isinstance(ship_or_model, Model):
         model, of_ship = ship_or_model, False
@@ -82,7 +64,7 @@ def parameters(
             raise InputError("a ship needs a wave here: wave=Wave(length=.., height=..), speed=.., heading=..")
         model, of_ship = equations(ship_or_model, wave, speed, heading), True
         own = {"speed": speed, "heading": heading, "wave_length": wave.length, "wave_height": wave.height}
-        own |= {name: own_value(ship_or_model, name) for name in LOADING_AXES}
+        own |= {name: user_value(ship_or_model, name) for name in LOADING_AXES}
     own |= {"frequency": model.frequency, "excitation": 1.0}
     ends = []
     for name, pair in zip(over, limits, strict=True):
@@ -134,24 +116,8 @@ def family(
 ) -> tuple[float, float, Family]:
     """Limits of one parameter, and the system at each share of the way between them.
 
-    Parameters
-    ----------
-    ship_or_model, over, limits, wave, speed, heading    as in `quartering.branch`
-
-    Returns
-    -------
-    low, high : float
-    family : function of the share    a ship's is a spline through its systems at 65 values (17 of a loading)
-
-    Raises
-    ------
-    InputError                        as `parameters`; a ship that keeps pace with the wave between the limits
-
-    Examples
-    --------
-    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "N_r": -1.0}, 0.8, (0, 1, 0), (0, 0, 0))
-    >>> float(family(model, "frequency", (0.5, 1.5), None, 0.0, 90.0)[2](0.25).frequency[0])
-    0.75
+    as in `quartering.branch`
+    Returns family: a ship's is a spline through its systems at 65 values (17 of a loading)
     """
     one = parameters(ship_or_model, [over], [limits], wave, speed, heading)
     return float(one.low[0]), float(one.high[0]), along(one, 0, one.own, splined=isinstance(ship_or_model, Ship))
@@ -160,24 +126,9 @@ def family(
 def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Family:
     """Systems along one parameter, the others held.
 
-    Parameters
-    ----------
-    of : Parameters
-    which : int           the one that changes
-    others : (n,) float   values of the others
-    splined : bool        through a spline, for systems that take long to compute
-
-    Returns
-    -------
-    function of the share of the way between the limits
-
-    Raises
-    ------
-    InputError            the ship keeps pace with the wave between the limits
-
-    Examples
-    --------
-    See `family`.
+    which: the one that changes
+    others (n,): values of the others
+    splined: through a spline, for systems that take long to compute
     """
 
     def values(share: Floats) -> Floats:
@@ -210,16 +161,8 @@ def along(of: Parameters, which: int, others: Floats, *, splined: bool) -> Famil
 def parameter_attributes(name: str) -> dict[str, object]:
     """Unit and meaning of a parameter or of a result along a branch or an edge, for a dataset.
 
-    Parameters
-    ----------
-    name : str
+    Returns units, long_name, symbol
 
-    Returns
-    -------
-    dict    units, long_name, symbol
-
-    Examples
-    --------
     >>> parameter_attributes("excitation")["units"]
     '1'
     """

@@ -14,18 +14,7 @@ SCHEMA: Final = Path(__file__).with_name("case.schema.json")
 def starting_case(name: str) -> str:
     """Text of a case file to begin from, with a comment on every line.
 
-    Parameters
-    ----------
-    name : str    of a built-in ship, or path of a ship file
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> starting_case("wigley").splitlines()[2]
-    'ship: wigley                       # built-in name, or path of a ship file beside this one'
+    name: of a built-in ship, or path of a ship file
     """
     rows = (
         (f"ship: {name}", "built-in name, or path of a ship file beside this one"),

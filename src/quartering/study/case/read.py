@@ -16,7 +16,7 @@ from pydantic import BaseModel, ValidationError
 from quartering.conventions import InputError
 from quartering.hull.changes import COEFFICIENTS, changed
 from quartering.hull.file.read import ship
-from quartering.hull.file.refusals import allowed, nearest_word, own_words
+from quartering.hull.file.refusals import allowed, nearest_word, user_words
 from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.ship import Ship
 from quartering.names import checked_values
@@ -40,55 +40,14 @@ class _Place:
 
 
 def read_case(path: str | Path) -> Case:
-    """A case file with its keys and types checked.
-
-    Parameters
-    ----------
-    path : str or Path
-
-    Returns
-    -------
-    Case
-
-    Raises
-    ------
-    InputError    a file that cannot be read, an unknown key or wrong type: the line, what is allowed, the nearest word
-
-    Examples
-    --------
-    See `case_grid`.
-    """
+    """A case file with its keys and types checked."""
     return _read(path)[0]
 
 
 def case_grid(path: str | Path) -> Grid:
     """The grid of conditions a case file describes, its text kept for the record.
 
-    Parameters
-    ----------
-    path : str or Path
-
-    Returns
-    -------
-    Grid
-
-    Raises
-    ------
-    InputError    what `read_case` refuses, a value or unit that cannot be, an unknown ship or coefficient
-
-    Notes
-    -----
     L, B and T stand for the ship's own length, beam and draught.  Source: the format of the case file.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> from quartering.study.case.new import starting_case
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     file = Path(folder) / "case.yaml"
-    ...     _ = file.write_text(starting_case("series60-cb60"))
-    ...     case_grid(file).shape
-    (4, 3, 37, 20, 3)
     """
     case, place, text = _read(path)
     own = _ship(case, Path(path), place)
@@ -123,17 +82,7 @@ _COEFFICIENT = Option("coefficient", "ratio", "factor on a coefficient, or its v
 
 
 def case_schema() -> str:
-    """JSON schema of the case file, as shipped for editors.
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> json.loads(case_schema())["required"]
-    ['ship', 'speed', 'heading']
-    """
+    """JSON schema of the case file, as shipped for editors."""
     return json.dumps(Case.model_json_schema(), indent=1, sort_keys=True) + "\n"
 
 
@@ -174,7 +123,7 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
         return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
     if problem["type"] == "literal_error":
         return place.says(keys, f"{path[0]}: {quoted(problem['input'])} is given; {nearest_word(problem)}")
-    key, own = ", ".join(keys) or "case", own_words(problem)
+    key, own = ", ".join(keys) or "case", user_words(problem)
     if own is not None:
         return place.says(keys, f"{key}: {quoted(problem['input'])} is given; {own}")
     return place.says(keys, f"{key}: {quoted(problem['input'])} is given; allowed: {allowed(problem)}")

@@ -21,23 +21,11 @@ _RANGE = re.compile(
 def values_of(one: Option, given: Any, own: Ship, where: str = "") -> list[float]:
     """Values of an option as a case file, or Python, writes them.
 
-    Parameters
-    ----------
-    one : Option
-    given : Any      a number, text with a unit, a range as for `range_values`, or a flat list of such
-    own : Ship       whose L, B and T are meant
-    where : str      the message begins with it
+    given: a number, text with a unit, a range as for `range_values`, or a flat list of such
+    own: whose L, B and T are meant
+    where: the message begins with it
+    Returns SI, degrees or 1
 
-    Returns
-    -------
-    list of float    SI, degrees or 1
-
-    Raises
-    ------
-    InputError       what `quartering.options.checked` refuses, an empty list, a range that is none
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> from quartering.options import option
     >>> [round(one, 2) for one in values_of(option("wave_length"), ["0.5 L", 80, "10 s"], ship("wigley"))]
@@ -65,23 +53,11 @@ def _one_value(one: Option, item: Any, own: Ship, where: str) -> float:
 def range_values(item: str, one: Option, own: Ship, where: str = "") -> list[float]:
     """Values of "0..18 kn step 1" or "0.4..2.3 L count 20" in SI, degrees or 1.
 
-    Parameters
-    ----------
-    item : str      the range
-    one : Option    whose values they are
-    own : Ship      whose L, B and T are meant
-    where : str     the message begins with it
+    item: the range
+    one: whose values they are
+    own: whose L, B and T are meant
+    where: the message begins with it
 
-    Returns
-    -------
-    list of float
-
-    Raises
-    ------
-    InputError      not a range, an empty one, one of too many values, what `quartering.options.checked` refuses
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> from quartering.options import option
     >>> range_values("0..90 deg step 45", option("heading"), ship("wigley"))

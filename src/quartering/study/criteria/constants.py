@@ -39,13 +39,7 @@ def _whole() -> dict[str, Any]:
 
 
 def constant(name: str) -> Constant:
-    """A constant by its name, "pure_loss.steepness".
-
-    Examples
-    --------
-    >>> constant("pure_loss.steepness").value
-    0.0334
-    """
+    """A constant by its name, "pure_loss.steepness"."""
     group, _, key = name.partition(".")
     entry = _whole()[group][key]
     return Constant(name, float(entry["value"]), str(entry["unit"]), str(entry["place"]), str(entry["status"]))

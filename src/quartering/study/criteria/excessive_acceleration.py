@@ -23,16 +23,9 @@ _NEEDS = "needs highest_position: {x: .., height: ..}"
 def slope_ratio(frequency: ArrayLike, beam: float, draught: float, og: float) -> Floats:
     """Roll moment of a beam wave over displacement, GM and wave slope, for a rectangle of the ship's beam and C_B d.
 
-    Notes
-    -----
     With B~ = w^2 B/(2 g), T~ = w^2 C_B d/g: beta = sin B~/B~, tau = exp(-T~)/T~, K1 = (g/w^2) beta (tau + tau T~ - 1/T~),
     K2 = (g/w^2) tau (beta - cos B~), F = beta (tau - 1/T~), r = (K1 + K2 + OG F)/(B^2/(12 C_B d) - C_B d/2 - OG).
     It is the Froude-Krylov moment of the rectangle in closed form; 1 in long waves.
-
-    Examples
-    --------
-    >>> float(slope_ratio(0.01, 25.4, 5.434, 0.05).round(3))
-    1.0
     """
     w, gravity = np.asarray(frequency, dtype=float), limit("general.gravity")
     half, deep, scale = w**2 * beam / (2 * gravity), w**2 * draught / gravity, gravity / w**2
@@ -74,8 +67,6 @@ def level1(p: Particulars) -> Judgement:
 def level2(p: Particulars) -> Judgement:
     """C: chance of passing 9.81 m/s2 in beam seas, over all sea states.
 
-    Notes
-    -----
     Roll in beam waves by one linear equation with the ship's GM, roll period and linear damping in a free roll; the drag of
     the sections is left out, which is on the safe side.
     """

@@ -21,8 +21,6 @@ _SHARES = tuple(math.cos(math.radians(7.5 * i)) for i in range(12))
 def standard(p: Particulars) -> float:
     """R_PR, the change of GM over GM up to which damping holds parametric roll down.
 
-    Notes
-    -----
     0.17 + c min(100 A_k/(L B), 4); c is linear in Cm between 0.94 and 0.96.
     """
     if p.cm > _FULL:
@@ -75,8 +73,6 @@ def second_check(p: Particulars) -> tuple[float, float]:
     C2 is the share of sea states, averaged over speeds in head and following seas, in whose effective wave the roll is too
     large.
 
-    Notes
-    -----
     C2 = [sum_12 C2(head) + (C2(0, head) + C2(0, following))/2 + sum_12 C2(following)]/25, each the weight of the sea states
     whose effective wave, as long as the ship, makes it roll more than 25 deg. The roll is the largest stable motion of two
     periods, with sway, yaw and the ship's own damping; what lies between two heights is interpolated, and what capsizes counts
@@ -100,13 +96,8 @@ def second_check(p: Particulars) -> tuple[float, float]:
 def level2(p: Particulars, second: bool = True) -> Judgement:
     """C1: share of wave cases with too large a change of GM whose 2:1 resonance lies within the service speed; then C2.
 
-    Parameters
-    ----------
-    p : Particulars
-    second : bool      make the second check where the first fails: some seconds
+    second: make the second check where the first fails: some seconds
 
-    Notes
-    -----
     In a wave of length lambda a ship of roll period T_r meets twice its roll frequency at
     V = |(2 lambda/T_r) sqrt(GM_wave/GM) - sqrt(g lambda/(2 pi))|, in head or following seas by the sign.
     """

@@ -97,12 +97,7 @@ def _volume(p: Particulars, draught: float) -> float:
 
 
 def particulars(ship: Ship, speed: float | None, roll_period: float | None, base: Ship | None = None) -> Particulars:
-    """What the criteria ask of a ship; ``base`` is the same ship with another height of G.
-
-    Raises
-    ------
-    InputError    a ship without freeboard
-    """
+    """What the criteria ask of a ship; ``base`` is the same ship with another height of G."""
     hull, floating = ship.hull, hydrostatics(ship)
     if hull.depth <= hull.draught * (1 + 1e-9):
         raise InputError(

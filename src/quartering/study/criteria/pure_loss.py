@@ -55,8 +55,6 @@ def _applies(p: Particulars) -> tuple[bool, str]:
 def angles(p: Particulars) -> Floats:
     """Least vanishing angle and largest heel under the lever [deg], (11, 2), for heights 0 to 0.1 L.
 
-    Notes
-    -----
     The lever 8 (H/lambda) d Fn^2 heels the ship to the first angle at which GZ has risen to it.
     """
     found = np.empty((_STEEPNESSES.size, 2))

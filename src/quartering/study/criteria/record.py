@@ -119,12 +119,7 @@ class Criteria:
     judgements: tuple[Judgement, ...]
 
     def of(self, mode: str, level: int) -> Judgement:
-        """The judgement on one mode at one level.
-
-        Raises
-        ------
-        InputError    no such mode or level
-        """
+        """The judgement on one mode at one level."""
         for one in self.judgements:
             if (one.mode, one.level) == (mode, level):
                 return one
@@ -133,17 +128,8 @@ class Criteria:
     def value(self, name: str) -> float:
         """A number by its name, whether or not its mode applies to the ship.
 
-        Parameters
-        ----------
-        name : str    "parametric_rolling.level2.c1"
-
-        Returns
-        -------
-        float         NaN where it could not be computed
-
-        Raises
-        ------
-        InputError    no such number; the names that level has
+        name: "parametric_rolling.level2.c1"
+        Returns NaN where it could not be computed
         """
         mode, _, rest = name.partition(".")
         level, _, quantity = rest.partition(".")

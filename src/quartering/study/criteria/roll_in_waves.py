@@ -30,8 +30,6 @@ _ORDER, _LATERAL, _SAMPLES = 5, 3, 32
 def largest_rolls(ship: Ship, speeds: tuple[float, ...], heading: float) -> Floats:
     """Largest stable roll [deg] over speeds [m/s] and `STEEPNESSES`, (n, 11), in waves as long as the ship.
 
-    Notes
-    -----
     The largest of all stable motions of two periods counts, also where small roll decays beside it. Where the ship keeps pace
     with the wave there is no parametric roll: 0.
     """

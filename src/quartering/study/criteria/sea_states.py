@@ -43,14 +43,7 @@ class Scatter(NamedTuple):
 def scatter() -> Scatter:
     """The scatter table of the North Atlantic.
 
-    Notes
-    -----
     Source: IACS Recommendation 34 (recalled).
-
-    Examples
-    --------
-    >>> round(float(scatter().weight.sum()), 12)
-    1.0
     """
     data = yaml.safe_load(_FILE.read_text(encoding="utf-8"))
     counts = np.array(data["counts"], dtype=float)
@@ -66,8 +59,6 @@ def wave_cases() -> Floats:
 def bretschneider(frequency: ArrayLike, hs: ArrayLike, tz: ArrayLike) -> Floats:
     """Spectral density of the wave's elevation [m2 s/rad], written by the zero-crossing period.
 
-    Notes
-    -----
     S = (4 pi^3 Hs^2/Tz^4) w^-5 exp(-16 pi^3 w^-4/Tz^4); its m0 is Hs^2/16.
     """
     w, height, period = (np.asarray(one, dtype=float) for one in (frequency, hs, tz))
@@ -78,15 +69,8 @@ def bretschneider(frequency: ArrayLike, hs: ArrayLike, tz: ArrayLike) -> Floats:
 def effective_deviation(length: float, hs: ArrayLike, tz: ArrayLike) -> Floats:
     """Standard deviation of the effective wave's amplitude [m], for pairs of height [m] and period [s].
 
-    Notes
-    -----
     The effective wave is cos(2 pi x/L) fitted to the sea along the ship by least squares. A wave of number k gives
     2 Q sin Q/(pi^2 - Q^2), Q = k L/2, which is 1 at k L = 2 pi. Source: Grim, as in MSC.1/Circ.1627 (recalled).
-
-    Examples
-    --------
-    >>> effective_deviation(262.0, [8.5, 4.0], [10.5, 8.0]).round(4)
-    array([1.5344, 0.6254])
     """
     height, period = np.broadcast_arrays(np.asarray(hs, dtype=float), np.asarray(tz, dtype=float))
     # In w Tz, in whose terms all Bretschneider spectra are one; 25/Tz leaves 1e-5 of the energy beyond it.
@@ -102,15 +86,8 @@ def effective_deviation(length: float, hs: ArrayLike, tz: ArrayLike) -> Floats:
 def joint_density(length: float, hs: ArrayLike, tz: ArrayLike, ratio: ArrayLike, steepness: ArrayLike) -> Floats:
     """Joint density of wave length over ship length, r, and wave steepness, s, in a sea state [1].
 
-    Notes
-    -----
     Source: Longuet-Higgins (1983) for the joint density of period and height, written for r and s in deep water, as in
     MSC.1/Circ.1627 (recalled).
-
-    Examples
-    --------
-    >>> joint_density(262.0, 8.5, 10.5, 1.0, 0.03).round(6)
-    np.float64(14.324278)
     """
     height, period, r, s = (np.asarray(one, dtype=float) for one in (hs, tz, ratio, steepness))
     width, mean = limit("effective_wave.spectral_width"), limit("effective_wave.mean_over_zero_crossing") * period

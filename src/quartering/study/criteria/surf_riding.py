@@ -55,8 +55,6 @@ def level2(p: Particulars, propulsion: Propulsion | None) -> Judgement:
 def caught_by(p: Particulars, propulsion: Propulsion) -> NDArray[np.bool_]:
     """Is the ship at its service speed caught by each wave (80, 100), whatever its start.
 
-    Notes
-    -----
     Melnikov's condition is a quadratic in the revolutions; the ship is caught where its own revolutions are above the root.
     """
     gravity, density = limit("general.gravity"), p.ship.loading.density
@@ -73,8 +71,6 @@ def caught_by(p: Particulars, propulsion: Propulsion) -> NDArray[np.bool_]:
 def surge_force(p: Particulars, wavenumber: ArrayLike) -> Floats:
     """Amplitude of the surging force of a following wave of 1 m amplitude [N/m], with the factor of diffraction.
 
-    Notes
-    -----
     rho g k sqrt(Fc^2 + Fs^2), Fc, Fs = int A(x) (cos, sin)(k x) exp(-k d/2) dx over the sections.
     """
     wet = strips(p.ship.hull)

@@ -21,7 +21,7 @@ from quartering.options import quoted, unknown
 from quartering.stability.kind import Kind
 from quartering.study.effects.nearest import INSIDE, Asked, Search, nearest, rounded
 from quartering.study.effects.trials import Trials
-from quartering.study.loadings import LOADING_AXES, own_value
+from quartering.study.loadings import LOADING_AXES, user_value
 
 CURES = ("roll_damping", "gm", "gyradius_roll", "speed", "wave_height", "K_ppp", "K_prr")
 """Values tried when none are named: loading, condition, and the coefficients the paper finds decisive (as multipliers)."""
@@ -139,24 +139,11 @@ def seek(
 ) -> Iterator[list[Cure]]:
     """The search of `cures` in small steps, for whoever has others to serve meanwhile.
 
-    Parameters
-    ----------
-    ship, wave, speed, heading, parameters, margin, harmonics, form    as in `cures`
+    as in `cures`
+    Yields found so far, after each step of the search
 
-    Yields
-    ------
-    list of Cure    found so far, after each step of the search
-
-    Raises
-    ------
-    InputError      as `cures`
-
-    Notes
-    -----
     Source: [H71] Figs. 20-22 (what restores stability).
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> list(seek(ship("wigley"), Wave(100.0, 0.5), 3.0, 90.0))
     [[]]
@@ -255,4 +242,4 @@ def _present(ship: Ship, wave: Wave, speed: float, name: str) -> tuple[float, st
         return speed, "m/s"
     if name == "wave_height":
         return wave.height, "m"
-    return own_value(ship, name), "m" if name in LOADING_AXES and name != "roll_damping" else "1"
+    return user_value(ship, name), "m" if name in LOADING_AXES and name != "roll_damping" else "1"

@@ -63,13 +63,7 @@ Told = Callable[[float, int], float]
 
 
 def rounded(value: float, now: float, decimals: int, units: int = 0) -> float:
-    """A value to some decimals, never short of it on the way from `now`; and units of the last decimal farther.
-
-    Examples
-    --------
-    >>> rounded(1.5121, 0.8128, 2), rounded(2.6747, 4.0, 2, 1)
-    (1.52, 2.66)
-    """
+    """A value to some decimals, never short of it on the way from `now`; and units of the last decimal farther."""
     scaled = value * 10.0**decimals
     more = value > now
     whole = math.ceil(scaled - 1e-6) + units if more else math.floor(scaled + 1e-6) - units
@@ -79,21 +73,13 @@ def rounded(value: float, now: float, decimals: int, units: int = 0) -> float:
 def nearest(span: Span, reach: Reached, present: float, target: float, told: Told) -> Search:
     """Factor nearest to 1 (in ratio) at which the ship is stable, and stays so where the value is rounded as it is told.
 
-    Parameters
-    ----------
-    span : function        prepares the equations between two factors; says between which they could be made
-    reach : Reached        factors with which there is a ship and a wave
-    present : float        exponent at factor 1, above the target [1/s]
-    target : float         exponent of a cure [1/s]
-    told : function        factor of the value as it is told, some units of its last digit farther from the present one
-
-    Yields
-    ------
-    Asked                  what is to be judged next; `send` the exponents (n,), infinite where there is no motion
-
-    Returns
-    -------
-    float or None          None where no change helps
+    span: prepares the equations between two factors; says between which they could be made
+    reach: factors with which there is a ship and a wave
+    present: exponent at factor 1, above the target [1/s]
+    target: exponent of a cure [1/s]
+    told: factor of the value as it is told, some units of its last digit farther from the present one
+    Yields what is to be judged next; `send` the exponents (n,), infinite where there is no motion
+    Returns None where no change helps
     """
     steps = np.geomspace(1.0, REACH, _STEPS + 1)
     sides = [_Side(1.0 / steps, present), _Side(steps, present)]

@@ -26,8 +26,8 @@ from quartering.stability.assessment import assess
 from quartering.stability.derivative import change_of_stability
 from quartering.stability.floquet import fastest_rate
 from quartering.stability.variation import variational_harmonics
+from quartering.study.loading_systems import systems
 from quartering.study.loadings import loaded
-from quartering.study.shared import systems
 
 _LOADING = {"gm": "m", "gyradius_roll": "m", "gyradius_yaw": "m", "roll_damping": "1"}
 _EXACT = "exact"
@@ -139,21 +139,13 @@ def derivatives(
 ) -> tuple[Floats, Floats, str]:
     """Amplitudes, K2, index and exponent of one motion, and their derivatives by m parameters of its equations.
 
-    Parameters
-    ----------
-    system : System            one condition
-    changes : list of System   derivative of its arrays by each parameter
-    u : (3, b) float           the motion, from `harmonic_balance`
-    orders : tuple of int      its harmonics
+    system: one condition
+    changes: derivative of its arrays by each parameter
+    u (3, b): the motion, from `harmonic_balance`
+    orders: its harmonics
+    Returns here (6,): sway [m], roll, yaw [deg], K2 [1/s2], index, exponent [1/s]; slopes (m, 6); why: why the exponent
+        has no derivative; empty where it has
 
-    Returns
-    -------
-    here : (6,) float          sway [m], roll, yaw [deg], K2 [1/s2], index, exponent [1/s]
-    slopes : (m, 6) float
-    why : str                  why the exponent has no derivative; empty where it has
-
-    Notes
-    -----
     Source: `change_of_motion`, `change_of_stability`.
     """
     whole = joined([system, *changes])
@@ -177,15 +169,8 @@ def derivatives(
 def coefficient_rows(model: Model, water: Mapping[str, complex] | None = None) -> list[Row]:
     """Every term of a model that is not zero: the equations are linear in each.
 
-    Parameters
-    ----------
-    model : Model
-    water : mapping, optional    velocity of the water beside v and r, phasors of e^{i omega t} [m/s, rad/s]: a change of lift
-                                 acts on the velocity relative to it
-
-    Returns
-    -------
-    list of Row
+    water: velocity of the water beside v and r, phasors of e^{i omega t} [m/s, rad/s]: a change of lift acts on the
+        velocity relative to it
     """
     rows = []
     for name, value in model.terms.items():

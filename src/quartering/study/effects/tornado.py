@@ -25,7 +25,7 @@ from quartering.names import canonical
 from quartering.study.dataset import attributes, heading_of
 from quartering.study.effects.vary import refined_flips
 from quartering.study.grid import Grid, grid
-from quartering.study.loadings import LOADING_AXES, loaded, own_value
+from quartering.study.loadings import LOADING_AXES, loaded, user_value
 from quartering.study.maps.sweep import evaluated
 
 Floats = NDArray[np.float64]
@@ -95,7 +95,7 @@ def tornado(
     change = number(ship, "change", change)
     if change == 1:
         raise InputError("change = 1; it is above 0 and less than 1; try 0.1")
-    own = _own_values(ship, equations(ship, wave, speed, heading), parameters)
+    own = _user_values(ship, equations(ship, wave, speed, heading), parameters)
     one = grid(ship, speed, heading, wave.length, wave.height, harmonics=harmonics, form=form)
     probes = np.geomspace(1.0, REACH, _STEPS + 1)[1:]
     factors = np.concatenate([[1 - change, 1 + change], 1 / probes[::-1], [1.0], probes])
@@ -113,14 +113,14 @@ def tornado(
     return _sorted(_dataset(about, own, change, {k: v[:, :2] for k, v in results.items()}, flips, base))
 
 
-def _own_values(ship: Ship, model: Model, parameters: Sequence[str] | None) -> dict[str, float]:
+def _user_values(ship: Ship, model: Model, parameters: Sequence[str] | None) -> dict[str, float]:
     """Present value of each parameter, 1 for coefficients; those that are zero cannot be changed by a share."""
     if parameters is None:
         parameters = (*LOADING, *(name for name, value in model.terms.items() if value != 0.0 and name != "K_phi"))
     names = [name if name in LOADING_AXES else canonical(name) for name in parameters]
     if "draught" in names:
         raise InputError('"draught" is another hull in the water; vary it with quartering.vary')
-    own = {name: own_value(ship, name) for name in names}
+    own = {name: user_value(ship, name) for name in names}
     return {name: value for name, value in own.items() if value != 0.0}
 
 

@@ -22,8 +22,8 @@ from quartering.stability.assessment import assess, leading_growth
 from quartering.stability.kind import Kind
 from quartering.study.conditions import ACCURACY
 from quartering.study.effects.nearest import REACH, Reached
-from quartering.study.loadings import loaded, own_value
-from quartering.study.shared import Found, systems
+from quartering.study.loading_systems import Found, systems
+from quartering.study.loadings import loaded, user_value
 
 EXACT = 1e-8
 """Error of the Floquet multipliers where a value is settled, a hundredth of `INSIDE`; a map's while it is looked for."""
@@ -70,7 +70,7 @@ class Trials:
         """The ship with one of its values times a factor; itself where the value is one of the condition."""
         if name in ("speed", "wave_height"):
             return self.ship
-        return loaded(self.ship, {name: own_value(self.ship, name) * factor})
+        return loaded(self.ship, {name: user_value(self.ship, name) * factor})
 
     def reach(self, name: str) -> Reached:
         """Factors with which there are a ship and a wave: as far as is searched, or less by a hundredth."""

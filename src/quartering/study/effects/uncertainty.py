@@ -16,7 +16,7 @@ from quartering.conventions import InputError
 from quartering.stability.kind import Kind
 from quartering.study.dataset import attributes, heading_of, plain_attributes
 from quartering.study.grid import Grid
-from quartering.study.loadings import own_value
+from quartering.study.loadings import user_value
 from quartering.study.maps.executor import computed, reached
 from quartering.study.maps.result import coordinates_of
 from quartering.units import quantity
@@ -37,38 +37,17 @@ def uncertain(
 ) -> xr.Dataset:
     """Probability that each condition is unstable when coefficients and loading are known only so well.
 
-    Parameters
-    ----------
-    grid : Grid
-    spread : mapping of str to float or str    relative standard deviation by name: {"K_ppp": "20%", "gm": 0.05}
-    draws : int                                in all; a multiple of 8, best 8 times a power of two
-    seed : int                                 of the draws: the same seed gives the same result
-    cluster : str, optional                    as in `sweep`
-    progress : function(done, total), optional
+    spread: relative standard deviation by name: {"K_ppp": "20%", "gm": 0.05}
+    draws: in all; a multiple of 8, best 8 times a power of two
+    seed: of the draws: the same seed gives the same result
+    cluster: as in `sweep`
+    Returns dims of the grid: probability_unstable, its sampling error probability_error, and probability_no_answer
+        (shares of all draws, so that stable is what is left) [1]
 
-    Returns
-    -------
-    xarray.Dataset    dims of the grid: probability_unstable, its sampling error probability_error, and probability_no_answer
-                      (shares of all draws, so that stable is what is left) [1]
-
-    Raises
-    ------
-    InputError        no name, a spread that is not between 0 and 100 %, too few draws, an unknown name, a draw no ship can have
-
-    Notes
-    -----
     Each value is multiplied by exp(s z), z standard normal, s^2 = ln(1 + spread^2): a lognormal factor with median 1 that
     cannot change a sign.  The z are scrambled Sobol points in 8 independent scramblings; the error is the standard error of
     their mean, and not below 1/(draws + 2), what a count of none or all leaves open.
     Source: [Owen97] randomised quasi-Monte Carlo.  Valid: independent errors; loading values as in `sweep`.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.grid import grid
-    >>> one = grid(ship("wigley"), 5.0, [60.0], 100.0, 1.0)
-    >>> float(uncertain(one, {"K_p": "20%"}, draws=16)["probability_unstable"].squeeze())
-    0.0
     """
     names, sigma = _checked(spread)
     if draws < 2 * REPEATS or draws % REPEATS:
@@ -136,7 +115,7 @@ def _drawn(grid: Grid, names: list[str], factors: NDArray[np.float64]) -> Grid:
     if ("kg" in columns and "gm" in names) or ("gm" in columns and "kg" in names):
         raise InputError("gm and kg cannot both be set; draw the one that is an axis")
     for i, name in enumerate(names):
-        own = own_value(grid.ship, name)
+        own = user_value(grid.ship, name)
         if own == 0.0:
             raise InputError(
                 f"{name} is 0 for {grid.ship.name}, so a relative error means nothing; name the coefficient instead"

@@ -20,7 +20,7 @@ from quartering.names import canonical
 from quartering.options import quoted
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES, axis
-from quartering.study.loadings import LOADING_AXES, VALUE, own_value
+from quartering.study.loadings import LOADING_AXES, VALUE, user_value
 from quartering.study.maps.sweep import sweep
 
 Floats = NDArray[np.float64]
@@ -59,7 +59,7 @@ def vary(
     Returns
     -------
     xarray.Dataset           over the parameters: what `sweep` gives; each parameter's present value in its attribute
-                             ``own_value``. With one parameter also ``flip``: the values at which the verdict passes between
+                             ``user_value``. With one parameter also ``flip``: the values at which the verdict passes between
                              stable, unstable and no answer, and ``verdict_below``, ``verdict_above`` on either side
 
     Raises
@@ -87,7 +87,7 @@ def vary(
 
     ds = over(wanted, progress)
     for name in wanted:
-        ds[name].attrs["own_value"] = _own_value(ship, conditions, name)
+        ds[name].attrs["user_value"] = _user_value(ship, conditions, name)
     ds.attrs["title"] = f"{ship.name}: response and stability over {' and '.join(map(written, wanted))}"
     if len(wanted) == 1:
         (name,) = wanted
@@ -96,41 +96,16 @@ def vary(
 
 
 def varied(ds: xr.Dataset) -> list[str]:
-    """Names of the parameters a dataset of `vary` is over.
-
-    Parameters
-    ----------
-    ds : Dataset
-
-    Returns
-    -------
-    list of str
-
-    Examples
-    --------
-    >>> varied(xr.Dataset({"roll": ("gm", [1.0, 2.0])}))
-    ['gm']
-    """
+    """Names of the parameters a dataset of `vary` is over."""
     return [str(name) for name in ds["roll"].dims]
 
 
 def refined_flips(at: Callable[[Floats], Ints], values: Floats, kinds: ArrayLike) -> list[tuple[float, int, int]]:
     """Where the verdict passes between stable, unstable and no answer.
 
-    Parameters
-    ----------
-    at : function        of ascending values, gives their verdicts
-    values : (n,) float  ascending or descending
-    kinds : (n,) int     verdicts there
-
-    Returns
-    -------
-    list of (value, verdict before, verdict after)
-
-    Examples
-    --------
-    >>> [(round(v, 2), a, b) for v, a, b in refined_flips(lambda x: (x > 0.3).astype(np.int8), np.arange(3.0), [0, 1, 1])]
-    [(0.3, 0, 1)]
+    at: of ascending values, gives their verdicts
+    values (n,): ascending or descending
+    kinds (n,): verdicts there
     """
     found = []
     known = np.asarray(kinds)
@@ -196,11 +171,11 @@ def _unstacked(ds: xr.Dataset, loading: Mapping[str, Floats]) -> xr.Dataset:
     )
 
 
-def _own_value(ship: Ship, conditions: Mapping[str, float], name: str) -> float:
+def _user_value(ship: Ship, conditions: Mapping[str, float], name: str) -> float:
     """Present value of a parameter; 1 for a coefficient."""
     if name in CONDITION_AXES:
         return float(conditions[name])
-    return own_value(ship, name)
+    return user_value(ship, name)
 
 
 def _flips(ds: xr.Dataset, name: str, at: Callable[[Floats], Ints]) -> dict[str, xr.Variable]:

@@ -25,16 +25,9 @@ Arrays = Mapping[str, NDArray[np.generic]]
 def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int]) -> bytes:
     """Content of a block's file: netCDF, 64-bit offsets, with the coordinates of its conditions, and its seal.
 
-    Parameters
-    ----------
-    index : int                        of the block in the grid
-    found : mapping of str to array    from `evaluate_block`
-    grid : Grid
-    counts : mapping of str to int     from `counted`, kept with the block
-
-    Returns
-    -------
-    bytes
+    index: of the block in the grid
+    found: from `evaluate_block`
+    counts: from `counted`, kept with the block
     """
     block = grid.blocks[index]
     u, mu, length = grid.points(block.points)
@@ -85,22 +78,8 @@ def _variable(file: Any, name: str, dims: tuple[str, ...], values: NDArray[np.ge
 def counted(found: Arrays) -> dict[str, int]:
     """Numbers of conditions by verdict, status and way to the motion, beyond the righting arm's fit, and short of harmonics.
 
-    Parameters
-    ----------
-    found : mapping of str to array    `FLAGS`, beyond and missed
-
-    Returns
-    -------
-    dict of str to int    "verdict 0": .., "status 0": .., "beyond": .., "more harmonics": ..; zeros left out
-
-    Examples
-    --------
-    >>> found = {"verdict": np.array([0, 0, 1]), "status": np.array([0, 0, 0]), "capsizes_on_the_way": np.array([0, 1, -1])}
-    >>> counted({**found, "beyond": np.array(0)}) == {
-    ...     "verdict 0": 2, "verdict 1": 1, "status 0": 3,
-    ...     "capsizes_on_the_way -1": 1, "capsizes_on_the_way 0": 1, "capsizes_on_the_way 1": 1,
-    ... }
-    True
+    found: `FLAGS`, beyond and missed
+    Returns "verdict 0": .., "status 0": .., "beyond": .., "more harmonics": ..; zeros left out
     """
     counts: dict[str, int] = {}
     for name in FLAGS:

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import InputError
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import FLAGS, RESULTS, evaluate_block
 from quartering.study.grid import Grid
 from quartering.study.resonance import missed_resonance
@@ -58,21 +58,7 @@ class Estimate:
 
 
 def duration(seconds: float) -> str:
-    """A time in the unit a person would choose.
-
-    Parameters
-    ----------
-    seconds : float
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> duration(0.4), duration(25.2), duration(150.0), duration(7300.0), duration(3e5)
-    ('less than 1 s', '25 s', '2.5 min', '2.0 h', '3.5 days')
-    """
+    """A time in the unit a person would choose."""
     if seconds < 1:
         return "less than 1 s"
     for limit, size, unit in ((90.0, 1.0, "s"), (5400.0, 60.0, "min"), (172800.0, 3600.0, "h")):
@@ -84,24 +70,9 @@ def duration(seconds: float) -> str:
 def estimate(grid: Grid) -> Estimate:
     """What computing a grid will take.
 
-    Parameters
-    ----------
-    grid : Grid
+    Returns the time is that of about a thousand of its own conditions, spread over the grid, scaled up
 
-    Returns
-    -------
-    Estimate    the time is that of about a thousand of its own conditions, spread over the grid, scaled up
-
-    Notes
-    -----
     Kernels that are not yet compiled are compiled by this.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.grid import grid
-    >>> estimate(grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, [1.0, 2.0])).conditions
-    4
     """
     each = _seconds_each(grid, _SAMPLE)
     if not grid.block_size:
@@ -118,27 +89,9 @@ def estimate(grid: Grid) -> Estimate:
 def timed_block_size(grid: Grid) -> int:
     """Conditions of one block that takes about a second on one core, at most the usual number.
 
-    Parameters
-    ----------
-    grid : Grid
-
-    Returns
-    -------
-    int
-
-    Notes
-    -----
     Measured on a sixtieth of the grid's own conditions, a thousand at most, the best of three tries: what else the machine does
     at that moment has little part in it. A killed run loses the blocks being worked on: seconds, be the conditions cheap
     (the paper's method) or dear (harmonic balance to a high order).
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.grid import grid
-    >>> some = grid(ship("wigley"), 5.0, [30.0, 60.0], 100.0, [1.0, 2.0])
-    >>> 0 < timed_block_size(some) <= some.usual_block_size
-    True
     """
     return _size_of_blocks(grid, _seconds_each(grid, min(_SAMPLE, max(grid.count // 60, 64))))
 
@@ -164,19 +117,8 @@ def _seconds_each(grid: Grid, most: int) -> float:
 def check_size(found: Estimate, folder: str | Path | None = None, *, yes: bool = False) -> None:
     """Refuse a run that is larger than a person may have meant.
 
-    Parameters
-    ----------
-    found : Estimate
-    folder : str or Path, optional    where the results go
-    yes : bool                        it is meant; only a disk that cannot hold it is refused then
-
-    Raises
-    ------
-    InputError    longer than an hour or more than 10 GB without `yes`, or more than the disk has free
-
-    Examples
-    --------
-    >>> check_size(Estimate(10, 1, 0.1, 2e3, ()))
+    folder: where the results go
+    yes: it is meant; only a disk that cannot hold it is refused then
     """
     if folder is not None:
         there = Path(folder)

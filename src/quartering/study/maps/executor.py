@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import evaluate_block
 from quartering.study.grid import Grid
 from quartering.threads import alone, spread
@@ -33,19 +33,11 @@ def computed(
 ) -> Iterator[tuple[int, Counts]]:
     """Compute some blocks of a grid and hand each to `keep`.
 
-    Parameters
-    ----------
-    grid : Grid
-    indices : sequence of int    of the blocks
-    keep : function              of index and results: stores them, and returns what they count; called by several threads
-    client : optional            connection of `reached`; None: this process's threads
+    indices: of the blocks
+    keep: of index and results: stores them, and returns what they count; called by several threads
+    client: connection of `reached`; None: this process's threads
+    Yields (index, counts): as blocks are kept, in any order
 
-    Yields
-    ------
-    (index, counts)              as blocks are kept, in any order
-
-    Notes
-    -----
     A block is a function of the grid and its index alone, so it gives the same numbers wherever it is computed; one that is
     lost with its worker is computed by another.
     """
@@ -133,17 +125,9 @@ def _one_block(payload: bytes, index: int) -> Found:
 def check_cluster(cluster: str | None) -> None:
     """Refuse a cluster whose name cannot be read, or whose extra is not installed.
 
-    Parameters
-    ----------
-    cluster : str or None    "local:4" for four worker processes on this machine, "tcp://host:8786" for a dask scheduler; None
-                             for this process's threads
+    cluster: "local:4" for four worker processes on this machine, "tcp://host:8786" for a dask scheduler; None for this
+        process's threads
 
-    Raises
-    ------
-    InputError               another word; dask.distributed is not there
-
-    Examples
-    --------
     >>> check_cluster(None)
     """
     if cluster is None:
@@ -161,17 +145,7 @@ def check_cluster(cluster: str | None) -> None:
 def reached(cluster: str | None) -> Iterator[Any]:
     """Connection to a cluster; worker processes begun here end here.
 
-    Parameters
-    ----------
-    cluster : str or None    as in `check_cluster`
-
-    Yields
-    ------
-    dask client, or None for this process's threads
-
-    Raises
-    ------
-    InputError               what `check_cluster` refuses, a scheduler that does not answer
+    cluster: as in `check_cluster`
     """
     check_cluster(cluster)
     if cluster is None:

@@ -80,16 +80,11 @@ def carried_on(
 ) -> xr.Dataset:
     """A map with values added to its axes until its largest roll stands inside, or nothing can be added.
 
-    Parameters
-    ----------
-    result : xarray.Dataset                of `polar`
-    further : function(axes) -> Dataset    the map of other axes: speed [m/s], heading [deg], wave_length [m]
-    most : int, optional                   conditions that it may have in the end
-
-    Returns
-    -------
-    xarray.Dataset    values added in steps of the last interval, `AT_ONCE` at a time and at most `MOST_STEPS` times, within the
-                      ranges of the options
+    result: of `polar`
+    further: the map of other axes: speed [m/s], heading [deg], wave_length [m]
+    most: conditions that it may have in the end
+    Returns values added in steps of the last interval, `AT_ONCE` at a time and at most `MOST_STEPS` times, within the
+        ranges of the options
     """
     for _ in range(MOST_STEPS):
         grown = result
@@ -106,13 +101,7 @@ def carried_on(
 
 
 def beyond(along: Floats, edge: Edge) -> Floats:
-    """Up to `AT_ONCE` values past an end of an axis, in steps of its last interval, within the range of the option.
-
-    Examples
-    --------
-    >>> beyond(np.array([5.0, 7.0]), Edge("speed", 7.0, 20.0)), beyond(np.array([5.0, 7.0]), Edge("speed", 5.0, 20.0))
-    (array([ 9., 11., 13.]), array([0., 1., 3.]))
-    """
+    """Up to `AT_ONCE` values past an end of an axis, in steps of its last interval, within the range of the option."""
     values = np.sort(along)
     step = values[-1] - values[-2] if edge.value == values[-1] else values[0] - values[1]
     one = OPTIONS[edge.axis]

@@ -21,18 +21,7 @@ class Failures(NamedTuple):
 def outcome(counts: Mapping[str, int]) -> tuple[int, int, int]:
     """Numbers of stable, unstable and failed conditions.
 
-    Parameters
-    ----------
-    counts : mapping of str to int    as from `fill`
-
-    Returns
-    -------
-    stable, unstable, failed : int
-
-    Examples
-    --------
-    >>> outcome({"verdict 0": 5, "verdict 1": 2, "verdict 4": 1, "verdict -1": 3, "status 0": 8, "status 2": 3})
-    (5, 3, 3)
+    counts: as from `fill`
     """
     verdicts = {int(key[8:]): n for key, n in counts.items() if key.startswith("verdict ")}
     stable, failed = verdicts.get(Kind.STABLE, 0), verdicts.get(Kind.NO_ANSWER, 0)
@@ -42,18 +31,7 @@ def outcome(counts: Mapping[str, int]) -> tuple[int, int, int]:
 def failures(counts: Mapping[str, int]) -> tuple[Failures, ...]:
     """Conditions without an answer by reason, the most frequent first, each with what to try.
 
-    Parameters
-    ----------
-    counts : mapping of str to int    as from `fill`
-
-    Returns
-    -------
-    tuple of Failures
-
-    Examples
-    --------
-    >>> failures({"status 0": 5, "status 2": 1, "status 5": 3})[0].status.name
-    'ENCOUNTER_FREQUENCY_NEAR_ZERO'
+    counts: as from `fill`
     """
     found = [(Status(int(key[7:])), n) for key, n in counts.items() if key.startswith("status ")]
     failed = sorted(((status, n) for status, n in found if not status.ok), key=lambda pair: -pair[1])
@@ -63,21 +41,10 @@ def failures(counts: Mapping[str, int]) -> tuple[Failures, ...]:
 def progress_line(done: int, total: int, begun: int, seconds: float, counts: Mapping[str, int]) -> str:
     """One line that says how far a run has come.
 
-    Parameters
-    ----------
-    done, total : int     conditions
-    begun : int           conditions that were there when the run began
-    seconds : float       since then
-    counts : mapping      as from `fill`
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> progress_line(500, 1000, 100, 4.0, {"verdict 0": 450, "verdict 1": 50})
-    '500 of 1,000 (50 %), 100 a second, 5 s left: 450 stable, 50 unstable, 0 failed'
+    done, total: conditions
+    begun: conditions that were there when the run began
+    seconds: since then
+    counts: as from `fill`
     """
     rate = (done - begun) / seconds if seconds > 0 else 0.0
     left = f", {duration((total - done) / rate)} left" if rate > 0 and done < total else ""
@@ -91,20 +58,10 @@ def progress_line(done: int, total: int, begun: int, seconds: float, counts: Map
 def summary(counts: Mapping[str, int], seconds: float) -> dict[str, Any]:
     """What a run found, in types JSON knows.
 
-    Parameters
-    ----------
-    counts : mapping of str to int    as from `fill`
-    seconds : float                   it took
-
-    Returns
-    -------
-    dict    conditions, stable, unstable, failed, by_verdict, failures (status, count, advice), capsize_on_the_way,
-            more_harmonics, seconds
-
-    Examples
-    --------
-    >>> summary({"verdict 0": 3, "verdict 1": 1, "status 0": 4}, 0.5)["by_verdict"]
-    {'stable': 3, 'roll': 1}
+    counts: as from `fill`
+    seconds: it took
+    Returns conditions, stable, unstable, failed, by_verdict, failures (status, count, advice), capsize_on_the_way,
+        more_harmonics, seconds
     """
     stable, unstable, failed = outcome(counts)
     kinds = sorted((int(key[8:]), n) for key, n in counts.items() if key.startswith("verdict "))

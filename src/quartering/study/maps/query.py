@@ -30,34 +30,14 @@ _OF = {"roll": "roll_peak", "margin": "exponent"}
 def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Dataset:
     """The conditions with the largest roll, or the least stable margin.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
-    by : str                   "roll": largest roll angle over a cycle; "margin": largest Floquet exponent, but for cells where
-                               nothing grows beside the course in calm water
-    count : int                how many
+    result: of `sweep`, `polar` or `open_result`
+    by: "roll": largest roll angle over a cycle; "margin": largest Floquet exponent, but for cells where nothing grows
+        beside the course in calm water
+    count: how many
+    Returns along ``rank``, the worst first: every coordinate of the condition, roll_peak [deg], exponent [1/s],
+        verdict, capsizes_on_the_way, missed, other_roll_peak [deg]; fewer where fewer conditions have an answer
 
-    Returns
-    -------
-    xarray.Dataset             along ``rank``, the worst first: every coordinate of the condition, roll_peak [deg], exponent
-                               [1/s], verdict, capsizes_on_the_way, missed, other_roll_peak [deg]; fewer where fewer conditions
-                               have an answer
-
-    Raises
-    ------
-    InputError                 an unknown measure, a count below 1, not a result
-
-    Notes
-    -----
     Source: [H71]; conditions without an answer are left out.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> ds = sweep(ship("wigley"), 5.0, [30.0, 60.0, 90.0], 100.0, [1.0, 2.0])
-    >>> float(worst(ds)["roll_peak"][0]) == float(ds["roll_peak"].max())
-    True
     """
     values = _measured(result, by)
     if count < 1:
@@ -77,20 +57,7 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
 def capsizing(result: xr.Dataset) -> xr.DataArray:
     """Conditions whose ship capsizes before it comes to its stable motion.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
-
-    Returns
-    -------
-    xarray.DataArray of bool
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> bool(capsizing(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).any())
-    False
+    result: of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
     """
     if ON_THE_WAY not in result:
         return xr.zeros_like(result["verdict"], dtype=bool)
@@ -100,20 +67,7 @@ def capsizing(result: xr.Dataset) -> xr.DataArray:
 def needing_more(result: xr.Dataset) -> xr.DataArray:
     """Conditions in which the next harmonics are estimated to change roll by more than 1 %.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar`, `worst` or `open_result`; of an earlier version nobody knows: none
-
-    Returns
-    -------
-    xarray.DataArray of bool
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> bool(needing_more(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).any())
-    False
+    result: of `sweep`, `polar`, `worst` or `open_result`; of an earlier version nobody knows: none
     """
     if MISSED not in result:
         return xr.zeros_like(result["verdict"], dtype=bool)
@@ -123,20 +77,8 @@ def needing_more(result: xr.Dataset) -> xr.DataArray:
 def other_rolls(result: xr.Dataset) -> xr.DataArray:
     """Largest roll over a cycle of other stable motions in the waves of a result.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
-
-    Returns
-    -------
-    xarray.DataArray           along other_motion, the smallest first; NaN where there is none [deg]
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> bool(other_rolls(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).notnull().any())
-    False
+    result: of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
+    Returns along other_motion, the smallest first; NaN where there is none [deg]
     """
     if OTHER not in result:
         return xr.full_like(result["verdict"], np.nan, dtype=float).expand_dims(other_motion=1, axis=-1)
@@ -146,20 +88,7 @@ def other_rolls(result: xr.Dataset) -> xr.DataArray:
 def coexisting(result: xr.Dataset) -> xr.DataArray:
     """Conditions in which another stable motion is known beside the one that is judged.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
-
-    Returns
-    -------
-    xarray.DataArray of bool
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> bool(coexisting(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0)).any())
-    False
+    result: of `sweep`, `polar` or `open_result`
     """
     return other_rolls(result).notnull().any("other_motion")
 
@@ -167,30 +96,12 @@ def coexisting(result: xr.Dataset) -> xr.DataArray:
 def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> xr.Dataset:
     """The worst of every speed and heading over everything else.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
-    dims : sequence of str     that stay
+    result: of `sweep`, `polar` or `open_result`
+    dims: that stay
+    Returns roll_peak [deg] and exponent [1/s] at their largest; unstable, course_unstable, without_answer, capsizing
+        and coexisting: shares of the conditions [1]
 
-    Returns
-    -------
-    xarray.Dataset             roll_peak [deg] and exponent [1/s] at their largest; unstable, course_unstable,
-                               without_answer, capsizing and coexisting: shares of the conditions [1]
-
-    Raises
-    ------
-    InputError                 a dimension the result does not have, not a result
-
-    Notes
-    -----
     Source: [H71].
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> worst_by(sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, [1.0, 2.0]))["roll_peak"].dims
-    ('speed', 'heading')
     """
     _measured(result, "roll")
     unknown = [dim for dim in dims if dim not in result["verdict"].dims]
@@ -219,16 +130,9 @@ def worst_by(result: xr.Dataset, dims: Sequence[str] = ("speed", "heading")) -> 
 def sea_of(result: xr.Dataset) -> str | None:
     """The axis of a result that tells how high its waves are.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
+    result: of `sweep`, `polar` or `open_result`
+    Returns "wave_height" or "steepness"; None for one height at each wave length
 
-    Returns
-    -------
-    str or None                "wave_height" or "steepness"; None for one height at each wave length
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> from quartering.study.maps.sweep import sweep
     >>> sea_of(sweep(ship("wigley"), 5.0, 60.0, [80.0, 100.0], steepness=[0.01, 0.02]))
@@ -240,27 +144,10 @@ def sea_of(result: xr.Dataset) -> str | None:
 def cut(result: xr.Dataset, **where: float | str) -> xr.Dataset:
     """The part of a result at given values, the nearest ones taken.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar` or `open_result`
-    **where : float or str     value by name: heading=30 [deg], wave_height=4 [m], or of a loading: gm=0.7 [m], K_p=2,
-                               velocities="absolute"
-
-    Returns
-    -------
-    xarray.Dataset             without the dimensions cut; the dimension "loading" stays while several loadings have the value
-
-    Raises
-    ------
-    InputError                 a name the result has no values of, a dataset of something else
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> ds = sweep(ship("wigley"), 5.0, [30.0, 60.0], 100.0, 1.0, gm=[0.6, 0.9], K_p=[1.0, 2.0])
-    >>> dict(cut(ds, gm=0.8).sizes)["loading"], float(cut(ds, gm=0.8, K_p=1.0)["gm"])
-    (2, 0.9)
+    result: of `sweep`, `polar` or `open_result`
+    **where: value by name: heading=30 [deg], wave_height=4 [m], or of a loading: gm=0.7 [m], K_p=2,
+        velocities="absolute"
+    Returns without the dimensions cut; the dimension "loading" stays while several loadings have the value
     """
     _check_result(result)
     dims = result["verdict"].dims
@@ -282,28 +169,13 @@ def write_csv(
 ) -> int:
     """Write a slice of a result as a table: one line a condition, units in the head.
 
-    Parameters
-    ----------
-    result : xarray.Dataset              of `sweep`, `polar` or `open_result`
-    path : str or Path                   complete or not there at all
-    variables : sequence of str          columns after the coordinates; by default the amplitudes, exponent and verdict
-    **where : float or str               as in `cut`
+    result: of `sweep`, `polar` or `open_result`
+    path: complete or not there at all
+    variables: columns after the coordinates; by default the amplitudes, exponent and verdict
+    **where: as in `cut`
+    Returns number of lines
 
-    Returns
-    -------
-    int                                  number of lines
-
-    Raises
-    ------
-    InputError                           an unknown variable, what `cut` refuses, a file that cannot be written
-
-    Notes
-    -----
     Source: [H71].
-
-    Examples
-    --------
-    See the README.
     """
     names = list(variables or ("sway", "roll", "yaw", "roll_peak", "exponent", "verdict"))
     unknown = [name for name in names if name not in result.data_vars]

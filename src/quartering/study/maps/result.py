@@ -22,35 +22,11 @@ from quartering.study.maps.store import Store, read_block, read_store
 def open_result(folder: str | Path, *, partial: bool = False) -> xr.Dataset:
     """The dataset a sweep has stored in a folder.
 
-    Parameters
-    ----------
-    folder : str or Path
-    partial : bool          take a sweep that is not complete: conditions not yet computed are NaN, without a verdict
+    partial: take a sweep that is not complete: conditions not yet computed are NaN, without a verdict
+    Returns as `sweep` returns it in memory; each variable is read from the disk where it is used, and only the blocks
+        that hold the part wanted
 
-    Returns
-    -------
-    xarray.Dataset          as `sweep` returns it in memory; each variable is read from the disk where it is used, and only
-                            the blocks that hold the part wanted
-
-    Raises
-    ------
-    InputError              no sweep there, another layout, blocks missing or damaged (unless `partial`); at reading: numbers
-                            that are not those written, by their checksum
-
-    Notes
-    -----
     No file stays open.  Source: the blocks written by `sweep`.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.maps.sweep import sweep
-    >>> conditions = {"speed": 5.0, "heading": [30.0, 60.0], "wave_length": 100.0, "wave_height": 1.0}
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     made = sweep(ship("wigley"), **conditions, store=folder).load()
-    ...     open_result(folder).load().identical(made)
-    True
     """
     store = read_store(folder)
     missing = set(store.missing())
@@ -76,15 +52,8 @@ def in_memory(
 ) -> xr.Dataset:
     """The dataset of a grid whose blocks are all at hand.
 
-    Parameters
-    ----------
-    grid : Grid
-    found : mapping of int to results    of `evaluate_block`, by index
-    heading : mapping                    attributes, see `heading_of`
-
-    Returns
-    -------
-    xarray.Dataset
+    found: of `evaluate_block`, by index
+    heading: attributes, see `heading_of`
     """
     loadings, points, shape = grid.loading_count, grid.point_count, grid.shape[-4:]
     results: dict[str, NDArray[np.generic]] = {}
@@ -105,17 +74,9 @@ def coordinates_of(
 ) -> tuple[dict[str, tuple[tuple[str, ...], NDArray[np.float64]]], tuple[str, ...]]:
     """Coordinates and dimensions of a result.
 
-    Parameters
-    ----------
-    axes : mapping        of the conditions; with a steepness, wave_height goes along wave length and steepness
-    loadings : mapping    columns by name, empty for one loading
+    axes: of the conditions; with a steepness, wave_height goes along wave length and steepness
+    loadings: columns by name, empty for one loading
 
-    Returns
-    -------
-    coordinates, dims
-
-    Examples
-    --------
     >>> coordinates_of({"speed": np.ones(2), "heading": np.ones(3)}, {"gm": np.ones(4)})[1]
     ('loading', 'speed', 'heading')
     """

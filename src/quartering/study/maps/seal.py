@@ -29,15 +29,8 @@ class DamagedError(ValueError):
 def sealed(data: bytes, variables: Mapping[str, NDArray[Any]], about: Mapping[str, Any]) -> bytes:
     """A file's content with its seal.
 
-    Parameters
-    ----------
-    data : bytes
-    variables : mapping of str to array    by name, in the byte order in which they stand there
-    about : mapping                        further facts the seal holds, in types JSON knows
-
-    Returns
-    -------
-    bytes
+    variables: by name, in the byte order in which they stand there
+    about: further facts the seal holds, in types JSON knows
     """
     index = {
         name: [data.index(values.tobytes()), values.dtype.str, list(values.shape), _hash(values)]
@@ -51,18 +44,7 @@ def sealed(data: bytes, variables: Mapping[str, NDArray[Any]], about: Mapping[st
 def read_index(path: Path) -> dict[str, Any]:
     """Index of a sealed file, checked by its own checksum.
 
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    dict             variables, and what `sealed` was told
-
-    Raises
-    ------
-    DamagedError     no seal, or another than was written
-    OSError          the file cannot be read
+    Returns variables, and what `sealed` was told
     """
     with path.open("rb") as file:
         size = file.seek(0, 2)
@@ -81,20 +63,8 @@ def read_index(path: Path) -> dict[str, Any]:
 def read_variable(path: Path, name: str, index: Mapping[str, Any]) -> NDArray[Any]:
     """One variable of a sealed file, checked by its checksum.
 
-    Parameters
-    ----------
-    path : Path
-    name : str
-    index : mapping    from `read_index`
-
-    Returns
-    -------
-    array              in this machine's byte order
-
-    Raises
-    ------
-    DamagedError       other bytes than were written
-    OSError            the file cannot be read
+    index: from `read_index`
+    Returns in this machine's byte order
     """
     begin, dtype, shape, own = index["variables"][name]
     wanted = np.dtype(dtype)
@@ -107,16 +77,7 @@ def read_variable(path: Path, name: str, index: Mapping[str, Any]) -> NDArray[An
 
 
 def is_sound(path: Path) -> bool:
-    """Is every byte of a sealed file as it was written?
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    bool
-    """
+    """Is every byte of a sealed file as it was written?"""
     try:
         data = path.read_bytes()
         return _hash(data[:-_LENGTH]) == _last_line(data[-_LENGTH:])[2]

@@ -69,25 +69,7 @@ class Store:
 
 
 def open_store(folder: str | Path, grid: Grid) -> Store:
-    """The store of a grid: made when the folder is new or empty, checked when it holds results already.
-
-    Parameters
-    ----------
-    folder : str or Path
-    grid : Grid
-
-    Returns
-    -------
-    Store
-
-    Raises
-    ------
-    InputError    a folder that holds something else, another case, another version, or cannot be written
-
-    Examples
-    --------
-    See `sweep`, whose ``store`` argument names the folder.
-    """
+    """The store of a grid: made when the folder is new or empty, checked when it holds results already."""
     path = Path(folder)
     if path.exists() and not path.is_dir():
         raise InputError(f'store "{path}" is a file; give the name of a folder to put the results in')
@@ -114,40 +96,14 @@ def open_store(folder: str | Path, grid: Grid) -> Store:
 
 
 def begun_block_size(folder: str | Path) -> int | None:
-    """Conditions of a block in the store that a folder holds, None where it holds none yet.
-
-    Parameters
-    ----------
-    folder : str or Path
-
-    Returns
-    -------
-    int or None
-
-    Raises
-    ------
-    InputError    what `read_store` refuses
-    """
+    """Conditions of a block in the store that a folder holds, None where it holds none yet."""
     if not (Path(folder) / MANIFEST).exists():
         return None
     return int(read_store(folder).content.get("block_size", 0))
 
 
 def read_store(folder: str | Path) -> Store:
-    """The store in a folder, its manifest checked.
-
-    Parameters
-    ----------
-    folder : str or Path
-
-    Returns
-    -------
-    Store
-
-    Raises
-    ------
-    InputError    no store there, a manifest that cannot be read, a layout of another version
-    """
+    """The store in a folder, its manifest checked."""
     path = Path(folder)
     try:
         content = json.loads((path / MANIFEST).read_bytes().decode("utf-8"))
@@ -196,20 +152,8 @@ def _checksum(content: Mapping[str, Any]) -> str:
 def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str, int]:
     """Put one block of results into a store, whole or not at all.
 
-    Parameters
-    ----------
-    store : Store
-    index : int
-    found : mapping of str to array    from `evaluate_block`
-    grid : Grid
-
-    Returns
-    -------
-    dict of str to int    what it counts, see `counted`
-
-    Raises
-    ------
-    InputError            the disk is full, or refuses otherwise; the blocks written before stay
+    found: from `evaluate_block`
+    Returns what it counts, see `counted`
     """
     counts = counted(found)
     data = block_file(index, found, grid, counts)
@@ -224,21 +168,7 @@ def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str
 
 
 def block_counts(store: Store, index: int) -> dict[str, int]:
-    """What a block already written counts.
-
-    Parameters
-    ----------
-    store : Store
-    index : int
-
-    Returns
-    -------
-    dict of str to int
-
-    Raises
-    ------
-    InputError    the block is missing or damaged
-    """
+    """What a block already written counts."""
     counts: dict[str, int] = _index(store, index)["counts"]
     return counts
 
@@ -261,19 +191,8 @@ def _lost(store: Store, index: int) -> InputError:
 def read_block(store: Store, index: int, name: str) -> NDArray[np.generic]:
     """One variable of one block.
 
-    Parameters
-    ----------
-    store : Store
-    index : int
-    name : str    of a result, or encounter_frequency
-
-    Returns
-    -------
-    (l, m, h, ...) array    in this machine's byte order
-
-    Raises
-    ------
-    InputError    the block is missing or damaged
+    name: of a result, or encounter_frequency
+    Returns (l, m, h, ...): in this machine's byte order
     """
     found = _index(store, index)
     try:
@@ -324,14 +243,7 @@ def _same_case(store: Store, grid: Grid) -> Store:
 def code_digest() -> str:
     """Digest of the source files that decide the numbers.
 
-    Returns
-    -------
-    str    16 hexadecimal digits, equal for equal installations
-
-    Examples
-    --------
-    >>> len(code_digest())
-    16
+    Returns 16 hexadecimal digits, equal for equal installations
     """
     own = (f"study/{name}.py" for name in ("conditions", "beside", "shared", "grid", "loadings", "case/values"))
     return source_digest("hull", "hydro", "loads", "motion", "stability", *own)

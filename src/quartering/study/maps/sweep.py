@@ -114,24 +114,10 @@ def evaluated(
 ) -> xr.Dataset:
     """Every condition of a grid, in memory.
 
-    Parameters
-    ----------
-    wanted : Grid                              its loadings need not be all combinations of anything
-    cluster : str, optional                    as in `sweep`
-    told : function(done, counts), optional    called after each block
-
-    Returns
-    -------
-    xarray.Dataset                             as from `sweep`
-
-    Examples
-    --------
-    >>> from dataclasses import replace
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.study.grid import axis
-    >>> one = grid(ship("wigley"), 5.0, 60.0, 100.0, 1.0)
-    >>> evaluated(replace(one, loadings={"gm": axis("gm", [1.0, 1.2]), "K_p": axis("K_p", [1.0, 2.0])})).sizes["loading"]
-    2
+    wanted: its loadings need not be all combinations of anything
+    cluster: as in `sweep`
+    told: called after each block
+    Returns as from `sweep`
     """
     found: dict[int, Any] = {}
 
@@ -158,27 +144,10 @@ def fill(
 ) -> Counter[str]:
     """Compute what is missing of a grid into a store.
 
-    Parameters
-    ----------
-    wanted : Grid
-    folder : str or Path
-    cluster : str, optional                    as in `sweep`
-    told : function(done, counts), optional    called at the start with what was there, and after each block
+    cluster: as in `sweep`
+    told: called at the start with what was there, and after each block
+    Returns numbers of conditions by "verdict n", "status n", "beyond", the old blocks' included
 
-    Returns
-    -------
-    Counter of str    numbers of conditions by "verdict n", "status n", "beyond", the old blocks' included
-
-    Raises
-    ------
-    InputError        what `reached`, `open_store` and `write_block` refuse
-
-    Warns
-    -----
-    DamageWarning     blocks there that are not as they were written
-
-    Notes
-    -----
     However it ends, the blocks finished stay, and the next call goes on from them; every byte of theirs is held against its
     checksum, and damaged blocks are computed again.  Their size is chosen when a store is begun,
     by the time a condition takes here, and stays with it: the numbers do not depend on it.  Memory holds the blocks being
@@ -226,21 +195,7 @@ def _tell(store: Store, damaged: list[int]) -> None:
 
 
 def sized(wanted: Grid, folder: str | Path) -> Grid:
-    """The grid in blocks as its store was begun with, or of about a second where none is begun.
-
-    Parameters
-    ----------
-    wanted : Grid
-    folder : str or Path
-
-    Returns
-    -------
-    Grid
-
-    Raises
-    ------
-    InputError    what `read_store` refuses
-    """
+    """The grid in blocks as its store was begun with, or of about a second where none is begun."""
     begun = begun_block_size(folder)
     if begun is not None:
         return wanted.in_blocks_of(begun)
@@ -259,16 +214,8 @@ def _in_turn(wanted: Grid, missing: list[int]) -> list[int]:
 def conditions_of(counts: Counter[str]) -> int:
     """Number of conditions counted so far.
 
-    Parameters
-    ----------
-    counts : Counter of str    as from `fill`
+    counts: as from `fill`
 
-    Returns
-    -------
-    int
-
-    Examples
-    --------
     >>> conditions_of(Counter({"status 0": 3, "status 2": 1, "verdict 0": 4}))
     4
     """

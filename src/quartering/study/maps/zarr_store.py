@@ -19,27 +19,11 @@ _AT_A_TIME: Final = 250_000
 def write_zarr(result: xr.Dataset, path: str | Path) -> Path:
     """Write a result, or a part of one, as a Zarr store.
 
-    Parameters
-    ----------
-    result : xarray.Dataset    of `sweep`, `polar`, `open_result` or `cut`
-    path : str or Path         a folder that is not there yet; complete or not there at all
+    result: of `sweep`, `polar`, `open_result` or `cut`
+    path: a folder that is not there yet; complete or not there at all
 
-    Returns
-    -------
-    Path
-
-    Raises
-    ------
-    InputError                 the extra `zarr` is not installed, something is there already, the disk refuses
-
-    Notes
-    -----
     A sweep is computed into netCDF blocks, which a killed run cannot leave half-written; this copies them, part by part along
     the longest dimension, so that memory holds a part and not the whole.
-
-    Examples
-    --------
-    >>> write_zarr(open_result("study"), "study.zarr")                                         # doctest: +SKIP
     """
     target = Path(path)
     if find_spec("zarr") is None:

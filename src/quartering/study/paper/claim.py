@@ -50,18 +50,9 @@ class Claim(NamedTuple):
 def graded(holds: bool, in_part: bool, evidence: str) -> Finding:
     """A finding from what was found to be so.
 
-    Parameters
-    ----------
-    holds : bool      the claim as a whole
-    in_part : bool    some of it
-    evidence : str
+    holds: the claim as a whole
+    in_part: some of it
 
-    Returns
-    -------
-    Finding
-
-    Examples
-    --------
     >>> graded(False, True, "in 3 of 5").answer
     'holds in part'
     """
@@ -73,20 +64,12 @@ def over_headings(
 ) -> xr.Dataset:
     """Response and stability over all headings, at Froude number 0.25.
 
-    Parameters
-    ----------
-    one : Ship
-    steepness : int    wave length over wave height
-    ratio : float      wave length over ship length
-    harmonics : int    of the steady motion
-    headings : (h,)    [deg]
+    steepness: wave length over wave height
+    ratio: wave length over ship length
+    harmonics: of the steady motion
+    headings (h,): [deg]
+    Returns over ``heading``
 
-    Returns
-    -------
-    xarray.Dataset     over ``heading``
-
-    Examples
-    --------
     >>> from quartering.study.paper.model import paper_ship
     >>> over_headings(paper_ship("wigley"), 50)["roll"].dims
     ('heading',)

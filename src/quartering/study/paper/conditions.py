@@ -38,20 +38,7 @@ INSTABILITY_STEEPNESS: Final = 1 / 20
 def speed_of(ship: Ship, froude: float = FROUDE) -> float:
     """Speed of a ship at a Froude number.
 
-    Parameters
-    ----------
-    ship : Ship
-    froude : float
-
-    Returns
-    -------
-    float    [m/s]
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> round(speed_of(ship("series60-cb60")), 3)
-    8.646
+    Returns [m/s]
     """
     return quantity(f"{froude!r} Fn", "speed", length=ship.hull.length)
 
@@ -59,25 +46,8 @@ def speed_of(ship: Ship, froude: float = FROUDE) -> float:
 def wave_of(ship: Ship, ratio: float, steepness: float = STEEPNESS) -> Wave:
     """Wave of a length given in ship lengths.
 
-    Parameters
-    ----------
-    ship : Ship
-    ratio : float        wave length over ship length
-    steepness : float    wave height over wave length
-
-    Returns
-    -------
-    Wave
-
-    Notes
-    -----
-    Source: closed form.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> wave_of(ship("wigley"), 1.5, 1 / 30).height
-    5.0
+    ratio: wave length over ship length
+    steepness: wave height over wave length
     """
     length = ratio * ship.hull.length
     return Wave(length, steepness * length)

@@ -23,26 +23,11 @@ def response_curves(
 ) -> xr.Dataset:
     """Response over heading for several wave lengths of one steepness.
 
-    Parameters
-    ----------
-    ship : Ship
-    ratios : (w,) float      wave lengths over the ship's
-    headings : (h,) float    [deg]
-    froude : float
+    ratios (w,): wave lengths over the ship's
+    headings (h,): [deg]
+    Returns of `polar` at the one speed: (heading, wave_length)
 
-    Returns
-    -------
-    xarray.Dataset           of `polar` at the one speed: (heading, wave_length)
-
-    Notes
-    -----
     Source: [H71] Figs. 5-10.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> response_curves(ship("wigley"), [1.0], [30.0, 60.0])["roll"].dims
-    ('heading', 'wave_length')
     """
     waves = [wave_of(ship, ratio) for ratio in ratios]
     return polar(ship, waves, [speed_of(ship, froude)], headings).isel(speed=0)
@@ -58,32 +43,13 @@ def loading_curves(
 ) -> xr.Dataset:
     """Response and stability over heading for several values of one loading quantity.
 
-    Parameters
-    ----------
-    ship : Ship
-    name : str               "gm", "gyradius_roll" or "gyradius_yaw" (or another loading axis of `sweep`)
-    values : (l,) float      [m]
-    headings : (h,) float    [deg]
-    froude : float
-    ratio : float            wave length over ship length
+    name: "gm", "gyradius_roll" or "gyradius_yaw" (or another loading axis of `sweep`)
+    values (l,): [m]
+    headings (h,): [deg]
+    ratio: wave length over ship length
+    Returns of `sweep` in one wave: (loading, heading); coordinate ``name`` along loading
 
-    Returns
-    -------
-    xarray.Dataset           of `sweep` in one wave: (loading, heading); coordinate ``name`` along loading
-
-    Raises
-    ------
-    InputError               not a loading quantity
-
-    Notes
-    -----
     Source: [H71] Figs. 14-21.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> loading_curves(ship("wigley"), "gm", [1.0, 1.4], [30.0, 60.0])["k2"].dims
-    ('loading', 'heading')
     """
     if name not in LOADING_AXES:
         raise InputError(f"{name!r} is not a loading quantity; allowed are {', '.join(LOADING_AXES)}")
@@ -98,32 +64,12 @@ def coefficient_curves(
 ) -> xr.Dataset:
     """Stability against the change of one coefficient at a time.
 
-    Parameters
-    ----------
-    ship : Ship
-    names : sequence of str    coefficients, such as "K_ppp"
-    changes : (c,) float       of the coefficient [%]: -100 takes it away, 100 doubles it
-    wave : Wave
-    speed, heading : float     [m/s, deg]
+    names: coefficients, such as "K_ppp"
+    changes (c,): of the coefficient [%]: -100 takes it away, 100 doubles it
+    speed, heading: [m/s, deg]
+    Returns results of `sweep` over (coefficient, change)
 
-    Returns
-    -------
-    xarray.Dataset             results of `sweep` over (coefficient, change)
-
-    Raises
-    ------
-    InputError                 what `sweep` refuses
-
-    Notes
-    -----
     The steady motion is found anew for each value.  Source: [H71] Fig. 22.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> found = coefficient_curves(ship("wigley"), ["K_p"], [-50.0, 0.0], Wave(100.0, 1.0), 5.0, 60.0)
-    >>> bool(found["k2"][0, 0] > found["k2"][0, 1])    # less roll damping: K2 nearer to instability
-    True
     """
     percent = np.atleast_1d(np.asarray(changes, dtype=float))
     parts = []

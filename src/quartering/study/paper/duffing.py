@@ -38,32 +38,15 @@ def duffing_curves(
 ) -> xr.Dataset:
     """Every periodic motion of Duffing's equation that a curve from either end of a range of frequencies leads to.
 
-    Parameters
-    ----------
-    beta, force, damping : float    of x'' + damping x' + x + beta x^3 = force cos(omega t)
-    limits : (low, high)            of omega, above 0
-    harmonics : int                 odd
+    beta, force, damping: of x'' + damping x' + x + beta x^3 = force cos(omega t)
+    limits (low, high): of omega, above 0
+    harmonics: odd
+    Returns along ``point``: ``curve`` (0 from the low end, 1 from the high end), ``frequency``, ``fundamental`` and
+        ``peak``, negative where opposite in phase to the force, ``growth`` (largest Floquet exponent of x), ``stable``,
+        ``fold``
 
-    Returns
-    -------
-    xarray.Dataset                  along ``point``: ``curve`` (0 from the low end, 1 from the high end), ``frequency``,
-                                    ``fundamental`` and ``peak``, negative where opposite in phase to the force, ``growth``
-                                    (largest Floquet exponent of x), ``stable``, ``fold``
-
-    Raises
-    ------
-    InputError                      numbers that are not finite, limits that do not rise from above 0, negative damping
-
-    Notes
-    -----
     Pseudo-arclength continuation of the harmonic balance.  Source: [H71] Fig. 23; [Krack19].  Valid: motions joined to neither
     end (isolated ones) are not found.
-
-    Examples
-    --------
-    >>> curves = duffing_curves(0.2, 0.1, damping=0.04, limits=(0.8, 1.5), harmonics=1)
-    >>> curves["frequency"][curves["fold"]].values.round(2).tolist()
-    [1.26, 1.1]
     """
     _check(beta, force, damping, limits)
     paths: list[tuple[Floats, list[int], Floats]] = []
@@ -169,36 +152,17 @@ def _growth(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
 def duffing_table(beta: float, force: float, frequency: float, damping: float = 0.0) -> list[dict[str, float | bool]]:
     """Motions of Duffing's equation at one frequency, and the nearest answer of each formula of Appendix C.
 
-    Parameters
-    ----------
-    beta, force, damping : float    of x'' + damping x' + x + beta x^3 = force cos(omega t)
-    frequency : float               omega > 0
+    beta, force, damping: of x'' + damping x' + x + beta x^3 = force cos(omega t)
+    frequency: omega > 0
+    Returns a motion each, smallest first: ``frequency``, ``fundamental``, ``peak`` (negative: opposite in phase),
+        ``stable``, and under "C-3", "C-4", "C-5" the formula's amplitude on the same side of the force, NaN where it
+        has none
 
-    Returns
-    -------
-    list of dict                    a motion each, smallest first: ``frequency``, ``fundamental``, ``peak`` (negative: opposite
-                                    in phase), ``stable``, and under "C-3", "C-4", "C-5" the formula's amplitude on the
-                                    same side of the force, NaN where it has none
-
-    Raises
-    ------
-    InputError                      what `duffing_amplitudes` and `duffing_curves` refuse
-
-    Notes
-    -----
     The motions are those that one harmonic knows, all of them in closed form, carried to many; motions born of a superharmonic
     resonance are not looked for. The formulas are of the undamped equation; C-3 and C-4 give the fundamental. What P of C-5 is
     depends on where: the peak to first order in beta away from resonance, the fundamental to second order on the backbone
     curve, omega^2 - 1 = 3/4 beta P^2.
     Source: [H71] Appendix C; closed form by putting the third harmonic beta A^3/(4 (9 omega^2 - 1)) into each.
-
-    Examples
-    --------
-    >>> for row in duffing_table(0.2, 0.3, 1.6):
-    ...     print(*(f"{row[name]:.4f}" for name in ("fundamental", "C-4", "C-5", "peak")), row["stable"])
-    -0.1930 -0.1930 -0.1930 -0.1930 True
-    -3.0828 -3.1241 -3.0866 -3.1612 False
-    3.2695 3.3171 3.2796 3.3652 True
     """
     _check(beta, force, damping, (frequency, frequency + 1.0))
     orders = tuple(range(1, HARMONICS + 1, 2))
@@ -232,21 +196,10 @@ def _one_harmonic(beta: float, force: float, frequency: float, damping: float) -
 def nearest_root(roots: Floats, amplitude: float) -> float:
     """Root on the same side of the force, nearest in amplitude.
 
-    Parameters
-    ----------
-    roots : (m,) float    as from `duffing_amplitudes`
-    amplitude : float     signed
+    roots (m,): as from `duffing_amplitudes`
+    amplitude: signed
+    Returns NaN where no root is on that side
 
-    Returns
-    -------
-    float                 NaN where no root is on that side
-
-    Notes
-    -----
-    Source: closed form.
-
-    Examples
-    --------
     >>> nearest_root(np.array([-3.1, -0.2, 3.3]), -0.5)
     -0.2
     """

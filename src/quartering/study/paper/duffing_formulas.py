@@ -20,31 +20,15 @@ FORMULAS: Final = {
 def duffing_amplitudes(formula: str, beta: float, force: float, frequency: float) -> Floats:
     """Signed amplitudes of the periodic motions of Duffing's equation by one of the paper's formulas.
 
-    Parameters
-    ----------
-    formula : str        "C-3", "C-4" or "C-5"
-    beta : float         of x'' + x + beta x^3 = X0 cos(omega t)
-    force : float        X0
-    frequency : float    omega > 0
+    formula: "C-3", "C-4" or "C-5"
+    beta: of x'' + x + beta x^3 = X0 cos(omega t)
+    force: X0
+    frequency: omega > 0
+    Returns (m,): P, ascending, 1 to 3 of them; negative: opposite in phase to the force
 
-    Returns
-    -------
-    (m,) float           P, ascending, 1 to 3 of them; negative: opposite in phase to the force
-
-    Raises
-    ------
-    InputError           unknown formula, a number that is not finite, omega not above 0, or 1/3 in C-5 (a pole)
-
-    Notes
-    -----
     All three are cubics in P.  Source: [H71] eqs. (C-3), (C-4), (C-5); C-5 is C-4 with the third harmonic. Away from resonance
     its P is the peak, fundamental plus third harmonic; on the backbone curve it is the fundamental, which the third harmonic
     corrects.  Valid: small beta P^2; away from omega = 1/3 for C-5.
-
-    Examples
-    --------
-    >>> duffing_amplitudes("C-4", beta=0.2, force=0.3, frequency=1.6).round(4).tolist()
-    [-3.1241, -0.193, 3.3171]
     """
     if formula not in FORMULAS:
         raise InputError(f"formula {formula!r} is unknown; allowed are {', '.join(FORMULAS)}")
@@ -66,30 +50,11 @@ def duffing_amplitudes(formula: str, beta: float, force: float, frequency: float
 def duffing_model(beta: float, force: float, frequency: float, damping: float = 0.0) -> Model:
     """Duffing's equation as the roll equation of a `Model`, sway and yaw idle.
 
-    Parameters
-    ----------
-    beta : float         of x'' + damping x' + x + beta x^3 = force cos(frequency t)
-    force : float
-    frequency : float    > 0
-    damping : float
+    beta: of x'' + damping x' + x + beta x^3 = force cos(frequency t)
+    frequency: > 0
+    Returns x is its roll angle
 
-    Returns
-    -------
-    Model                x is its roll angle
-
-    Raises
-    ------
-    InputError           numbers that are not finite, a frequency not above 0
-
-    Notes
-    -----
     Source: [H71] Appendix C.
-
-    Examples
-    --------
-    >>> from quartering.motion.branches.search import periodic_motions
-    >>> [round(float(m.cos[0, 1]), 3) for m in periodic_motions(duffing_model(0.2, 0.3, 1.1), 9)]
-    [1.613]
     """
     terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -beta, "K_p": -damping}
     return Model(np.eye(3), terms, frequency, force_cos=(0, force, 0), force_sin=(0, 0, 0))

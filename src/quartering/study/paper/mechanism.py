@@ -37,28 +37,13 @@ _ROUNDS = 24
 def roll_alone(ship: Ship, wave: Wave, speed: float, heading: ArrayLike, *, harmonics: int = 1) -> xr.Dataset:
     """Roll and its stability with sway and yaw held: [H71]'s uncoupled roll.
 
-    Parameters
-    ----------
-    ship : Ship
-    wave : Wave
-    speed : float            [m/s]
-    heading : (h,) float     [deg]
-    harmonics : int          of the steady motion
+    speed: [m/s]
+    heading (h,): [deg]
+    harmonics: of the steady motion
+    Returns over ``heading``: ``roll`` [deg], ``exponent`` [1/s], the larger of the two of roll, ``verdict``
 
-    Returns
-    -------
-    xarray.Dataset           over ``heading``: ``roll`` [deg], ``exponent`` [1/s], the larger of the two of roll, ``verdict``
-
-    Notes
-    -----
     The roll row of the equations alone, with its own inertia, K_p, K_ppp and the whole righting moment.  In the place of sway
     and yaw stand two motions that die out at the rate omega, so that they never decide.  Source: [H71] K2 of uncoupled roll.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> roll_alone(ship("wigley"), Wave(100.0, 1.0), 5.0, [60.0, 90.0])["verdict"].values.tolist()
-    [0, 0]
     """
     headings = axis("heading", heading)
     many = np.ones(headings.size)
@@ -118,36 +103,15 @@ def onset(
 ) -> Onset:
     """How many times a change of coefficients must be made until a motion at some heading is unstable.
 
-    Parameters
-    ----------
-    ship : Ship
-    change : mapping         factor of each coefficient at strength 1; at strength s it is 1 + s (factor - 1)
-    wave : Wave
-    speed : float            [m/s]
-    heading : (h,) float     [deg]
-    most : float             largest strength tried
-    harmonics : int          of the steady motion
+    change: factor of each coefficient at strength 1; at strength s it is 1 + s (factor - 1)
+    speed: [m/s]
+    heading (h,): [deg]
+    most: largest strength tried
+    harmonics: of the steady motion
 
-    Returns
-    -------
-    Onset
-
-    Raises
-    ------
-    InputError               no coefficient, an unknown one, `most` not above 0
-
-    Notes
-    -----
     Strengths are tried in steps of a fortieth of `most`, then refined.  Two kinds of motion do not count: those of a ship that
     is course-unstable in calm water, and those that roll beyond the fit of the righting arm, whose verdict is extrapolated.
     Source: [H71] Table I.
-
-    Examples
-    --------
-    >>> from quartering.study.paper.model import paper_ship
-    >>> found = onset(paper_ship(), {"K_prr": 0.0}, Wave(121.92, 4.0), 8.6, [30.0], most=40.0)
-    >>> found.kind, 26 < found.strength < 29
-    ('roll', True)
     """
     if not change or not most > 0:
         raise InputError("give at least one coefficient and its factor, and a largest strength above 0")
@@ -182,36 +146,16 @@ def smallest_change(
 ) -> dict[str, float]:
     """The smallest set of changes of coefficients that brings the roll of one motion to the edge of stability.
 
-    Parameters
-    ----------
-    ship : Ship
-    wave : Wave
-    speed : float              [m/s]
-    heading : float            [deg]
-    names : sequence of str    coefficients that may change
+    speed: [m/s]
+    heading: [deg]
+    names: coefficients that may change
+    Returns factor of each, those that change most first; empty when the search does not end
 
-    Returns
-    -------
-    dict of str to float       factor of each, those that change most first; empty when the search does not end
-
-    Raises
-    ------
-    InputError                 a motion that is unstable already, or none
-
-    Notes
-    -----
     Smallest: sum of (factor - 1)^2, so each change counts in multiples of the present value.  The growth rate of roll by first
     order, K2/(2 n2), is a smooth function g of the factors; each round goes from the origin along its gradient to the plane on
     which its linear expansion about the present point vanishes, x' = (grad g . x - g) grad g / |grad g|^2.  What first order
     finds is confirmed by Floquet multipliers elsewhere.  Source: [HL74], the search for the point of failure nearest to the
     mean.
-
-    Examples
-    --------
-    >>> from quartering.study.paper.model import paper_ship
-    >>> found = smallest_change(paper_ship(), Wave(121.92, 4.0), 8.6, 30.0, ["K_prr", "K_pvv"])
-    >>> found["K_prr"] < -5, found["K_pvv"] < -5
-    (True, True)
     """
     one = grid(ship, speed, heading, wave.length, wave.height, harmonics=3)
     if not float(_growth(one, names, np.zeros((1, len(names))))[0]) < 0:

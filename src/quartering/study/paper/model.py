@@ -53,18 +53,9 @@ def paper_ship(name: str = PAPER_SHIP) -> Ship:
 def table_ratios() -> dict[str, float]:
     """Modified over original value of each coefficient of Table I.
 
-    Returns
-    -------
-    dict of str to float    by name [1]
+    Returns by name [1]
 
-    Notes
-    -----
     Source: [H71] Table I, printed to 2 to 6 digits: near 3, near 1/2, and 0.
-
-    Examples
-    --------
-    >>> {name: round(ratio, 2) for name, ratio in table_ratios().items()}
-    {'Y_prr': 3.0, 'Y_vrr': 0.5, 'Y_ppp': 3.03, 'Y_vpp': 0.0, 'K_prr': 0.0, 'K_vpp': 3.0, 'K_vrr': 3.0}
     """
     return {name: modified / original + 0.0 for name, (original, modified) in TABLE_I.items()}
 
@@ -72,29 +63,13 @@ def table_ratios() -> dict[str, float]:
 def modified_model(of: Ship | None = None, strength: float = 1.0) -> Ship:
     """A ship with its coefficients changed in the ratios of Table I.
 
-    Parameters
-    ----------
-    of : Ship, optional    by default Series 60, CB 0.60, with the paper's equations
-    strength : float       0 the ship as it is, 1 the table, values between in proportion
+    of: by default Series 60, CB 0.60, with the paper's equations
+    strength: 0 the ship as it is, 1 the table, values between in proportion
+    Returns the seven coefficients multiplied; all others, and the loading, unchanged
 
-    Returns
-    -------
-    Ship                   the seven coefficients multiplied; all others, and the loading, unchanged
-
-    Raises
-    ------
-    InputError             a strength that is not between 0 and 1
-
-    Notes
-    -----
     The table's own numbers cannot be used: no unit, inertia or linear coefficient is printed with them. What carries over is
     the mechanism.  Source: [H71] Table I.  Valid: as far as the ship's own seven coefficients are; those of the built-in
     hulls are estimates from cross-flow drag.
-
-    Examples
-    --------
-    >>> round(modified_model().multipliers["K_vrr"], 3)
-    3.0
     """
     if not 0.0 <= strength <= 1.0:
         raise InputError(f"strength {strength} of the modification: give a value from 0 (none) to 1 (Table I)")
@@ -109,25 +84,12 @@ FEEDING: Final = -35.0
 def feeding_model(of: Ship | None = None, multiplier: float = FEEDING) -> Ship:
     """The modified model with K_prr turned round, so that yaw feeds roll: the paper's mechanism, made strong enough to show.
 
-    Parameters
-    ----------
-    of : Ship, optional    by default Series 60, CB 0.60, with the paper's equations
-    multiplier : float     of the ship's own K_prr, in place of the table's 0
+    of: by default Series 60, CB 0.60, with the paper's equations
+    multiplier: of the ship's own K_prr, in place of the table's 0
 
-    Returns
-    -------
-    Ship
-
-    Notes
-    -----
     In the paper's numbers I3 = 0.1 K_vrr + K_prr goes from -0.575 to +3.92, and yaw feeds roll where it took from it. With
     cross-flow drag the same ratios only take I3 from strongly negative to about nothing.  Source: [H71] Table I, I3; the
     multiplier is invented.
-
-    Examples
-    --------
-    >>> feeding_model().multipliers["K_prr"]
-    -35.0
     """
     factors = table_ratios() | {"K_prr": multiplier}
     return (of or paper_ship()).with_(factors=factors)

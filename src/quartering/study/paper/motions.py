@@ -25,29 +25,13 @@ _SAMPLES = 240
 def integration_check(ship: Ship, wave: Wave, speed: float, headings: ArrayLike) -> xr.Dataset:
     """Largest roll, and yaw amplitude, by the approximate solution and by integration of the full equations.
 
-    Parameters
-    ----------
-    ship : Ship
-    wave : Wave
-    speed : float            [m/s]
-    headings : (h,) float    [deg]
+    speed: [m/s]
+    headings (h,): [deg]
+    Returns ``roll_peak`` [deg] and ``yaw_rate_peak`` [deg/s] over (solution, heading); "struble" (one harmonic and a
+        linear third), "balance" (nine harmonics), "integration" (after 60 periods from the approximate motion's own
+        start)
 
-    Returns
-    -------
-    xarray.Dataset           ``roll_peak`` [deg] and ``yaw_rate_peak`` [deg/s] over (solution, heading); "struble" (one
-                             harmonic and a linear third), "balance" (nine harmonics), "integration" (after 60 periods from
-                             the approximate motion's own start)
-
-    Notes
-    -----
     Source: [H71] Fig. 11, eqs. (A-8), (A-11); integration of eq. (3).
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> roll = integration_check(ship("wigley"), Wave(100.0, 1.0), 5.0, [60.0])["roll_peak"]
-    >>> bool(np.allclose(roll.sel(solution="struble"), roll.sel(solution="integration"), rtol=0.01))
-    True
     """
     angles = np.atleast_1d(np.asarray(headings, dtype=float))
     solutions = ("struble", "balance", "integration")
@@ -81,27 +65,11 @@ def _peaks(motion: Motion) -> Floats:
 def time_check(model: Model, motion: Motion, periods: int = 3) -> xr.Dataset:
     """Roll in time by the approximate solution and by integration from rest, once that has settled.
 
-    Parameters
-    ----------
-    model : Model
-    motion : Motion    the approximate one
-    periods : int      shown, after the settling
+    motion: the approximate one
+    periods: shown, after the settling
+    Returns ``approximate``, ``integrated`` roll [deg] over time [s], counted from the end of the settling
 
-    Returns
-    -------
-    xarray.Dataset     ``approximate``, ``integrated`` roll [deg] over time [s], counted from the end of the settling
-
-    Notes
-    -----
     The settling takes whole periods, so both have the wave's phase.  Source: [H71] Fig. 11.
-
-    Examples
-    --------
-    >>> terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.2, "K_phiphiphi": -0.25, "N_r": -0.6}
-    >>> model = Model(np.eye(3), terms, 0.5, force_cos=(0, 0.05, 0), force_sin=(0, 0.02, 0))
-    >>> both = time_check(model, steady_motion(model))
-    >>> bool(np.allclose(both["approximate"], both["integrated"], atol=0.01))
-    True
     """
     period = 2 * np.pi / model.frequency
     settled = simulate(model, (SETTLING_PERIODS + periods) * period, step=period / 60)
@@ -120,34 +88,12 @@ def time_check(model: Model, motion: Motion, periods: int = 3) -> xr.Dataset:
 def disturbance(model: Model, motion: Motion, duration: float, roll: float) -> xr.Dataset:
     """A small disturbance of a periodic motion in time, by the variational equations.
 
-    Parameters
-    ----------
-    model : Model
-    motion : Motion
-    duration : float    [s]
-    roll : float        disturbance of the roll at the start [deg]; the equations are linear in it
+    duration: [s]
+    roll: disturbance of the roll at the start [deg]; the equations are linear in it
+    Returns ``sway_velocity`` [m/s], ``roll`` [deg], ``roll_rate``, ``yaw_rate`` [deg/s] over time [s]
 
-    Returns
-    -------
-    xarray.Dataset      ``sway_velocity`` [m/s], ``roll`` [deg], ``roll_rate``, ``yaw_rate`` [deg/s] over time [s]
-
-    Raises
-    ------
-    InputError          no motion to disturb, a duration not above 0
-
-    Notes
-    -----
     d/dt xi = J(t) xi, J from its exact harmonics along the motion, by an explicit Runge-Kutta method of order 8.
     Source: [H71] eq. (8), Fig. 12.
-
-    Examples
-    --------
-    >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
-    >>> model = Model(np.eye(3), terms, 0.5, (0, 0.01, 0), (0, 0, 0))
-    >>> found = disturbance(model, steady_motion(model), 20.0, 1.0)
-    >>> t, n = found["time"], np.sqrt(1 - 0.05**2)    # free decay of a damped oscillator, closed form
-    >>> bool(np.allclose(found["roll"], np.exp(-0.05 * t) * (np.cos(n * t) + 0.05 / n * np.sin(n * t))))
-    True
     """
     from scipy.integrate import solve_ivp
 

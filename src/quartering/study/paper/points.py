@@ -37,32 +37,10 @@ class Point(NamedTuple):
 def read_points(folder: str | Path, known: Sequence[int]) -> dict[int, list[Point]]:
     """Points of every figure in a folder.
 
-    Parameters
-    ----------
-    folder : str or Path         with files fig02.csv, fig06.csv, ..; others are left alone
-    known : sequence of int      numbers there are figures for
+    folder: with files fig02.csv, fig06.csv, ..; others are left alone
+    known: numbers there are figures for
 
-    Returns
-    -------
-    dict of int to list of Point
-
-    Raises
-    ------
-    InputError                   no such folder, no file of points in it, no figure of that number, a file without its source, a
-                                 missing column, something that is not a number; the message names file and line
-
-    Notes
-    -----
     Lines that begin with # stand before the columns; one of them says ``# source: ..``.  Source: tests/data/paper/README.md.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     text = "# source: a reader's own\\nquantity,series,x,y\\nroll,measured,30,4.5\\n"
-    ...     _ = Path(folder, "fig06.csv").write_text(text)
-    ...     print(read_points(folder, [6])[6][0].y)
-    4.5
     """
     place = Path(folder)
     if not place.is_dir():

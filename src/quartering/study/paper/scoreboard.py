@@ -73,23 +73,8 @@ CLAIMS: Final = (
 def scoreboard(progress: Callable[[int, int], None] | None = None) -> list[tuple[Claim, Finding]]:
     """Measure every claim.
 
-    Parameters
-    ----------
-    progress : function(done, total), optional
-
-    Returns
-    -------
-    list of (Claim, Finding)
-
-    Notes
-    -----
     Series 60, CB 0.60, as loaded in the library, Froude number 0.25, waves of the ship's length unless the evidence says
     otherwise; the coefficients are estimates.  Source: [H71], text, figures and conclusions.
-
-    Examples
-    --------
-    >>> CLAIMS[1].measure().answer
-    'holds in part'
     """
     found = []
     with warnings.catch_warnings():  # very steep waves are asked for on purpose
@@ -102,21 +87,7 @@ def scoreboard(progress: Callable[[int, int], None] | None = None) -> list[tuple
 
 
 def tally(found: Sequence[tuple[Claim, Finding]]) -> str:
-    """How many claims hold.
-
-    Parameters
-    ----------
-    found : sequence of (Claim, Finding)
-
-    Returns
-    -------
-    str
-
-    Examples
-    --------
-    >>> tally([(CLAIMS[0], Finding("holds", "")), (CLAIMS[1], Finding("does not hold", ""))])
-    '2 claims: 1 holds, 0 hold in part, 1 does not hold.'
-    """
+    """How many claims hold."""
     answers = [finding.answer for _, finding in found]
     counts = ", ".join(_counted(answers.count(answer), answer) for answer in get_args(Answer))
     return f"{len(answers)} claims: {counts}."
@@ -129,18 +100,7 @@ def _counted(count: int, answer: str) -> str:
 def scoreboard_page(found: Sequence[tuple[Claim, Finding]]) -> str:
     """The page of the scoreboard.
 
-    Parameters
-    ----------
-    found : sequence of (Claim, Finding)
-
-    Returns
-    -------
-    str    Markdown
-
-    Examples
-    --------
-    >>> "| holds |" in scoreboard_page([(CLAIMS[0], Finding("holds", "by far"))])
-    True
+    Returns Markdown
     """
     rows = [f"| {claim.text} | {claim.where} | {finding.answer} | {finding.evidence} |" for claim, finding in found]
     return (

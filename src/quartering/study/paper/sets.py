@@ -79,13 +79,7 @@ class Growth(NamedTuple):
 def growing_cases(linear: bool) -> list[Growth]:
     """The modified model, and the one in which yaw feeds roll, followed in time (Figs. 12, 13).
 
-    Parameters
-    ----------
-    linear : bool    a disturbance by the variational equations; or the full equations started with a roll angle
-
-    Returns
-    -------
-    list of Growth
+    linear: a disturbance by the variational equations; or the full equations started with a roll angle
     """
     cases = []
     for words, one in (

@@ -178,21 +178,10 @@ ROLL_SQUARED: Final = 4
 def run_blocks(plan: Plan, hours: float, until: float | None, file: Path | None, key: str) -> Tally:
     """Run the blocks of a condition.
 
-    Parameters
-    ----------
-    plan : Plan
-    hours : float       to run at the least, in whole rows
-    until : float       relative standard error of roll at which it may stop before
-    file : Path         where finished rows are kept, and gone on from; None: nowhere
-    key : str           of the condition, which the file must be of
-
-    Returns
-    -------
-    Tally
-
-    Raises
-    ------
-    InputError          a file of something else
+    hours: to run at the least, in whole rows
+    until: relative standard error of roll at which it may stop before
+    file: where finished rows are kept, and gone on from; None: nowhere
+    key: of the condition, which the file must be of
     """
     rows = max(1, math.ceil(hours * 3600.0 / (BLOCK * WIDTH)))
     tally = Tally() if file is None else _read(file, key)

@@ -22,20 +22,11 @@ _LEVELS = np.linspace(0.0, 12.0, 2401)[1:]
 def rice_largest(swings: ArrayLike) -> tuple[Floats, Floats]:
     """Most probable and mean largest of independent peaks of a Gaussian motion, over its root mean square.
 
-    Parameters
-    ----------
-    swings : (...) float    N, above 1: T/Tz peaks of one sign, 2 T/Tz of both
+    swings (...): N, above 1: T/Tz peaks of one sign, 2 T/Tz of both
+    Returns most_probable, mean (...): sqrt(2 ln N), and with Euler's constant g sqrt(2 ln N) + g/sqrt(2 ln N)
 
-    Returns
-    -------
-    most_probable, mean : (...) float    sqrt(2 ln N), and with Euler's constant g sqrt(2 ln N) + g/sqrt(2 ln N)
-
-    Notes
-    -----
     Source: [Rice44].  Valid: as a bound where the motion comes in groups.
 
-    Examples
-    --------
     >>> [round(float(one), 4) for one in rice_largest(1600.0)]
     [3.8413, 3.9916]
     """
@@ -46,22 +37,13 @@ def rice_largest(swings: ArrayLike) -> tuple[Floats, Floats]:
 def vanmarcke_largest(duration: float, period: ArrayLike, bandwidth: ArrayLike) -> tuple[Floats, Floats]:
     """Most probable and mean largest |x| of a Gaussian motion over its root mean square, swings in groups counted once.
 
-    Parameters
-    ----------
-    duration : float           T [s]
-    period : (...) float       mean zero-crossing period Tz [s]
-    bandwidth : (...) float    sqrt(1 - m1^2/(m0 m2)), 0 to 1
+    duration: T [s]
+    period (...): mean zero-crossing period Tz [s]
+    bandwidth (...): sqrt(1 - m1^2/(m0 m2)), 0 to 1
+    Returns typical, mean (...): level not passed with probability 1/e, and the mean
 
-    Returns
-    -------
-    typical, mean : (...) float    level not passed with probability 1/e, and the mean
-
-    Notes
-    -----
     Source: [Vanmarcke75].  Valid: Gaussian motion; within 2 to 6 % of simulated linear roll over 3 h.
 
-    Examples
-    --------
     >>> round(float(vanmarcke_largest(10800.0, 15.4871, 0.042698)[1]), 3)  # simulated: 3.458, every swing counted: 3.957
     3.262
     """

@@ -27,24 +27,12 @@ class Rate(NamedTuple):
 def failure_rate(failures: int, exposure: float, confidence: float = 0.95) -> Rate:
     """Rate of failures with the exact interval of a Poisson count.
 
-    Parameters
-    ----------
-    failures : int       k
-    exposure : float     time until failure or end, summed [s]
-    confidence : float   of the two-sided interval
+    failures: k
+    exposure: time until failure or end, summed [s]
+    confidence: of the two-sided interval
+    Returns NaN, 0 and infinite where there is no exposure
 
-    Returns
-    -------
-    Rate                 NaN, 0 and infinite where there is no exposure
-
-    Notes
-    -----
     chi2 quantiles of 2 k and 2 k + 2 degrees of freedom over twice the exposure.  Source: closed form (Garwood).
-
-    Examples
-    --------
-    >>> [round(one, 4) for one in failure_rate(0, 1.0)]
-    [0.0, 0.0, 3.6889]
     """
     if not exposure > 0:
         return Rate(np.nan, 0.0, np.inf)
@@ -58,24 +46,12 @@ def failure_rate(failures: int, exposure: float, confidence: float = 0.95) -> Ra
 def waiting_times_p(times: ArrayLike, block: float, rate: float) -> float:
     """Probability of waiting times as far from exponential ones as these, by Kolmogorov and Smirnov's test.
 
-    Parameters
-    ----------
-    times : (k,) float    of the failures since the begin of their blocks [s]
-    block : float         length of a block, beyond which none is seen [s]
-    rate : float          [1/s]
+    times (k,): of the failures since the begin of their blocks [s]
+    block: length of a block, beyond which none is seen [s]
+    rate: [1/s]
+    Returns NaN of fewer than five failures
 
-    Returns
-    -------
-    float                 NaN of fewer than five failures
-
-    Notes
-    -----
     u = (1 - e^(-r t))/(1 - e^(-r T)) is then uniform.
-
-    Examples
-    --------
-    >>> waiting_times_p([1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7], 1800.0, 1e-4) < 0.01
-    True
     """
     t = np.asarray(times, dtype=float)
     if t.size < 5 or not rate > 0:
@@ -86,23 +62,9 @@ def waiting_times_p(times: ArrayLike, block: float, rate: float) -> float:
 def hours_without_failure(rate: float, confidence: float = 0.95) -> float:
     """Hours without a failure after which the upper end of the interval is below a rate.
 
-    Parameters
-    ----------
-    rate : float          [1/s]
-    confidence : float    of the two-sided interval
-
-    Returns
-    -------
-    float                 [h]
-
-    Raises
-    ------
-    InputError            a rate that is not above 0
-
-    Examples
-    --------
-    >>> round(hours_without_failure(1e-6))
-    1025
+    rate: [1/s]
+    confidence: of the two-sided interval
+    Returns [h]
     """
     if not rate > 0:
         raise InputError(f"rate = {rate} 1/s; it is above 0; try 1e-6")

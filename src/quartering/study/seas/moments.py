@@ -39,8 +39,6 @@ class Moments(NamedTuple):
 def products(motion: Complex, frequency: Floats, speed: float, place: tuple[float, float]) -> Floats:
     """What the energies of the cells are summed with: (n, 16) from phasors (4 .., n) of v, phi, p, r at (n,) frequencies.
 
-    Notes
-    -----
     Lateral acceleration as an accelerometer feels it, the deck's own gravity in it: v' + U r + x r' - z p' - g phi, summed as
     phasors and then squared.
     """

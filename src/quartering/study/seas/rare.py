@@ -61,34 +61,14 @@ class Level(NamedTuple):
 def largest_roll(found: xr.Dataset, hours: float, tail: Tail = "gev", confidence: float = 0.95) -> Level:
     """Largest roll of more hours than were simulated, with its profile interval.
 
-    Parameters
-    ----------
-    found : Dataset       from `irregular`
-    hours : float         the level that is passed in so many hours with probability 1 - 1/e [h]
-    tail : str            "gev": largest values of 3 h; "gpd": excesses of the largest of half an hour over their upper fifth
-    confidence : float    of the interval
+    found: from `irregular`
+    hours: the level that is passed in so many hours with probability 1 - 1/e [h]
+    tail: "gev": largest values of 3 h; "gpd": excesses of the largest of half an hour over their upper fifth
+    confidence: of the interval
+    Returns [deg]
 
-    Returns
-    -------
-    Level                 [deg]
-
-    Raises
-    ------
-    InputError            no simulation, too few values; failures among them, or an interval that reaches the largest righting
-                          arm: the tail is not that of what was seen
-
-    Notes
-    -----
     Maximum likelihood; the interval is where twice the loss of likelihood is below chi2.  Source: [Coles01].
     Valid: failures are rare, and the righting arm still rises.
-
-    Examples
-    --------
-    >>> import quartering as qt
-    >>> found = qt.irregular(qt.ship("wigley"), qt.Sea(hs=1, tp=9, heading=60), 5.0, hours=128)
-    >>> level = largest_roll(found, 1000.0)
-    >>> level.lower < level.value < level.upper
-    True
     """
     wanted = number(None, "simulated_hours", hours)
     if tail not in get_args(Tail):
@@ -216,33 +196,14 @@ def failure_rate_at(
 ) -> RateAt:
     """Rate of failures at a wave height at which they are too rare to count, from heights at which they are not.
 
-    Parameters
-    ----------
-    hs : float or str            wave height wanted [m]
-    heights : (n,) float         at which failures were counted, three at least [m]
-    failures : (n,) int          30 at least at each
-    exposure : (n,) float        [h]
-    confidence : float           of the interval, from counts drawn anew
-    seed : int
+    hs: wave height wanted [m]
+    heights (n,): at which failures were counted, three at least [m]
+    failures (n,): 30 at least at each
+    exposure (n,): [h]
+    confidence: of the interval, from counts drawn anew
 
-    Returns
-    -------
-    RateAt
-
-    Raises
-    ------
-    InputError                   too few heights or failures, rates that do not rise with height, more than two decades below
-
-    Notes
-    -----
     ln r = a - b/Hs^2, weighted by the failures: exact for a linear ship, whose roll is Gaussian.  Source: MSC.1/Circ.1627 asks
     for as much, recalled, unverified.  Valid: the same ship, speed, heading, period and spectrum at all heights.
-
-    Examples
-    --------
-    >>> at = failure_rate_at(5.0, [7, 6.5, 6, 5.5], [476, 386, 262, 201], [92.9, 136.2, 181.6, 325.9])
-    >>> at.lower < 5.8e-5 < at.upper, round(at.decades, 1)
-    (True, 0.5)
     """
     h, wanted = np.atleast_1d(numbers(None, "hs", heights)), number(None, "hs", hs)
     k, hours = np.asarray(failures, dtype=float), np.asarray(exposure, dtype=float)

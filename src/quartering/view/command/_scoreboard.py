@@ -26,7 +26,7 @@ def measure_claims(output: str | None) -> Answer:
     -------
     Answer
     """
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.paper.scoreboard import CLAIMS, scoreboard, scoreboard_page, tally
 
     path = reserve_path(output, (".md",))

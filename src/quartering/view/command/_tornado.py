@@ -52,7 +52,7 @@ def each_value_changed(
     """
     import xarray as xr
 
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.effects.tornado import tornado
     from quartering.view.wording import condition_words, notes
 

@@ -43,7 +43,7 @@ def basin(
 ) -> Answer:
     """From which roll angles and rates the ship survives a wave, and how waves erode that safe basin."""
     from quartering.hydro.capsize import capsize_limit
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.basin_integrity import basin_integrity
     from quartering.view.wording import ship_notes, speed_words
 

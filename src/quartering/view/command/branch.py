@@ -64,7 +64,7 @@ def branch(
     output: Picture = None,
 ) -> Answer:
     """Follow every motion over one parameter: folds, bifurcations, what is stable."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.branches.branch import branch as follow_branches
     from quartering.view.wording import ship_notes, speed_words
 

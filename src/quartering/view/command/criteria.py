@@ -37,7 +37,7 @@ def criteria(
     ] = None,
 ) -> Answer:
     """The five failure modes of second-generation intact stability, levels 1 and 2."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.criteria.judged import criteria as judged
 
     if kgmax:
@@ -73,7 +73,7 @@ def _lines(found: Criteria) -> Iterator[Table | str]:
 
 def _limiting_heights(one: Ship, speed: str | None, draughts: str | None) -> Answer:
     """Limiting heights of G over the draughts, and the ship's loadings beside them."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.criteria.limiting_kg import limiting_kg
     from quartering.study.criteria.record import FORM
 

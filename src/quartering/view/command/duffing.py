@@ -36,7 +36,7 @@ def duffing(
     """Duffing's equation: the paper's formulas C-3, C-4, C-5 against the exact motions, their folds and stability."""
     import numpy as np
 
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.paper.duffing import duffing_curves, duffing_table
     from quartering.study.paper.duffing_formulas import FORMULAS
     from quartering.view.wording import duffing_words

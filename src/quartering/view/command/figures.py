@@ -40,7 +40,7 @@ def figures(
     scoreboard: Annotated[bool, typer.Option("--scoreboard", help="Measure the paper's claims instead.")] = False,
 ) -> Answer:
     """Recompute the figures of Haddara (1971) from real hulls, or measure its claims."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.paper.points import read_points
     from quartering.view.plots.paper_figures import FIGURES
 

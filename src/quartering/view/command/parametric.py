@@ -52,7 +52,7 @@ def parametric(
     output: Picture = None,
 ) -> Answer:
     """Parametric roll and pure loss in a regular sea; with -o a map over speed and height in a head or following one."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.parametric_roll import parametric_roll
 
     one, wave, u, mu = Typed(ship, heading, speed, wave_length, wave_height, changes).read()

@@ -61,7 +61,7 @@ def polar(
     """Map of roll and stability over headings, wave lengths and speeds."""
     import numpy as np
 
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.maps.polar import polar as polar_map_of
     from quartering.view.wording import edge_words, notes
 

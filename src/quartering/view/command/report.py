@@ -38,7 +38,7 @@ def report(
     ] = None,
 ) -> Answer:
     """A report to print: one page that holds everything, or polar diagrams in the form of operational guidance."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.view.report.page import guidance_page, report_page, write_pdf
     from quartering.view.report.source import report_source
 

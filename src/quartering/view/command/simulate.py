@@ -37,7 +37,7 @@ def simulate(
     from quartering.motion.of_ship import equations
     from quartering.motion.steady.motion import steady_motion, within_limit
     from quartering.motion.transient.simulate import simulate as simulated
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.view.wording import ship_notes, speed_words
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)

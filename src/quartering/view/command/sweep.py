@@ -44,7 +44,7 @@ def sweep(
     draws: Annotated[int, typer.Option(help="Random draws with --uncertainty, a multiple of 8.")] = 256,
 ) -> Answer:
     """Every condition of a case file; interrupted, it goes on where it was when it is called again."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.case.read import case_grid
     from quartering.study.maps.executor import check_cluster
     from quartering.study.maps.progress import summary
@@ -105,7 +105,7 @@ def _filled(wanted: Grid, folder: Path, cluster: str | None) -> Counter[str]:
 
 def _uncertain(case: str, typed: str, draws: int, output: str | None, cluster: str | None, yes: bool) -> Answer:
     """Probability that each condition of a case is unstable, as a dataset."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.case.read import case_grid
     from quartering.study.effects.uncertainty import uncertain
     from quartering.study.maps.estimate import check_size, estimate

@@ -56,7 +56,7 @@ def vary(
     import numpy as np
 
     from quartering.loads.waves import Wave
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.effects.vary import vary as variation
     from quartering.study.loadings import KEEL_AXES
     from quartering.view.wording import condition_words, notes
@@ -79,10 +79,10 @@ def vary(
             one, wave, fixed["speed"], fixed["heading"], parameters,
             harmonics=harmonics, form=chosen, progress=progress,
         )  # fmt: skip
-    own_keels = one.bilge_keels is not None and one.bilge_keels == as_is.bilge_keels
+    user_keels = one.bilge_keels is not None and one.bilge_keels == as_is.bilge_keels
     for key in parameters:  # what is varied of the condition, or of keels fitted for the question, has no present value
-        if key in typed.condition or (key in KEEL_AXES and not own_keels):
-            del ds[key].attrs["own_value"]
+        if key in typed.condition or (key in KEEL_AXES and not user_keels):
+            del ds[key].attrs["user_value"]
 
     def draw() -> Figure:
         from quartering.view.plots.vary import vary_picture
@@ -213,7 +213,7 @@ def _facts(ds: xr.Dataset) -> dict[str, object]:
     facts: dict[str, object] = {key: ds.attrs[key] for key in ("ship", "loading", "steady_motion", "diffraction")}
     facts["condition"] = {key: float(ds[key]) for key in CONDITION_AXES if not ds[key].ndim}
     facts["parameters"] = {
-        name: {"now": ds[name].attrs.get("own_value"), "unit": ds[name].attrs["units"], "values": ds[name].values}
+        name: {"now": ds[name].attrs.get("user_value"), "unit": ds[name].attrs["units"], "values": ds[name].values}
         for name in names
     }
     facts |= {key: ds[key].values for key in measures} | {"verdict": kinds, "estimated": estimated_names(ds)}

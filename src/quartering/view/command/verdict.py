@@ -42,7 +42,7 @@ def verdict(
     form: FormName = "stf",
 ) -> Answer:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
-    from quartering.stability.ahead import announce_compilation
+    from quartering.stability.precompile import announce_compilation
     from quartering.study.condition import examine, facts, helps
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)

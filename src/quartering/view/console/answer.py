@@ -38,14 +38,7 @@ class Answer:
 def give(answer: Answer, as_json: bool) -> None:
     """Write the files of an answer, then print it.
 
-    Parameters
-    ----------
-    answer : Answer
-    as_json : bool    one JSON object in place of tables and lines
-
-    Raises
-    ------
-    InputError        a file that cannot be written; nothing has been printed then
+    as_json: one JSON object in place of tables and lines
     """
     write_files(*answer.files)
     if as_json:

@@ -18,12 +18,7 @@ _TOLD = (RangeWarning, DamageWarning)
 
 @contextmanager
 def report_errors() -> Iterator[None]:
-    """Run the body of a command: its refusals become one message on stderr, its warnings of range and of damage plain lines.
-
-    Raises
-    ------
-    typer.Exit    2 after an InputError or a refusal of the system, 130 after Ctrl-C
-    """
+    """Run the body of a command: its refusals become one message on stderr, its warnings of range and of damage plain lines."""
     said: set[str] = set()
 
     def say(message: Warning | str, category: type[Warning], *place: Any, **more: Any) -> None:

@@ -32,18 +32,8 @@ def reserve_path(path: str | None, endings: Sequence[str]) -> Path | None: ...
 def reserve_path(path: str | Path | None, endings: Sequence[str]) -> Path | None:
     """Path of a file to be written, after trying that its folder takes it.
 
-    Parameters
-    ----------
-    path : str, Path or None     None: nothing is to be written
-    endings : sequence of str    allowed, with their dot
-
-    Returns
-    -------
-    Path or None
-
-    Raises
-    ------
-    InputError    another ending, no such folder, a folder in its place, no right to write there
+    path: None: nothing is to be written
+    endings: allowed, with their dot
     """
     if path is None:
         return None
@@ -72,20 +62,6 @@ def reserve_path(path: str | Path | None, endings: Sequence[str]) -> Path | None
 def folder_named(path: str) -> Path:
     """Path of a folder to write into.
 
-    Parameters
-    ----------
-    path : str
-
-    Returns
-    -------
-    Path
-
-    Raises
-    ------
-    InputError    an empty name
-
-    Examples
-    --------
     >>> folder_named("figures").name
     'figures'
     """
@@ -95,17 +71,7 @@ def folder_named(path: str) -> Path:
 
 
 def picture_files(path: Path | None, draw: Callable[[], Figure]) -> tuple[File, ...]:
-    """The file of a picture that is drawn when it is written; none without a path.
-
-    Parameters
-    ----------
-    path : Path or None
-    draw : function() -> Figure
-
-    Returns
-    -------
-    tuple of File
-    """
+    """The file of a picture that is drawn when it is written; none without a path."""
 
     def writer(part: Path) -> None:
         from quartering.view.plots import style
@@ -116,16 +82,7 @@ def picture_files(path: Path | None, draw: Callable[[], Figure]) -> tuple[File, 
 
 
 def write_files(*files: File) -> None:
-    """Write files under another name beside their own, and name them only when all are complete.
-
-    Parameters
-    ----------
-    *files : File
-
-    Raises
-    ------
-    InputError    a disk that is full, or another refusal of the system; nothing is left behind
-    """
+    """Write files under another name beside their own, and name them only when all are complete."""
     parts = [_part(path) for path, _ in files]
     try:
         for part, (_, writer) in zip(parts, files, strict=True):
@@ -145,8 +102,6 @@ def write_files(*files: File) -> None:
 def ship_stem(ship: str) -> str:
     """Short name of a ship given by name or by path, to name files with.
 
-    Examples
-    --------
     >>> ship_stem("series60-cb60"), ship_stem("ships/my.yaml")
     ('series60-cb60', 'my')
     """

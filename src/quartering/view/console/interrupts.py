@@ -37,12 +37,7 @@ def listening() -> Iterator[None]:
 
 
 def stop_if_asked() -> None:
-    """Raise the interrupt that came and was lost.
-
-    Raises
-    ------
-    KeyboardInterrupt
-    """
+    """Raise the interrupt that came and was lost."""
     if _asked.is_set():
         _asked.clear()
         raise KeyboardInterrupt

@@ -26,16 +26,7 @@ def console() -> Console:
 def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]], right: Sequence[int] = ()) -> Table:
     """Table of texts.
 
-    Parameters
-    ----------
-    title : str
-    columns : sequence of str
-    rows : iterable of sequences of str
-    right : sequence of int    columns of numbers, aligned to the right
-
-    Returns
-    -------
-    rich Table
+    right: columns of numbers, aligned to the right
     """
     from rich.table import Table
     from rich.text import Text
@@ -71,13 +62,7 @@ def show_json(content: Mapping[str, Any]) -> None:
 
 
 def plain(value: Any) -> Any:
-    """Value in types JSON knows.
-
-    Examples
-    --------
-    >>> plain({"growth": float("nan"), "exponent": 1 - 2j, "m": (2, 4)})
-    {'growth': None, 'exponent': {'re': 1.0, 'im': -2.0}, 'm': [2, 4]}
-    """
+    """Value in types JSON knows."""
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, Mapping):

@@ -13,14 +13,8 @@ from quartering.view.console.interrupts import stop_if_asked
 def bar(words: str, total: int) -> Iterator[Callable[[int, int], None]]:
     """Progress bar on stderr while the body runs; nothing when stderr is not a terminal.
 
-    Parameters
-    ----------
-    words : str    what is being computed
-    total : int    number of conditions
-
-    Yields
-    ------
-    function(done, total)
+    words: what is being computed
+    total: number of conditions
     """
     if not sys.stderr.isatty():
         yield lambda _done, _total: stop_if_asked()
@@ -43,9 +37,7 @@ def bar(words: str, total: int) -> Iterator[Callable[[int, int], None]]:
 def working(words: str) -> Iterator[None]:
     """Turning sign on stderr while the body runs, for work whose length is not known; nothing without a terminal.
 
-    Parameters
-    ----------
-    words : str    what is being done
+    words: what is being done
     """
     if not sys.stderr.isatty():
         yield

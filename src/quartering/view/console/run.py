@@ -15,19 +15,10 @@ from quartering.view.console.ship_options import ShipOptions
 def as_command(function: Callable[..., Answer | None]) -> Callable[..., None]:
     """A command of the options that a function has in its signature.
 
-    Parameters
-    ----------
-    function : function    returns an `Answer`, and the command has ``--json``; or nothing, such as a server. With a parameter
-                           ``changes`` the command has every option of a ship, and gets what was typed of them as one mapping
-                           of texts; with ``ranges`` the axes of a study may be ranges.
-
-    Returns
-    -------
-    function               of the name and help of the given one
-
-    Raises
-    ------
-    typer.Exit             2 after a refusal, 130 after Ctrl-C, when it is called
+    function: returns an `Answer`, and the command has ``--json``; or nothing, such as a server. With a parameter
+        ``changes`` the command has every option of a ship, and gets what was typed of them as one mapping of texts;
+        with ``ranges`` the axes of a study may be ranges.
+    Returns of the name and help of the given one
     """
     signature = inspect.signature(function, eval_str=True)
     own = dict(signature.parameters)

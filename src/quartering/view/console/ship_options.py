@@ -18,13 +18,7 @@ _RANGES = "; or a range, from:to or from:to:count"
 
 
 def command_options() -> list[Option]:
-    """Options a command takes: those of a ship, of a group only what a study may vary.
-
-    Examples
-    --------
-    >>> {"gm", "autopilot", "bilge_keel_length"} <= {one.name for one in command_options()}
-    True
-    """
+    """Options a command takes: those of a ship, of a group only what a study may vary."""
     return [one for one in ship_options() if one.kind != "table" and (not one.group or one.axis)]
 
 
@@ -117,8 +111,6 @@ def _count(item: str) -> str:
 def option_words(changes: Mapping[str, str]) -> str:
     """Options that give the same ship again, each with a blank before it.
 
-    Examples
-    --------
     >>> option_words({"gm": "0.8", "name": "my ship"})
     " --gm 0.8 --name 'my ship'"
     """

@@ -17,12 +17,7 @@ if TYPE_CHECKING:
 
 
 def typed_ship(name: str, changes: Mapping[str, str]) -> Ship:
-    """The ship of a name or file with the options typed beside it.
-
-    Raises
-    ------
-    InputError    no such ship, an option that cannot be: its name as typed, and the words every door says
-    """
+    """The ship of a name or file with the options typed beside it."""
     from quartering.hull.changes import changed
     from quartering.hull.file.read import ship
 
@@ -38,16 +33,7 @@ def typed_ship(name: str, changes: Mapping[str, str]) -> Ship:
 
 
 def typed_value(name: str, text: str, of: Sizes, what: str | None = None) -> float:
-    """One value of the condition as typed.
-
-    Raises
-    ------
-    InputError    the option as typed, and the words every door says
-
-    Warns
-    -----
-    RangeWarning  a speed without a unit so small that a Froude number may be meant
-    """
+    """One value of the condition as typed."""
     return value(text, OPTIONS[name], of, what or OPTIONS[name].command)
 
 
@@ -84,12 +70,7 @@ class Typed(NamedTuple):
         return f"{self.ship}{option_words(self.changes)}"
 
     def read(self) -> tuple[Ship, Wave, float, float]:
-        """Ship, wave, speed [m/s] and heading [deg].
-
-        Raises
-        ------
-        InputError    as for `typed_ship` and `typed_value`; a wave that breaks
-        """
+        """Ship, wave, speed [m/s] and heading [deg]."""
         from quartering.loads.waves import Wave
 
         one = typed_ship(self.ship, self.changes)

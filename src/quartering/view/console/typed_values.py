@@ -16,29 +16,10 @@ _HARDLY_MOVING = 0.02
 def value(text: str, kind: Kind | Option, sizes: Sizes, what: str) -> float:
     """One value with its unit, in SI (angles in degrees).
 
-    Parameters
-    ----------
-    text : str      such as "7.5", "15kn", "0.25Fn", "1.0L", "30"
-    kind : str      "length", "speed", "angle", "time", .. or an option, whose range is then checked
-    sizes : Sizes   of the ship [m]
-    what : str      the option, for messages
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    InputError    not a number, not finite, a unit this kind does not have
-
-    Warns
-    -----
-    RangeWarning  a speed without a unit so small that a Froude number may be meant
-
-    Examples
-    --------
-    >>> value("1.5L", "length", Sizes(100.0, 20.0, 5.0), "--wave-length")
-    150.0
+    text: such as "7.5", "15kn", "0.25Fn", "1.0L", "30"
+    kind: "length", "speed", "angle", "time", .. or an option, whose range is then checked
+    sizes: of the ship [m]
+    what: the option, for messages
     """
     if isinstance(kind, Option):
         found = checked(kind, text, what, sizes)
@@ -58,27 +39,12 @@ def value(text: str, kind: Kind | Option, sizes: Sizes, what: str) -> float:
 def values(texts: Sequence[str], kind: Kind | Option, sizes: Sizes, what: str, count: int) -> list[float]:
     """Values of an option that takes lists ("0.5L,1L") and ranges ("0.4:2.3L:20": from, to, number of values).
 
-    Parameters
-    ----------
-    texts : sequence of str    the option as often as it was given
-    kind : str                 as in `value`
-    sizes : Sizes              of the ship [m]
-    what : str                 the option, for messages
-    count : int                number of values of a range that does not say
-
-    Returns
-    -------
-    list of float    ascending, each once; within one text a number without unit takes the unit of the others
-
-    Raises
-    ------
-    InputError    what `value` refuses, a range that is not from:to or from:to:count, numbers without a unit among
-                  several units
-
-    Examples
-    --------
-    >>> values(["0.5,1L", "2L:3L:3"], "length", Sizes(100.0, 20.0, 5.0), "--wave-lengths", 20)
-    [50.0, 100.0, 200.0, 250.0, 300.0]
+    texts: the option as often as it was given
+    kind: as in `value`
+    sizes: of the ship [m]
+    what: the option, for messages
+    count: number of values of a range that does not say
+    Returns ascending, each once; within one text a number without unit takes the unit of the others
     """
     found: set[float] = set()
     for text in texts:

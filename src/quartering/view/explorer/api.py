@@ -16,7 +16,7 @@ from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException as StarletteError
 
 from quartering.conventions import InputError
-from quartering.hull.file.refusals import allowed, own_words
+from quartering.hull.file.refusals import allowed, user_words
 from quartering.hull.told import condition, number, numbers
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.status import OnTheWay, Status
@@ -28,12 +28,12 @@ from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
 from quartering.view.console.printed import plain
-from quartering.view.explorer.answers import joined, noting, sought
 from quartering.view.explorer.calls import MOST_CELLS, PolarCall, VerdictCall
-from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.computations import joined, noting, sought
 from quartering.view.explorer.guard import METHODS
+from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
-from quartering.view.explorer.turns import Turns
+from quartering.view.explorer.ship_registry import ShipRegistry
 
 _AT_ONCE = 1024
 _RESULTS = ("roll", "roll_peak", "other_roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")
@@ -43,14 +43,11 @@ _OF_POST = (400, 403, 408, 413, 415, 422, 500, 503)
 _TAKEN = {"verdict": "GET, POST", "polar": "POST", "docs": "GET", "openapi.json": "GET"}
 
 
-def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
+def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
     """Add the service to a server.
 
-    Parameters
-    ----------
-    server : FastAPI
-    fleet : Fleet      ships that can be asked for
-    turns : Turns      all calls together are one client of it, so that they never crowd out the people on the pages
+    registry: ships that can be asked for
+    jobs: all calls together are one client of it, so that they never crowd out the people on the pages
     """
     routes = APIRouter(prefix="/api", tags=["api"])
     under_way, searches, once = [0], [0], [Depends(_once)]
@@ -72,10 +69,10 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
             leaving.cancel()
 
     async def take(work: Callable[[], Any]) -> tuple[Any, list[str]]:
-        return await turns.take("api", noting(work))
+        return await jobs.take("api", noting(work))
 
     async def take_long(work: Callable[[], Any]) -> tuple[Any, list[str]]:
-        return await turns.take("api, long work", noting(work))
+        return await jobs.take("api, long work", noting(work))
 
     async def cured(found: Examined) -> list[Cure]:
         searches[0] += 1
@@ -85,7 +82,7 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
             searches[0] -= 1
 
     async def judged(call: VerdictCall, with_cures: bool) -> JSONResponse:
-        found, notes = await take(lambda: _examined(call, fleet))
+        found, notes = await take(lambda: _examined(call, registry))
         if not _ailing(found):
             healing: list[Cure] | None = []
         elif with_cures and searches[0] >= _MOST_SEARCHES:
@@ -97,14 +94,14 @@ def serve_api(server: FastAPI, fleet: Fleet, turns: Turns) -> None:
 
     async def mapped(call: PolarCall) -> JSONResponse:
         blocks, notes = [], []
-        for block in (await take(lambda: _blocks(call, fleet)))[0]:
+        for block in (await take(lambda: _blocks(call, registry)))[0]:
             part, said = await take_long(block)
             blocks.append(part)
             notes += said
         whole = joined(blocks)
         if call.extend:
             whole, said = await take_long(
-                lambda: carried_on(whole, lambda axes: _further(call, fleet, axes), MOST_CELLS)
+                lambda: carried_on(whole, lambda axes: _further(call, registry, axes), MOST_CELLS)
             )
             notes += said
         return _json(_map(whole), list(dict.fromkeys(notes)))
@@ -172,8 +169,8 @@ async def _left(request: Request) -> None:
         pass
 
 
-def _examined(call: VerdictCall, fleet: Fleet) -> Examined:
-    one = call.loaded(fleet)
+def _examined(call: VerdictCall, registry: ShipRegistry) -> Examined:
+    one = call.loaded(registry)
     wave = Wave(call.wave_length, call.wave_height, period=call.wave_period, ship=one)
     return examine(one, wave, *condition(one, call.speed, call.heading), call.harmonics, call.form)
 
@@ -182,9 +179,9 @@ def _ailing(found: Examined) -> bool:
     return not found.verdict.stable and found.motion.status.ok
 
 
-def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
+def _blocks(call: PolarCall, registry: ShipRegistry) -> list[Any]:
     """The map as pieces of about a thousand conditions."""
-    one = call.loaded(fleet)
+    one = call.loaded(registry)
     if call.wave_period is None:
         lengths = numbers(one, "wave_length", call.wave_length or []).tolist()
     else:
@@ -199,9 +196,9 @@ def _blocks(call: PolarCall, fleet: Fleet) -> list[Any]:
     ]
 
 
-def _further(call: PolarCall, fleet: Fleet, axes: Mapping[str, Any]) -> xr.Dataset:
+def _further(call: PolarCall, registry: ShipRegistry, axes: Mapping[str, Any]) -> xr.Dataset:
     """The map of a call at other axes."""
-    one, lengths = call.loaded(fleet), axes["wave_length"]
+    one, lengths = call.loaded(registry), axes["wave_length"]
     if call.wave_height is not None:
         height = np.minimum(number(one, "wave_height", call.wave_height), STEEPEST * lengths)
     else:  # one of the two is given: the call was refused otherwise
@@ -260,7 +257,7 @@ def _problem(one: Any, fields: tuple[str, ...]) -> str:
         return unknown(str(one["loc"][-1]), fields).words
     where = ", ".join(str(part) for part in one["loc"] if part not in ("body", "query"))
     said = "is missing" if one["type"] == "missing" else None
-    said = said or own_words(one) or f"allowed is {allowed(one)}"
+    said = said or user_words(one) or f"allowed is {allowed(one)}"
     return f"{where}: {said}" if where else said
 
 

@@ -11,14 +11,14 @@ from starlette.formparsers import MultiPartParser
 from starlette.types import ASGIApp
 
 from quartering.conventions import InputError
-from quartering.view.explorer.answers import map_blocks, noting, scene, verdict
 from quartering.view.explorer.api import serve_api
-from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.computations import map_blocks, noting, scene, verdict
 from quartering.view.explorer.guard import LARGEST_BODY, LOOPBACK, Guard
+from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.page import Page
 from quartering.view.explorer.problems import without_paths
+from quartering.view.explorer.ship_registry import ShipRegistry
 from quartering.view.explorer.state import STARTING, State
-from quartering.view.explorer.turns import Turns
 
 _HERE = Path(__file__).parent
 _ICON = (
@@ -27,24 +27,23 @@ _ICON = (
 )
 
 
-def explorer(fleet: Fleet, ship: str | None = None, host: str = LOOPBACK[0], names: Sequence[str] = ()) -> ASGIApp:
+def explorer(
+    registry: ShipRegistry, ship: str | None = None, host: str = LOOPBACK[0], names: Sequence[str] = ()
+) -> ASGIApp:
     """The application, its kernels compiled or loaded before the first visitor comes.
 
-    Parameters
-    ----------
-    fleet : Fleet
-    ship : str or None          key of the ship a page opens with
-    host : str                  listened on
-    names : sequence of str     further names the server goes by
+    ship: key of the ship a page opens with
+    host: listened on
+    names: further names the server goes by
     """
     MultiPartParser.spool_max_size = LARGEST_BODY  # an upload stays in memory
-    turns = Turns()
+    jobs = JobQueue()
     opening = STARTING if ship is None else State(ship=ship)
-    of = scene(opening, fleet.known(opening.ship))
+    of = scene(opening, registry.known(opening.ship))
     for work in (lambda: verdict(of), map_blocks(of)[0]):
         noting(work)()
     server = FastAPI(title="quartering", docs_url=None, redoc_url=None, openapi_url="/api/openapi.json")
-    serve_api(server, fleet, turns)
+    serve_api(server, registry, jobs)
 
     @ui.page("/", title="quartering explorer", favicon=_ICON)
     def index(request: Request) -> None:
@@ -54,11 +53,11 @@ def explorer(fleet: Fleet, ship: str | None = None, host: str = LOOPBACK[0], nam
         try:
             if request.query_params:
                 state = State.of_query(request.query_params)
-                fleet.check(state.ship)
+                registry.check(state.ship)
         except InputError as error:
             state, problem = opening, without_paths(str(error))
         client = ui.context.client
-        page = Page(client, fleet, turns, state, problem)
+        page = Page(client, registry, jobs, state, problem)
         client.on_delete(page.leave)
 
     ui.run_with(server, dark=None, show_welcome_message=False, reconnect_timeout=10.0)

@@ -12,7 +12,7 @@ from quartering.hull.told import number
 from quartering.loads.forces import Form
 from quartering.options import OPTIONS, line_of, loading_axes
 from quartering.study.loadings import CHOICE_AXES, KEEL_AXES, coded, loaded
-from quartering.view.explorer.fleet import Fleet
+from quartering.view.explorer.ship_registry import ShipRegistry
 from quartering.view.explorer.state import Value, check_keels, loading_fields
 
 MOST_CELLS = 20_000
@@ -39,9 +39,9 @@ class Call(Loaded):
         check_keels(*(getattr(self, name) for name in ("roll_damping", *KEEL_AXES)))
         return self
 
-    def loaded(self, fleet: Fleet) -> Ship:
+    def loaded(self, registry: ShipRegistry) -> Ship:
         """The ship of this call with its loading."""
-        own = fleet.known(self.ship).ship
+        own = registry.known(self.ship).ship
         given = {name: value for name in loading_axes() if (value := getattr(self, name)) is not None}
         check_twice(given, "")
         words = {name: coded(name, value) for name in CHOICE_AXES if (value := getattr(self, name)) is not None}

@@ -17,7 +17,7 @@ from quartering.motion.steady.motion import advice
 from quartering.stability.verdict import Verdict
 from quartering.study.condition import Examined, estimated
 from quartering.view.explorer import charts
-from quartering.view.explorer.answers import History, Scene, causes, curve, history
+from quartering.view.explorer.computations import History, Scene, causes, curve, history
 from quartering.view.explorer.state import State
 from quartering.view.wording import estimated_words, exponents_words
 

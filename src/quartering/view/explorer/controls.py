@@ -10,9 +10,9 @@ from nicegui import ui
 
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.options import OPTIONS
-from quartering.study.loadings import own_value
+from quartering.study.loadings import user_value
 from quartering.units import quantity
-from quartering.view.explorer.answers import Scene
+from quartering.view.explorer.computations import Scene
 from quartering.view.explorer.damping_dials import DampingDials
 from quartering.view.explorer.dials import Dial, Scale, plain, scales_of
 from quartering.view.explorer.state import DIALS, LOADING, State
@@ -72,7 +72,7 @@ class Controls:
                 low = scales[0].low
                 kg = Scale("KG", "m", km - top, km - low, 0.01, lambda gm: km - gm, lambda kg: km - kg)
                 scales = [scales[0]._replace(high=top), kg]
-            dial.show(own_value(of.ship, name), scales)
+            dial.show(user_value(of.ship, name), scales)
         self._damping.show(of, state, damping)
         self._own.set_visibility(any(getattr(state, name) is not None for name in LOADING))
         self._method.set_value(state.harmonics)

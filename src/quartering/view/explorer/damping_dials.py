@@ -11,8 +11,8 @@ from quartering.hull.ship import Ship
 from quartering.hydro.damping.method import AMPLITUDE
 from quartering.hydro.damping.of_ship import equivalent_fraction
 from quartering.options import OPTIONS
-from quartering.study.loadings import KEEL_AXES, own_value
-from quartering.view.explorer.answers import Scene
+from quartering.study.loadings import KEEL_AXES, user_value
+from quartering.view.explorer.computations import Scene
 from quartering.view.explorer.dials import Dial, scales_of
 from quartering.view.explorer.state import State
 
@@ -96,4 +96,4 @@ def _sizes(ship: Ship) -> tuple[float, float]:
 
 def _shown(ship: Ship) -> tuple[float, float]:
     """Keels of a ship that goes by components already: of none, the length to begin from."""
-    return _sizes(ship)[0], own_value(ship, KEEL_AXES[1])
+    return _sizes(ship)[0], user_value(ship, KEEL_AXES[1])

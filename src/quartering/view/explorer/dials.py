@@ -36,26 +36,12 @@ class Scale(NamedTuple):
 
 
 def plain(name: str, unit: str, low: float, high: float, step: float, factor: float = 1.0) -> Scale:
-    """A scale whose value is a factor times the SI value.
-
-    Examples
-    --------
-    >>> plain("speed", "kn", 0, 30, 0.1, 1 / 0.5144).typed(0.5144)
-    1.0
-    """
+    """A scale whose value is a factor times the SI value."""
     return Scale(name, unit, low, high, step, lambda si: si * factor, lambda typed: typed / factor)
 
 
 def scales_of(one: Option, of: Ship) -> list[Scale]:
-    """The scales of an option's dial for a ship: those the table gives, else one over its range.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> from quartering.options import OPTIONS
-    >>> [(one.unit, one.low, one.high) for one in scales_of(OPTIONS["gyradius_roll"], ship("box"))]
-    [('m', 5.0, 10.0), ('B', 0.25, 0.5)]
-    """
+    """The scales of an option's dial for a ship: those the table gives, else one over its range."""
     kind: Kind = "ratio" if one.kind == "steepness" else one.kind  # type: ignore[assignment]
     rows = one.dial if one.dial is not None else ((one.unit, one.low, one.high, 0.0),)
     found = []

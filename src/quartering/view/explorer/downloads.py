@@ -13,8 +13,8 @@ from pathlib import Path
 
 import xarray as xr
 
-from quartering.view.explorer.answers import HEADINGS, Scene, joined, map_blocks
-from quartering.view.explorer.fleet import Known
+from quartering.view.explorer.computations import HEADINGS, Scene, joined, map_blocks
+from quartering.view.explorer.ship_registry import Known
 from quartering.view.explorer.state import LOADING, State
 
 _REPORT = "quartering.view.report"

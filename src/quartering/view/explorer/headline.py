@@ -41,8 +41,6 @@ def headline(found: Examined) -> str:
 def _parted(reasons: str) -> tuple[str, str]:
     """What grows or dies out, and the numbers behind it.
 
-    Examples
-    --------
     >>> _parted("roll grows (+0.1 1/s by Floquet; K2 (full) agrees); K_vpp adds most (+0.2 1/s).")
     ('roll grows', '+0.1 1/s by Floquet; K2 (full) agrees; K_vpp adds most (+0.2 1/s).')
     >>> _parted("disturbances die out at 0.03 1/s or faster; first-order theory says the same.")

@@ -15,7 +15,7 @@ from quartering.hull.righting.arm import fitted_to
 from quartering.stability.kind import Kind
 from quartering.study.maps.query import capsizing, other_rolls
 from quartering.study.resonance import resonance_fields
-from quartering.view.explorer.answers import HEADINGS, RATIOS, Scene
+from quartering.view.explorer.computations import HEADINGS, RATIOS, Scene
 from quartering.view.plots import style
 
 _COLOURS = 64
@@ -152,8 +152,6 @@ def palette() -> tuple[str, ...]:
 def resonance_lines(length: float, speed: float, roll_frequency: float) -> dict[str, list[list[list[float]]]]:
     """Lines (heading [deg], wave length over L) on which the encounter frequency is n2, 2 n2 and zero, as pieces.
 
-    Examples
-    --------
     >>> at_rest = resonance_lines(100.0, 0.0, 0.6)
     >>> round(at_rest["resonance"][0][0][1], 3), at_rest["pace"]
     (1.712, [])

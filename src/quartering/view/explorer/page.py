@@ -17,16 +17,16 @@ from quartering.conventions import InputError
 from quartering.hydro.coefficients import coefficients
 from quartering.study.condition import Examined
 from quartering.view.explorer import downloads
-from quartering.view.explorer.answers import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.cell_panel import CellPanel, parts
+from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.damping_dials import damping_hint
-from quartering.view.explorer.fleet import Fleet, Known
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
+from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.problems import without_paths
+from quartering.view.explorer.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.state import State
-from quartering.view.explorer.turns import Turns
 from quartering.view.explorer.upload_dialog import UploadDialog
 
 _THEMES = {None: ("contrast", "as the system"), True: ("dark_mode", "dark"), False: ("light_mode", "light")}
@@ -41,19 +41,19 @@ _COPY = """return (async () => {{
 
 
 class Page:
-    """What one visitor sees and does; nothing of it is shared but the ships and the turns.
+    """What one visitor sees and does; nothing of it is shared but the ships and the jobs.
 
     Parameters
     ----------
     client : Client      of NiceGUI: this browser tab
-    fleet : Fleet
-    turns : Turns
+    registry : ShipRegistry
+    jobs : JobQueue
     state : State        what the link asked for
     problem : str        what was wrong with the link, or ""
     """
 
-    def __init__(self, client: Client, fleet: Fleet, turns: Turns, state: State, problem: str) -> None:
-        self._client, self._fleet, self._turns = client, fleet, turns
+    def __init__(self, client: Client, registry: ShipRegistry, jobs: JobQueue, state: State, problem: str) -> None:
+        self._client, self._registry, self._jobs = client, registry, jobs
         self.state = state
         self._shown: State | None = None
         self._following: asyncio.Task[None] | None = None
@@ -117,11 +117,11 @@ class Page:
         theme.on_click(turn)
 
     def _options(self) -> dict[str, str]:
-        options = self._fleet.options()
+        options = self._registry.options()
         if self.state.ship in options:
             return options
         try:
-            return {self.state.ship: self._fleet.known(self.state.ship).label, **options}
+            return {self.state.ship: self._registry.known(self.state.ship).label, **options}
         except InputError:
             return {self.state.ship: "?", **options}
 
@@ -157,7 +157,7 @@ class Page:
             self._go()
 
     def _uploaded(self, known: Known) -> None:
-        self._fleet.keep(known)
+        self._registry.keep(known)
         self._ships.set_options({known.key: known.label, **self._options()})
         self._ships.set_value(known.key)
         self.change(panel="hull")
@@ -178,10 +178,10 @@ class Page:
 
     async def _send(self, make: downloads.File) -> None:
         def made() -> tuple[str, bytes]:
-            return make(self.state, scene(self.state, self._fleet.known(self.state.ship)))
+            return make(self.state, scene(self.state, self._registry.known(self.state.ship)))
 
         try:
-            (name, content), _ = await self._turns.take(self._client.id, noting(made))
+            (name, content), _ = await self._jobs.take(self._client.id, noting(made))
         except InputError as error:
             self._say_wrong(str(error))
             return
@@ -201,7 +201,7 @@ class Page:
             self._shown = state
 
     async def _settle(self, state: State) -> None:
-        of, _ = await self._take(lambda: scene(state, self._fleet.known(state.ship)))
+        of, _ = await self._take(lambda: scene(state, self._registry.known(state.ship)))
         try:
             found, notes = await self._take(lambda: verdict(of))
         except InputError as error:  # ship and sea are as they should be; in this condition there is no motion
@@ -277,7 +277,7 @@ class Page:
             self._heal.set_content(f"<p class='heal'>Each of these alone restores stability: {words}.</p>")
 
     async def _take(self, work: Callable[[], Any]) -> tuple[Any, list[str]]:
-        return await self._turns.take(self._client.id, noting(work))
+        return await self._jobs.take(self._client.id, noting(work))
 
     def _say_wrong(self, problem: str) -> None:
         self._wrong.set_content(f"<p class='wrong'>{html.escape(without_paths(problem))}</p>")

@@ -49,13 +49,7 @@ def refused(reason: str, status: int = 422, **headers: str) -> JSONResponse:
 
 
 def without_paths(text: str) -> str:
-    """A text in which files of this machine are called by their names alone.
-
-    Examples
-    --------
-    >>> without_paths('/home/me/ships/own.yaml: gm = -1 m; forces in kg m/s2')
-    'own.yaml: gm = -1 m; forces in kg m/s2'
-    """
+    """A text in which files of this machine are called by their names alone."""
     for place in _OWN:
         text = text.replace(place, "/")
     text = _PATH.sub("", text)

@@ -12,7 +12,7 @@ from contextlib import suppress
 import typer
 
 from quartering.conventions import InputError
-from quartering.stability.ahead import announce_compilation
+from quartering.stability.precompile import announce_compilation
 
 _LONGEST_MESSAGE = 1_000_000
 
@@ -20,16 +20,10 @@ _LONGEST_MESSAGE = 1_000_000
 def run_explorer(ship: str | None, host: str, port: int, browser: bool, names: Sequence[str] = ()) -> None:
     """Serve the explorer until Ctrl-C.
 
-    Parameters
-    ----------
-    ship : str or None    built-in ship or ship file to open with
-    host, port            to listen on
-    browser : bool        open the page in the system's browser
-    names                 further names the server goes by, where it is reached by others than its host's
-
-    Raises
-    ------
-    InputError            NiceGUI is not installed, no such ship, the port is taken
+    ship: built-in ship or ship file to open with
+    to listen on
+    browser: open the page in the system's browser
+    further names the server goes by, where it is reached by others than its host's
     """
     if importlib.util.find_spec("nicegui") is None:
         raise InputError("the explorer needs NiceGUI, which is not installed; try: pip install 'quartering[app]'")
@@ -37,13 +31,13 @@ def run_explorer(ship: str | None, host: str, port: int, browser: bool, names: S
     import uvicorn
 
     from quartering.view.explorer.application import explorer
-    from quartering.view.explorer.fleet import Fleet
     from quartering.view.explorer.guard import LOOPBACK
     from quartering.view.explorer.patience import Patient
+    from quartering.view.explorer.ship_registry import ShipRegistry
 
     announce_compilation()
-    fleet = Fleet(ship)
-    server = explorer(fleet, fleet.first, host, names)
+    registry = ShipRegistry(ship)
+    server = explorer(registry, registry.first, host, names)
     address = f"http://{host}:{port}/"
     typer.echo(f"quartering explorer: {address}   (Ctrl-C ends it; the service is described at {address}api/docs)")
     if host not in LOOPBACK:

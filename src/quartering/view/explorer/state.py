@@ -18,7 +18,7 @@ from pydantic import (
 )
 
 from quartering.conventions import InputError
-from quartering.hull.file.refusals import allowed, own_words
+from quartering.hull.file.refusals import allowed, user_words
 from quartering.options import OPTIONS, checked, line_of, ship_options
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
@@ -62,12 +62,7 @@ def loading_fields(names: Iterable[str] = LOADING) -> dict[str, Any]:
 
 
 def checked_loading(given: Any) -> Any:
-    """Refuse values no ship has: what does not need the ship to be known.
-
-    Raises
-    ------
-    ValueError
-    """
+    """Refuse values no ship has: what does not need the ship to be known."""
     if isinstance(given, Mapping):
         for one in DIALS:
             if given.get(one.name) is not None:
@@ -82,12 +77,7 @@ else:
 
 
 def check_keels(roll_damping: float | None, length: float | None, breadth: float | None) -> None:
-    """Refuse one size of the keels without the other, and keels beside a fraction of critical, which stands for them.
-
-    Raises
-    ------
-    ValueError
-    """
+    """Refuse one size of the keels without the other, and keels beside a fraction of critical, which stands for them."""
     if (length is None) != (breadth is None):
         raise ValueError("bilge_keel_length and bilge_keel_breadth go together; give both, or leave both out")
     if length is not None and roll_damping is not None:
@@ -160,20 +150,7 @@ class State(Loaded):
 
     @classmethod
     def of_query(cls, query: Mapping[str, str]) -> State:
-        """The state a link describes; `STARTING` for a link that says nothing.
-
-        Parameters
-        ----------
-        query : mapping of str to str
-
-        Returns
-        -------
-        State
-
-        Raises
-        ------
-        InputError    an unknown key or a value that cannot be: the first one, and what is allowed
-        """
+        """The state a link describes; `STARTING` for a link that says nothing."""
         if not query:
             return STARTING
         try:
@@ -188,12 +165,7 @@ class State(Loaded):
         return urlencode({name: f"{v:.10g}" if isinstance(v, float) else v for name, v in changed.items()})
 
     def changed(self, **values: Any) -> State:
-        """The state with some values changed.
-
-        Raises
-        ------
-        InputError    a value that cannot be
-        """
+        """The state with some values changed."""
         try:
             return State.model_validate(self.model_dump() | values)
         except ValidationError as error:
@@ -211,7 +183,7 @@ def sentence(error: ValidationError) -> str:
     given = str(problem["input"])[:80]
     if problem["type"] == "extra_forbidden":
         return f"{key} is unknown; known are {', '.join(State.model_fields)}"
-    own = own_words(problem)
+    own = user_words(problem)
     if own is not None:
         return f"{key} = {given}: {own}" if key else own
     return f"{key} = {given}: allowed is {allowed(problem)}"

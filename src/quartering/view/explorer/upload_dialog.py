@@ -9,7 +9,7 @@ from nicegui import run, ui
 from nicegui.events import UploadEventArguments
 
 from quartering.conventions import InputError
-from quartering.view.explorer.fleet import Known
+from quartering.view.explorer.ship_registry import Known
 from quartering.view.explorer.uploads import ENDINGS, LARGEST, Sizes, check_file, hull_of_upload
 
 _ONE_AT_A_TIME = asyncio.Semaphore(1)
@@ -70,7 +70,7 @@ class UploadDialog:
         await self._draw()
 
     async def _draw(self) -> None:
-        """Make a hull of the file; apart from the turns, because reading a mesh takes long."""
+        """Make a hull of the file; apart from the queue, because reading a mesh takes long."""
         if not self._data:
             self._problem.set_text("choose a file first")
             return

@@ -13,7 +13,7 @@ from quartering.conventions import InputError
 from quartering.hull.file.read import ship
 from quartering.hull.formats.offset_tables import Lines
 from quartering.hull.formats.read import read_lines
-from quartering.view.explorer.fleet import Known
+from quartering.view.explorer.ship_registry import Known
 
 LARGEST = 8_000_000
 """Largest file taken [bytes]."""
@@ -35,12 +35,6 @@ class Sizes(NamedTuple):
 def check_file(name: str, size: int) -> None:
     """Refuse a file by its name or size, before it is looked into.
 
-    Raises
-    ------
-    InputError    an ending that is not known, an empty or a too large file
-
-    Examples
-    --------
     >>> check_file("hull.exe", 100)
     Traceback (most recent call last):
     ...
@@ -57,19 +51,9 @@ def check_file(name: str, size: int) -> None:
 def hull_of_upload(name: str, data: bytes, sizes: Sizes = Sizes()) -> Known:  # noqa: B008  # immutable
     """Ship of an uploaded file of lines, with assumed loading.
 
-    Parameters
-    ----------
-    name : str       of the file, as its owner calls it
-    data : bytes
-    sizes : Sizes    draught is needed where heights count from the baseline
-
-    Returns
-    -------
-    Known            its key is the digest of file and dimensions
-
-    Raises
-    ------
-    InputError       what the readers refuse, with the name its owner knows; a draught that is missing
+    name: of the file, as its owner calls it
+    sizes: draught is needed where heights count from the baseline
+    Returns its key is the digest of file and dimensions
     """
     called = _safe(name)
     check_file(called, len(data))

@@ -25,18 +25,11 @@ def basin_picture(
 ) -> Figure:
     """Draw a safe basin and the integrity curve.
 
-    Parameters
-    ----------
-    ds : Dataset              of `quartering.motion.transient.basin.basin`
-    curve : (heights, integrity)    [m], share of the calm-water basin
-    height : float            of the basin drawn [m]
-    limit : str               roll that counts as capsize, in words
-    title : str
-    note : str                more small print
-
-    Returns
-    -------
-    Figure
+    ds: of `quartering.motion.transient.basin.basin`
+    curve (heights, integrity): [m], share of the calm-water basin
+    height: of the basin drawn [m]
+    limit: roll that counts as capsize, in words
+    note: more small print
     """
     made = style.figure(11.0, 4.8)
     left, right = made.subplots(1, 2, width_ratios=(1.5, 1.0))

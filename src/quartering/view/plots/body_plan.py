@@ -17,10 +17,7 @@ MOST_SECTIONS = 26
 def draw_body_plan(ax: Axes, ship: Ship) -> None:
     """Draw the sections of a ship, its waterline, and the points G and M.
 
-    Parameters
-    ----------
-    ax : Axes      one with room for the beam and the depth
-    ship : Ship
+    ax: one with room for the beam and the depth
     """
     hull = ship.hull
     step = -(-len(hull.x) // MOST_SECTIONS)

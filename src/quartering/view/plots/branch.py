@@ -27,16 +27,9 @@ _REACH = 1.6
 def branch_picture(ds: xr.Dataset, over: str, title: str, note: str = "") -> Figure:
     """Draw the dataset of `quartering.branch`.
 
-    Parameters
-    ----------
-    ds : Dataset
-    over : str      the parameter
-    title : str
-    note : str      more small print
-
-    Returns
-    -------
-    Figure          largest roll over the parameter, and the Floquet multipliers in the complex plane
+    over: the parameter
+    note: more small print
+    Returns largest roll over the parameter, and the Floquet multipliers in the complex plane
     """
     made = style.figure(11.0, 5.6)
     curve, circle = made.subplots(1, 2, width_ratios=(2.0, 1.0))

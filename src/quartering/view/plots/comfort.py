@@ -19,14 +19,9 @@ _MARKS = ("o", "s", "^", "D", "v", "P")
 def comfort_picture(studies: Sequence[xr.Dataset]) -> Figure:
     """Draw roll against stability, a line a heading, a column for each value of the loading.
 
-    Parameters
-    ----------
-    studies : sequence of Dataset    of `quartering.vary`, each over a value of the loading and ``heading``
-
-    Returns
-    -------
-    Figure                           upper row the stability index S, lower row the decay rate by Floquet, both [1/s] and larger
-                                     the more stable; filled mark: largest value of the loading, open mark: smallest
+    studies: of `quartering.vary`, each over a value of the loading and ``heading``
+    Returns upper row the stability index S, lower row the decay rate by Floquet, both [1/s] and larger the more stable;
+        filled mark: largest value of the loading, open mark: smallest
     """
     made = style.figure(5.0 * len(studies) + 1.6, 8.0)
     panels = made.subplots(2, len(studies), squeeze=False, sharex="col")

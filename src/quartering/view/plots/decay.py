@@ -14,16 +14,7 @@ from quartering.view.plots import style
 
 
 def decay_picture(decay: RollDecay) -> Figure:
-    """Draw a decay and what is made of it.
-
-    Parameters
-    ----------
-    decay : RollDecay
-
-    Returns
-    -------
-    Figure
-    """
+    """Draw a decay and what is made of it."""
     made = style.figure(11.0, 6.4)
     left, right = made.subplots(1, 2, width_ratios=(1.5, 1.0))
     _draw_record(left, decay)

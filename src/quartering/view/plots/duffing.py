@@ -23,14 +23,7 @@ _WORST = 6.0
 def duffing_picture(ds: xr.Dataset, title: str) -> Figure:
     """Fundamental and peak over frequency.
 
-    Parameters
-    ----------
-    ds : Dataset    of `duffing_curves`
-    title : str
-
-    Returns
-    -------
-    Figure
+    ds: of `duffing_curves`
     """
     made = style.figure(12.5, 8.0)
     panels, errors = made.subplots(2, 2, sharex=True, sharey="row", height_ratios=(2.0, 1.0))

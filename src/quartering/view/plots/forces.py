@@ -39,15 +39,9 @@ def forces_picture(
 ) -> Figure:
     """Amplitude of the wave forces per metre of wave amplitude, over heading.
 
-    Parameters
-    ----------
-    compared : Dataset           of `compare_forces`; choose forms by ``compared.sel(form=[..])``
-    title, note : str
-    modes : sequence of str      one column each; a single mode has its wave lengths side by side
-
-    Returns
-    -------
-    Figure    one axes for each wave length and mode, lines are the forms; all wave lengths of a mode on one scale
+    compared: of `compare_forces`; choose forms by ``compared.sel(form=[..])``
+    modes: one column each; a single mode has its wave lengths side by side
+    Returns one axes for each wave length and mode, lines are the forms; all wave lengths of a mode on one scale
     """
     count = compared.sizes["wave_length"]
     rows, columns = (1, count) if len(modes) == 1 else (count, len(modes))

@@ -56,14 +56,9 @@ class Diagram(NamedTuple):
 def guidance_picture(diagrams: list[Diagram], limit: float) -> Figure:
     """Draw some polar diagrams beside each other.
 
-    Parameters
-    ----------
-    diagrams : list of Diagram    up to six
-    limit : float                 largest roll angle allowed: the end of the colours [deg]
-
-    Returns
-    -------
-    Figure    bow up; waves come from the side of the cell
+    diagrams: up to six
+    limit: largest roll angle allowed: the end of the colours [deg]
+    Returns bow up; waves come from the side of the cell
     """
     columns = min(len(diagrams), 3)
     rows = -(-len(diagrams) // columns)
@@ -118,8 +113,6 @@ def _panel(ax: PolarAxes, d: Diagram, colours: Normalize) -> object:
 def _round_knots(largest: float) -> list[float]:
     """Rings in knots.
 
-    Examples
-    --------
     >>> _round_knots(17.0), _round_knots(33.0)
     ([5.0, 10.0, 15.0], [10.0, 20.0, 30.0])
     """

@@ -25,17 +25,9 @@ def hull_picture(
 ) -> Figure:
     """Body plan and righting arm of a ship.
 
-    Parameters
-    ----------
-    ship : Ship
-    angles, arms : (n,) float    heel [deg] and GZ [m]
-    fit : RightingFit
-    width : float                of the figure [inches]
-    waves : mapping              further righting arms, on waves, by what they are called [m]
-
-    Returns
-    -------
-    Figure
+    angles, arms (n,): heel [deg] and GZ [m]
+    width: of the figure [inches]
+    waves: further righting arms, on waves, by what they are called [m]
     """
     made = style.figure(width, 1.4 + width / 3)
     left, right = made.subplots(1, 2, width_ratios=(1.15, 1.0))

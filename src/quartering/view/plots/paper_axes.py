@@ -19,15 +19,7 @@ _WAVE = _ARROW | {"color": style.CONTRAST[0], "linewidth": 2.2}
 def axes_picture(ship: Ship, heading: float, title: str) -> Figure:
     """Plan and section of a ship with its axes, and a wave train that meets it.
 
-    Parameters
-    ----------
-    ship : Ship
-    heading : float    mu, 0 following, 180 head [deg]
-    title : str
-
-    Returns
-    -------
-    Figure
+    heading: mu, 0 following, 180 head [deg]
     """
     made = style.figure(11.0, 6.2)
     plan, section = made.subplots(1, 2, width_ratios=(1.25, 1.0))

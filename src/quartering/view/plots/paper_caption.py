@@ -14,14 +14,7 @@ OURS = "The condition is ours: the paper's own is not known here."
 def force_caption(one: Ship, compared: xr.Dataset) -> str:
     """Ship, speed, height of G, and what the forces are.
 
-    Parameters
-    ----------
-    one : Ship
-    compared : Dataset    of `compare_forces` for it
-
-    Returns
-    -------
-    str
+    compared: of `compare_forces` for it
     """
     where = f"{one.name}, {speed_words(float(compared.attrs['speed']), one.hull.length)}"
     loading = f"GM {one.loading.gm:.4g} m, KG {one.loading.kg:.4g} m (GM assumed)"
@@ -31,15 +24,9 @@ def force_caption(one: Ship, compared: xr.Dataset) -> str:
 def caption(ds: xr.Dataset, *more: str, loading: str = "") -> str:
     """Ship, speed, waves, loading, what is estimated.
 
-    Parameters
-    ----------
-    ds : Dataset       of `study.paper.curves`
-    *more : str        further sentences
-    loading : str      in place of the dataset's own loading
-
-    Returns
-    -------
-    str
+    ds: of `study.paper.curves`
+    *more: further sentences
+    loading: in place of the dataset's own loading
     """
     where = f"{ds.attrs['ship']}, {speed_words(float(ds['speed']), float(ds.attrs['ship_length']))}"
     said = "; ".join((where, wave_of(ds), loading or str(ds.attrs["loading"])))

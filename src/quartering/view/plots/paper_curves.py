@@ -25,15 +25,8 @@ _EVERY: Final = 18.0
 def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
     """One response over heading for several wave lengths, unstable motions and the roll resonance marked.
 
-    Parameters
-    ----------
-    ds : Dataset    of `response_curves`
-    name : str      "sway", "roll" or "yaw"
-    title : str
-
-    Returns
-    -------
-    Figure
+    ds: of `response_curves`
+    name: "sway", "roll" or "yaw"
     """
     made = style.figure(9.5, 5.6)
     ax = made.subplots()
@@ -58,15 +51,8 @@ def response_picture(ds: xr.Dataset, name: str, title: str) -> Figure:
 def loading_picture(sets: Mapping[str, xr.Dataset], name: str, title: str, note: str = "") -> Figure:
     """One response over heading for several values of each loading quantity.
 
-    Parameters
-    ----------
-    sets : mapping of loading quantity to Dataset    of `loading_curves`
-    name : str                                       "sway", "roll" or "yaw"
-    title, note : str
-
-    Returns
-    -------
-    Figure
+    sets: of `loading_curves`
+    name: "sway", "roll" or "yaw"
     """
     made = style.figure(_width(sets), 5.6)
     panels = np.atleast_1d(made.subplots(1, len(sets), sharey=True))
@@ -90,14 +76,7 @@ def loading_picture(sets: Mapping[str, xr.Dataset], name: str, title: str, note:
 def stability_picture(sets: Mapping[str, xr.Dataset], title: str, note: str = "") -> Figure:
     """K2, and beside its growth rate the largest Floquet exponent, over heading for several values of each quantity.
 
-    Parameters
-    ----------
-    sets : mapping of loading quantity to Dataset    of `loading_curves`
-    title, note : str
-
-    Returns
-    -------
-    Figure
+    sets: of `loading_curves`
     """
     made = style.figure(_width(sets), 8.4)
     panels = made.subplots(2, len(sets), sharex=True, sharey="row", squeeze=False)
@@ -117,14 +96,7 @@ def stability_picture(sets: Mapping[str, xr.Dataset], title: str, note: str = ""
 def coefficient_picture(sets: Mapping[str, xr.Dataset], title: str) -> Figure:
     """K2, and beside its growth rate the largest Floquet exponent, against the change of one coefficient at a time.
 
-    Parameters
-    ----------
-    sets : mapping of words to Dataset    of `coefficient_curves`, a column each
-    title : str
-
-    Returns
-    -------
-    Figure
+    sets: of `coefficient_curves`, a column each
     """
     made = style.figure(13.6, 8.0)
     panels = made.subplots(2, len(sets), sharex=True, squeeze=False)

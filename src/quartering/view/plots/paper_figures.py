@@ -163,13 +163,7 @@ FIGURES: Final = {
 def draw_figure(number: int) -> Figure:
     """Draw one figure of the paper.
 
-    Parameters
-    ----------
-    number : int    1 to 23
-
-    Returns
-    -------
-    Figure
+    number: 1 to 23
     """
     words, draw = FIGURES[number]
     return draw(f"Fig. {number} of Haddara (1971), recomputed: {words}")

@@ -22,16 +22,9 @@ _SOLUTIONS = {
 def integration_picture(ds: xr.Dataset, time: xr.Dataset, at: float, title: str, note: str) -> Figure:
     """Largest roll over heading by each method, and one motion in time.
 
-    Parameters
-    ----------
-    ds : Dataset      of `integration_check`
-    time : Dataset    of `time_check`
-    at : float        its heading [deg]
-    title, note : str
-
-    Returns
-    -------
-    Figure
+    ds: of `integration_check`
+    time: of `time_check`
+    at: its heading [deg]
     """
     made = style.figure(12.0, 7.0)
     panels = made.subplot_mosaic([["roll", "time"], ["error", "time"]], height_ratios=(1.6, 1.0))
@@ -70,15 +63,7 @@ def integration_picture(ds: xr.Dataset, time: xr.Dataset, at: float, title: str,
 def growth_picture(cases: Sequence[Growth], linear: bool, title: str, note: str) -> Figure:
     """Roll in time of a stable and an unstable case, under each other.
 
-    Parameters
-    ----------
-    cases : sequence of Growth
-    linear : bool    a disturbance by the variational equations, with the envelopes of the exponents; or the motion itself
-    title, note : str
-
-    Returns
-    -------
-    Figure
+    linear: a disturbance by the variational equations, with the envelopes of the exponents; or the motion itself
     """
     made = style.figure(11.0, 3.1 * len(cases) + 1.0)
     panels = np.atleast_1d(made.subplots(len(cases), 1, sharex=True))

@@ -19,15 +19,7 @@ def panels(made: Figure) -> list[str]:
 def draw_points(made: Figure, points: Sequence[Point], number: int) -> None:
     """Draw points into the panels they belong to.
 
-    Parameters
-    ----------
-    made : Figure
-    points : sequence of Point
-    number : int    of the figure, for messages
-
-    Raises
-    ------
-    InputError      a quantity the figure has no panel for
+    number: of the figure, for messages
     """
     for quantity, series in dict.fromkeys((p.quantity, p.series) for p in points):
         axes = [ax for ax in made.axes if ax.get_gid() == quantity]

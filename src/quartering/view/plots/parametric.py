@@ -13,14 +13,9 @@ from quartering.view.plots import style
 def parametric_picture(ds: xr.Dataset) -> Figure:
     """Draw the dataset of `quartering.parametric_map`.
 
-    Parameters
-    ----------
-    ds : Dataset    over speed and wave_height, at least two of each
-
-    Returns
-    -------
-    Figure    colour: the largest stable roll; line: small roll neither grows nor decays; dashes: the margin of roll alone is 1;
-              hatched: small roll grows and no stable motion was found
+    ds: over speed and wave_height, at least two of each
+    Returns colour: the largest stable roll; line: small roll neither grows nor decays; dashes: the margin of roll alone
+        is 1; hatched: small roll grows and no stable motion was found
     """
     made = style.figure(style.PAGE, 5.2)
     ax = made.subplots()

@@ -58,16 +58,11 @@ _OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = None) -> Figure:
     """Draw the dataset of `quartering.polar`, one panel a speed; the key stands in an empty corner where there is one.
 
-    Parameters
-    ----------
-    ds : Dataset      with dims speed, heading, wave_length
-    columns : int     panels beside each other; by default 3, of four panels 2
-    width : float     of the figure [inches]; by default what the panels want
-
-    Returns
-    -------
-    Figure    head seas on top, waves from port on the left; radius = wave length / ship length; colour = largest roll over a
-              cycle
+    ds: with dims speed, heading, wave_length
+    columns: panels beside each other; by default 3, of four panels 2
+    width: of the figure [inches]; by default what the panels want
+    Returns head seas on top, waves from port on the left; radius = wave length / ship length; colour = largest roll
+        over a cycle
     """
     count = ds.sizes["speed"]
     columns = min(count, columns or (2 if count == 4 else 3))
@@ -197,8 +192,6 @@ def _marks(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
 def also_label(rolls: Floats) -> str:
     """Legend of the rings: how far the other motions of a picture roll [deg].
 
-    Examples
-    --------
     >>> also_label(np.array([27.71, np.nan, 41.0])), also_label(np.array([27.71]))
     ('another stable motion too, of 27.7 to 41 deg', 'another stable motion too, of 27.7 deg')
     """
@@ -286,13 +279,7 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
 
 
 def edges(centres: Floats, width: float) -> Floats:
-    """Edges of cells round their centres; one cell alone gets a width.
-
-    Examples
-    --------
-    >>> edges(np.array([0.0, 10.0, 30.0]), 5.0).tolist(), edges(np.array([90.0]), 5.0).tolist()
-    ([-5.0, 5.0, 20.0, 40.0], [87.5, 92.5])
-    """
+    """Edges of cells round their centres; one cell alone gets a width."""
     if centres.size == 1:
         return np.array([centres[0] - width / 2, centres[0] + width / 2])
     middle = 0.5 * (centres[1:] + centres[:-1])

@@ -18,14 +18,8 @@ MARKS = {"unstable": "x", "course-unstable even in calm water": "."}
 def response_picture(ds: xr.Dataset, columns: int = 3) -> Figure:
     """Draw a map of few wave lengths as lines over heading.
 
-    Parameters
-    ----------
-    ds : Dataset     of `quartering.polar`, dims speed, heading, wave_length
-    columns : int    panels beside each other: 3 for a screen, or 2, with the legend in the empty corner, for a page
-
-    Returns
-    -------
-    Figure
+    ds: of `quartering.polar`, dims speed, heading, wave_length
+    columns: panels beside each other: 3 for a screen, or 2, with the legend in the empty corner, for a page
     """
     made = style.figure(13.0, 5.4) if columns == 3 else style.figure(style.PAGE, 7.0)
     panels = made.subplots(-(-3 // columns), columns).ravel()

@@ -22,14 +22,10 @@ def draw_righting_arm(
 ) -> None:
     """Draw GZ over heel with its fit and its slope at 0.
 
-    Parameters
-    ----------
-    ax : Axes
-    angles : (n,) float    heel, from 0 up [deg]
-    arms : (n,) float      GZ [m]
-    fit : RightingFit
-    used : bool            is the fit what the equations carry? Otherwise it is for comparison
-    waves : mapping        arms on waves by what they are called; the fit then gives way to them
+    angles (n,): heel, from 0 up [deg]
+    arms (n,): GZ [m]
+    used: is the fit what the equations carry? Otherwise it is for comparison
+    waves: arms on waves by what they are called; the fit then gives way to them
     """
     ax.axhline(0.0, color=style.QUIET, linewidth=0.8)
     if waves:

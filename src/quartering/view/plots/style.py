@@ -42,13 +42,7 @@ _RULES: Final = {
 def figure(width: float, height: float) -> Figure:
     """Empty figure in this library's style.
 
-    Parameters
-    ----------
-    width, height : float    [inches]
-
-    Returns
-    -------
-    Figure
+    width, height: [inches]
     """
     mpl.rcParams.update(_RULES)
     made = Figure(figsize=(width, height), layout="constrained")
@@ -99,15 +93,8 @@ def title(made: Figure, text: str) -> None:
 def footnote(made: Figure, text: str, above: float = 0.0) -> float:
     """Small print at the foot of a figure, wrapped to its width; the axes make room for it.
 
-    Parameters
-    ----------
-    made : Figure
-    text : str
-    above : float    strip kept free above the print, for a legend [inches]
-
-    Returns
-    -------
-    float            where the print ends, as a share of the height
+    above: strip kept free above the print, for a legend [inches]
+    Returns where the print ends, as a share of the height
     """
     characters = int(17.8 * made.get_figwidth())
     lines = [part for line in text.splitlines() for part in textwrap.wrap(line, characters)]

@@ -32,15 +32,9 @@ _LOOKS: Final = {
 def tornado_picture(ds: xr.Dataset, title: str, note: str) -> Figure:
     """Draw the dataset of `quartering.tornado`.
 
-    Parameters
-    ----------
-    ds : Dataset    of `tornado`
-    title : str     ship and condition
-    note : str      what is estimated
-
-    Returns
-    -------
-    Figure
+    ds: of `tornado`
+    title: ship and condition
+    note: what is estimated
     """
     shown = ds.isel(parameter=slice(0, MOST_ROWS))
     made = style.figure(12.5, 1.9 + 0.32 * shown.sizes["parameter"])

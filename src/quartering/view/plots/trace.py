@@ -11,15 +11,8 @@ from quartering.view.plots import style
 def trace_picture(trace: xr.Dataset, steady_roll: float | None, title: str, note: str) -> Figure:
     """Draw the dataset of `quartering.simulate`.
 
-    Parameters
-    ----------
-    trace : Dataset        sway_velocity, roll, yaw_rate over time
-    steady_roll : float    largest roll of the steady motion, None when there is none [deg]
-    title, note : str
-
-    Returns
-    -------
-    Figure
+    trace: sway_velocity, roll, yaw_rate over time
+    steady_roll: largest roll of the steady motion, None when there is none [deg]
     """
     made = style.figure(11.0, 6.4)
     panels = made.subplots(3, 1, sharex=True, height_ratios=(1.6, 1.0, 1.0))

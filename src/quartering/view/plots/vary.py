@@ -20,13 +20,8 @@ HATCH = "////"
 def vary_picture(ds: xr.Dataset) -> Figure:
     """Draw the dataset of `quartering.vary`.
 
-    Parameters
-    ----------
-    ds : Dataset    over one or two parameters
-
-    Returns
-    -------
-    Figure          curves for one parameter, maps for two
+    ds: over one or two parameters
+    Returns curves for one parameter, maps for two
     """
     names = varied(ds)
     made = style.figure(10.5, 6.6 if len(names) == 1 else 5.2)
@@ -52,8 +47,8 @@ def _curves(made: Figure, ds: xr.Dataset, name: str) -> None:
     x = ds[name].values
     for ax in (above, below):
         _unstable_spans(ax, ds, name)
-        if "own_value" in ds[name].attrs:
-            ax.axvline(ds[name].attrs["own_value"], color=style.QUIET, linestyle=":", linewidth=1.2)
+        if "user_value" in ds[name].attrs:
+            ax.axvline(ds[name].attrs["user_value"], color=style.QUIET, linestyle=":", linewidth=1.2)
         for flip in ds["flip"].values:
             ax.axvline(flip, color=style.WARNING_INK, linewidth=1.2)
     lines = (
@@ -69,8 +64,8 @@ def _curves(made: Figure, ds: xr.Dataset, name: str) -> None:
     below.axhline(0.0, color=style.INK, linewidth=0.8)
     below.set_ylabel("growth rate [1/s]\nbelow 0: stable")
     below.set_xlabel(axis_words(ds, name))
-    if "own_value" in ds[name].attrs:
-        above.plot([], [], color=style.QUIET, linestyle=":", label=f"now, {ds[name].attrs['own_value']:.4g}")
+    if "user_value" in ds[name].attrs:
+        above.plot([], [], color=style.QUIET, linestyle=":", label=f"now, {ds[name].attrs['user_value']:.4g}")
     if ds["flip"].size:
         flips = ", ".join(f"{flip:.4g}" for flip in ds["flip"].values)
         above.plot([], [], color=style.WARNING_INK, label=f"verdict flips at {flips}")
@@ -105,7 +100,7 @@ def _maps(made: Figure, ds: xr.Dataset, along: str, up: str) -> None:
         if exponent.count() and exponent.min() < 0 < exponent.max():
             ax.contour(x, y, exponent, levels=[0.0], colors="white", linewidths=2.4)
             ax.contour(x, y, exponent, levels=[0.0], colors=style.INK, linewidths=1.0)
-        now = [ds[name].attrs.get("own_value") for name in (along, up)]
+        now = [ds[name].attrs.get("user_value") for name in (along, up)]
         if None not in now:
             ax.plot(*now, "o", color="white", markeredgecolor=style.INK, markersize=7)
         ax.set_xlim(x[0], x[-1])

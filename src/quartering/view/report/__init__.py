@@ -13,14 +13,8 @@ if TYPE_CHECKING:
 def report_html(ship: Ship, result: xr.Dataset) -> str:
     """The report on a map at hand.
 
-    Parameters
-    ----------
-    ship : Ship
-    result : Dataset    of `polar` or `sweep`, of that ship
-
-    Returns
-    -------
-    str    a whole HTML page that needs nothing else
+    result: of `polar` or `sweep`, of that ship
+    Returns a whole HTML page that needs nothing else
     """
     from quartering.view.report.page import report_page
     from quartering.view.report.source import Source, digest_of

@@ -44,18 +44,7 @@ class Guidance(NamedTuple):
 def guidance(source: Source, openings: float | None) -> Guidance:
     """Diagrams and summary of a result.
 
-    Parameters
-    ----------
-    source : Source
-    openings : float or None    heel at which unprotected openings go under in calm water [deg]; None: that of the ship, if any
-
-    Returns
-    -------
-    Guidance
-
-    Raises
-    ------
-    InputError    an angle of openings that cannot be; one speed only; several loadings
+    openings: heel at which unprotected openings go under in calm water [deg]; None: that of the ship, if any
     """
     result = source.result
     if openings is not None and not 0 < openings <= 90:
@@ -122,8 +111,6 @@ def _waves(result: xr.Dataset) -> list[tuple[str, list[tuple[str, xr.Dataset]]]]
 def _spread(count: int, most: int) -> list[int]:
     """Indices of up to `most` of `count` things, evenly, the ends among them.
 
-    Examples
-    --------
     >>> _spread(20, 6), _spread(3, 6)
     ([0, 4, 8, 11, 15, 19], [0, 1, 2])
     """

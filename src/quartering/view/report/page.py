@@ -30,13 +30,7 @@ from quartering.view.wording import estimated_words, estimates_of, speed_words
 def report_page(source: Source) -> str:
     """The report as HTML: ship, coefficients, maps, verdicts, sensitivities, sources.
 
-    Parameters
-    ----------
-    source : Source
-
-    Returns
-    -------
-    str    a whole page, pictures inside it; every text that comes from a file is escaped
+    Returns a whole page, pictures inside it; every text that comes from a file is escaped
     """
     ship, result = source.ship, source.result
     by_roll, by_margin = worst_conditions(source, "roll"), worst_conditions(source, "margin")
@@ -67,14 +61,8 @@ def report_page(source: Source) -> str:
 def guidance_page(source: Source, openings: float | None) -> str:
     """Polar diagrams of speed and heading for every wave height and length, in the form of operational guidance.
 
-    Parameters
-    ----------
-    source : Source
-    openings : float or None    heel at which unprotected openings go under in calm water [deg]
-
-    Returns
-    -------
-    str    a whole page, pictures inside it
+    openings: heel at which unprotected openings go under in calm water [deg]
+    Returns a whole page, pictures inside it
     """
     return _render(
         "guidance.html",
@@ -88,14 +76,7 @@ def guidance_page(source: Source, openings: float | None) -> str:
 def write_pdf(page: str, path: Path) -> None:
     """Write a page as PDF on A4.
 
-    Parameters
-    ----------
-    page : str     HTML
-    path : Path
-
-    Raises
-    ------
-    InputError     WeasyPrint, or a library of the system it needs, is not installed
+    page: HTML
     """
     try:
         from weasyprint import HTML

@@ -27,13 +27,7 @@ _FEWEST_RINGS, _MOST_HEIGHTS, _MOST_PAIRED = 3, 4, 4
 
 
 def inline_svg(figure: Figure, words: str) -> Markup:
-    """A figure as SVG to stand in HTML, with words for those who cannot see it.
-
-    Examples
-    --------
-    >>> inline_svg(Figure(), "nothing <yet>")[:48]
-    Markup('<svg role="img" aria-label="nothing &lt;yet&gt;"')
-    """
+    """A figure as SVG to stand in HTML, with words for those who cannot see it."""
     page = io.StringIO()
     with mpl.rc_context({"svg.hashsalt": words, "savefig.dpi": 130}):  # names in one picture must not meet another's
         figure.savefig(page, format="svg", metadata={"Date": None})

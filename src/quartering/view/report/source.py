@@ -68,19 +68,9 @@ class Source(NamedTuple):
 def report_source(what: str, ship_given: str | None, kind: str) -> Source:
     """Open a result with its ship, or compute the usual map of a ship.
 
-    Parameters
-    ----------
-    what : str          a .nc file, the folder of a sweep, a built-in ship or a ship file
-    ship_given : str    ship of the result, where it does not say itself
-    kind : str          "report" or "guidance": which map a ship gets
-
-    Returns
-    -------
-    Source
-
-    Raises
-    ------
-    InputError          neither a result nor a ship; a result of something else; a ship that is not the one of the result
+    what: a .nc file, the folder of a sweep, a built-in ship or a ship file
+    ship_given: ship of the result, where it does not say itself
+    kind: "report" or "guidance": which map a ship gets
     """
     path = Path(what)
     if not (path.is_dir() or path.suffix.lower() == ".nc"):
@@ -174,8 +164,6 @@ def _usual_sweep(one: Ship) -> xr.Dataset:
 def axes_of(result: xr.Dataset) -> dict[str, list[float]]:
     """The axes of a result, for the record.
 
-    Examples
-    --------
     >>> axes_of(xr.Dataset(coords={"speed": [5.0], "heading": [0.0, 90.0]}))
     {'heading': [0.0, 90.0], 'speed': [5.0]}
     """

@@ -18,23 +18,11 @@ LARGEST: Final = 0.03
 def worst(residual: Floats, frequency: Floats) -> Floats:
     """Largest difference of each section and where it is.
 
-    Parameters
-    ----------
-    residual : (f, s, k) float    of `close_fit`
-    frequency : (f,) float        [rad/s]
+    residual (f, s, k): of `close_fit`
+    frequency (f,): [rad/s]
+    Returns (2, s): difference [1] and frequency [rad/s]
 
-    Returns
-    -------
-    (2, s) float                  difference [1] and frequency [rad/s]
-
-    Notes
-    -----
     Source: [Frank67], energy of the radiated waves.
-
-    Examples
-    --------
-    >>> worst(np.array([[[0.1]], [[0.3]]]), np.array([1.0, 2.0])).tolist()
-    [[0.3], [2.0]]
     """
     largest = residual.max(axis=-1)
     return np.stack([largest.max(axis=0), frequency[largest.argmax(axis=0)]])
@@ -43,18 +31,10 @@ def worst(residual: Floats, frequency: Floats) -> Floats:
 def warn_of_mismatch(worst_of: Floats, names: Sequence[str], stacklevel: int) -> None:
     """One warning that names the worst section, its frequency, and how many there are.
 
-    Parameters
-    ----------
-    worst_of : (2, s) float    of `worst`
-    names : sequence of str    of the sections
-    stacklevel : int           as in `warnings.warn`
+    worst_of (2, s): of `worst`
+    names: of the sections
+    stacklevel: as in `warnings.warn`
 
-    Warns
-    -----
-    RangeWarning               a difference above 3 %
-
-    Notes
-    -----
     Source: [Frank67], energy of the radiated waves.
     """
     beyond = np.flatnonzero(worst_of[0] > LARGEST)

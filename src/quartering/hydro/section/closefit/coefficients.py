@@ -69,44 +69,19 @@ def close_fit(
 ) -> Radiation:
     """Added mass, damping and contour potentials of sections of any shape oscillating in calm deep water.
 
-    Parameters
-    ----------
-    outlines : sequence of Outline    (s,) sections
-    frequency : (f,) float            w >= 0 [rad/s]
-    modes : "lateral" (sway and roll about the waterline point) or "heave"
-    density : float                   of the water [kg/m3]
-    panels : int                      on the half contour, at least 8
+    outlines: (s,) sections
+    frequency (f,): w >= 0 [rad/s]
+    density: of the water [kg/m3]
+    panels: on the half contour, at least 8
+    Returns on panels - 1 contour points; its residual is the relative difference of the damping by pressure and by
+        radiated waves
 
-    Returns
-    -------
-    Radiation                         on panels - 1 contour points; its residual is the relative difference of the
-                                      damping by pressure and by radiated waves
-
-    Raises
-    ------
-    InputError                        a frequency negative or not finite, or fewer than 8 panels
-
-    Notes
-    -----
     a + b/(iw) = -rho int psi_i n_j ds; b_ij = rho w Re(D_i conj D_j) from the waves D far away.
     In heave a33 grows without bound as w -> 0 (infinite at w = 0).
     The error falls with the third power of the panels on smooth contours, about the second with corners: 25 panels give
     2e-5 for a half circle and 3e-4 for rectangles, 36 panels 1e-4.
     Source: [Frank67] section problem; solved by Cauchy's theorem for the wave-free velocity, on [Kress90] meshes.
     Valid: deep water, small motions, contours symmetric in y; beyond nu times the extent = 100 values are held.
-
-    Examples
-    --------
-    Half circle, nu r = 1, sway added mass over rho pi r^2/2:
-
-    >>> import numpy as np
-    >>> from quartering.hull.lines.section import Section
-    >>> from quartering.hydro.section.outline import section_outline
-    >>> t = np.linspace(0.0, np.pi / 2, 400)
-    >>> circle = section_outline(Section(np.sin(t), np.cos(t)))
-    >>> sway = close_fit([circle], [np.sqrt(9.81)], density=1.0)
-    >>> round(float(sway.added_mass[0, 0, 0, 0] / (np.pi / 2)), 3)
-    0.382
     """
     w = _frequencies(frequency)
     problem = _problem(tuple(outlines), panels, "even" if modes == "heave" else "odd")
@@ -240,32 +215,14 @@ def close_fit_limits(
 ) -> tuple[Floats, Floats, Floats]:
     """Added mass for zero frequency (a rigid lid on the water) and for infinite frequency (no potential there).
 
-    Parameters
-    ----------
-    outlines : sequence of Outline    (s,) sections
-    density : float                   of the water [kg/m3]
-    panels : int                      on the half contour
+    outlines: (s,) sections
+    density: of the water [kg/m3]
+    panels: on the half contour
+    Returns (s, 3): a22 [kg/m], a24 [kg], a44 [kg m] for w -> 0, about the waterline point; (s, 3): the same for w ->
+        infinity; (s,): a33 for w -> infinity [kg/m]; it grows without bound for w -> 0
 
-    Returns
-    -------
-    (s, 3) float      a22 [kg/m], a24 [kg], a44 [kg m] for w -> 0, about the waterline point
-    (s, 3) float      the same for w -> infinity
-    (s,) float        a33 for w -> infinity [kg/m]; it grows without bound for w -> 0
-
-    Notes
-    -----
     The constant part of the equations alone, and the part multiplied by nu alone with phi = 0 at the waterline.
     Source: [Frank67] limits.  Valid: contours symmetric in y.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from quartering.hull.lines.section import Section
-    >>> from quartering.hydro.section.outline import section_outline
-    >>> t = np.linspace(0.0, np.pi / 2, 400)
-    >>> zero, infinite, heave = close_fit_limits([section_outline(Section(np.sin(t), np.cos(t)))], 1.0)
-    >>> (np.array([zero[0, 0], infinite[0, 0], heave[0]]) / (np.pi / 2)).round(3).tolist()
-    [1.0, 0.405, 1.0]
     """
     lateral, heave = (_problem(tuple(outlines), panels, symmetry) for symmetry in ("odd", "even"))
     zero = np.stack([_limit(lateral, s, density, 0) for s in range(len(outlines))])

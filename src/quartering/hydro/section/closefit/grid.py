@@ -66,29 +66,14 @@ class Nodes:
 def nodes_on(outline: Outline, panels: int) -> Nodes:
     """Place nodes on an outline, dense towards the keel, the waterline and corners.
 
-    Parameters
-    ----------
-    outline : Outline
-    panels : int         at least 8; more corners than panels/5 - 1 are treated as smooth
+    panels: at least 8; more corners than panels/5 - 1 are treated as smooth
 
-    Returns
-    -------
-    Nodes
-
-    Raises
-    ------
-    InputError           fewer than 8 panels
-
-    Notes
-    -----
     Chord length on each arc is an incomplete beta function of sin^2(pi u/2): ds/du ~ u^(p-1), (1-u)^(q-1) at its ends
     with p, q = 3 at the keel and the waterline and 6 at corners, where a potential ~ s^(2/3) becomes even and smooth
     in u and the trapezoid rule converges fast. The contour is the trigonometric curve through the nodes, so that kinks
     finer than the panels are rounded consistently in points, tangents and normals.
     Source: [Kress90] graded meshes.  Valid: piecewise smooth contours.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.section import Section
     >>> from quartering.hydro.section.outline import section_outline
     >>> box = nodes_on(section_outline(Section(y=[0.0, 2.0, 2.0], z=[1.0, 1.0, 0.0])), 24)
@@ -160,27 +145,11 @@ def _split(lengths: Floats, panels: int) -> tuple[int, ...]:
 def interpolation(split: tuple[int, ...], odd: bool) -> Interpolation:
     """Matrices that interpolate and differentiate on the nodes of an outline.
 
-    Parameters
-    ----------
-    split : tuple of int    panels of each arc
-    odd : bool              the function vanishes at the keel and is odd across the centre plane
+    split: panels of each arc
+    odd: the function vanishes at the keel and is odd across the centre plane
 
-    Returns
-    -------
-    Interpolation
-
-    Notes
-    -----
     Every arc has its own series: cos k pi u, k = 0 .. n; the arc at the keel sin (k + 1/2) pi u when odd.
     Source: trigonometric interpolation on the nodes of [Kress90].  Valid: graded nodes.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> u = np.arange(9) / 8.0
-    >>> rule = interpolation((8,), False)
-    >>> bool(np.allclose(rule.slope @ np.cos(np.pi * u), -np.pi / 8 * np.sin(np.pi * (u[1:] - 1 / 16))))
-    True
     """
     n = sum(split)
     out = Interpolation(np.zeros((n + 1, n + 1)), *(np.zeros((n, n + 1)) for _ in range(3)))

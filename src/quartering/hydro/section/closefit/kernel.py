@@ -59,17 +59,6 @@ class CauchyRows:
 def cauchy_rows(nodes: Nodes, symmetry: Symmetry) -> CauchyRows:
     """Discretise Cauchy's integral of the wave-free velocity over an outline and its three mirror images.
 
-    Parameters
-    ----------
-    nodes : Nodes
-    symmetry : "even" or "odd" in y
-
-    Returns
-    -------
-    CauchyRows
-
-    Notes
-    -----
     F = phi + i psi is the complex potential, Z = y + i z (z down). The free-surface condition says that
     H = F' - i nu F is real on z = 0, so H continues to the mirror image of the body, H(conj Z) = conj H(Z), and to the
     port side, H(-Z) = +-H(Z). H is analytic outside the double body and vanishes at infinity, hence
@@ -87,8 +76,6 @@ def cauchy_rows(nodes: Nodes, symmetry: Symmetry) -> CauchyRows:
     Source: [Frank67] section problem; the wave-free velocity is [Ursell49]'s condition in complex form; [Kress90] mesh.
     Valid: deep water, contours symmetric in y.
 
-    Examples
-    --------
     A circle moving sideways under a rigid lid (nu = 0) has the potential -y/r2:
 
     >>> import numpy as np
@@ -162,21 +149,10 @@ def _with_near_pole(
 def rigid_stream(nodes: Nodes, symmetry: Symmetry) -> Stream:
     """Stream functions of unit heave velocity, or of unit sway, unit roll rate and the constant 1.
 
-    Parameters
-    ----------
-    nodes : Nodes
-    symmetry : "even" (heave) or "odd" (sway, roll about the waterline point)
+    Returns columns (heave,) or (sway, roll, constant)
 
-    Returns
-    -------
-    Stream    columns (heave,) or (sway, roll, constant)
-
-    Notes
-    -----
     psi = z in sway, -(y2 + z2)/2 in roll, -y in heave.  Source: [Frank67] boundary conditions, as stream functions.
 
-    Examples
-    --------
     >>> from quartering.hull.lines.section import Section
     >>> from quartering.hydro.section.outline import section_outline
     >>> from quartering.hydro.section.closefit.grid import nodes_on

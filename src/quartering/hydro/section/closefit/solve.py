@@ -114,22 +114,18 @@ def standing_waves(
 ) -> None:  # fmt: skip
     """Nodal potentials and far waves of section-frequencies first..last (frequency runs fastest).
 
-    Parameters
-    ----------
-    first, last : int                     range of s f + frequency
-    wavenumber : (f, s) float             nu > 0 [1/m]
-    sign : float                          1 for sway and roll, -1 for heave
-    submerged : (s,) bool                 the contour ends on the centre plane under water
-    normal : (s, 3, n+1, n+1) float       normal matrix of the rows: parts with 1, nu, nu^2
-    known : (f, s, n+1, m) float          its right-hand side
-    node, tangent : (s, n+1) complex      points and derivatives by theta
-    slope : (s, n+1, n+1) float           nodal values to nodal derivatives
-    stream, stream_slope : (f, s, n+1, m) float    psi and its derivative at the nodes; f = 1 when all are alike
-    potential : (f, s, n+1, m) complex    out: phi at the nodes
-    wave : (f, s, m) complex              out: D of phi -> D exp(-nu (z - z_end) - i nu (y - y_end)) far to starboard
+    first, last: range of s f + frequency
+    wavenumber (f, s): nu > 0 [1/m]
+    sign: 1 for sway and roll, -1 for heave
+    submerged (s,): the contour ends on the centre plane under water
+    normal (s, 3, n+1, n+1): normal matrix of the rows: parts with 1, nu, nu^2
+    known (f, s, n+1, m): its right-hand side
+    node, tangent (s, n+1): points and derivatives by theta
+    slope (s, n+1, n+1): nodal values to nodal derivatives
+    stream, stream_slope (f, s, n+1, m): psi and its derivative at the nodes; f = 1 when all are alike
+    potential (f, s, n+1, m): out: phi at the nodes
+    wave (f, s, m): out: D of phi -> D exp(-nu (z - z_end) - i nu (y - y_end)) far to starboard
 
-    Notes
-    -----
     The rows leave one standing wave free. With X = e^{-i nu Z_e} F(Z_e) + int_{Z_e}^inf e^{-i nu s} H ds, F -> X e^{i nu Z}
     far away; waves run outward when Im X = j Re X, j the imaginary unit of time: a constraint on the least squares.
     H in the integral is Cauchy's integral of its values on the body, the inner integral e^w E1(w).

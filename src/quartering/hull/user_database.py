@@ -61,29 +61,12 @@ def database_of(
 ) -> Database:
     """The database in a file, with the digest of what it holds now.
 
-    Parameters
-    ----------
-    path : str or Path          .nc of Capytaine, or .1 of WAMIT
-    where : str                 ship or file named in the message
-    midship : float             x of midship in the file's axes [m]
-    moments_about : (x, z)      point of the moments in the file's axes [m]
-    length : float              ULEN, of WAMIT files [m]
-    said : str                  the path as it was written, for the message
-
-    Returns
-    -------
-    Database
-
-    Raises
-    ------
-    InputError    no such file, another kind of file, or a length not above 0
-
-    Examples
-    --------
-    >>> database_of("none.txt", "my ship")
-    Traceback (most recent call last):
-    ...
-    quartering.options.Refused: my ship: database = 'none.txt'; it is a path of a Capytaine netCDF (.nc) or of WAMIT's .1
+    path: .nc of Capytaine, or .1 of WAMIT
+    where: ship or file named in the message
+    midship: x of midship in the file's axes [m]
+    moments_about (x, z): point of the moments in the file's axes [m]
+    length: ULEN, of WAMIT files [m]
+    said: the path as it was written, for the message
     """
     file = Path(path)
     words = f"database = {quoted(str(said or path))}"
@@ -101,8 +84,6 @@ def database_of(
 def database_of_keys(given: Mapping[str, Any], where: str) -> Database:
     """The database of a mapping with the keys a ship file has.
 
-    Examples
-    --------
     >>> database_of_keys({"fille": "my.nc"}, "my ship")
     Traceback (most recent call last):
     ...
@@ -128,13 +109,8 @@ def database_of_keys(given: Mapping[str, Any], where: str) -> Database:
 def content_digest(path: str | Path) -> str:
     """Digest of what a database's file, or its two files, hold.
 
-    Parameters
-    ----------
-    path : str or Path    .nc, or .1 with or without a .3 beside it
-
-    Returns
-    -------
-    str                   32 hexadecimal digits
+    path: .nc, or .1 with or without a .3 beside it
+    Returns 32 hexadecimal digits
     """
     file, digest = Path(path), hashlib.sha256()
     beside = file.with_suffix(".3")

@@ -22,7 +22,7 @@ from quartering.study.effects.sensitivity import sensitivity
 from quartering.study.loadings import loaded
 from quartering.study.maps.polar import polar
 from quartering.units import quantity
-from quartering.view.explorer.fleet import Known
+from quartering.view.explorer.ship_registry import Known
 from quartering.view.explorer.state import LOADING, State
 
 HEADINGS = np.linspace(0.0, 180.0, 37)
@@ -48,12 +48,7 @@ class Scene(NamedTuple):
 
 
 def scene(state: State, known: Known) -> Scene:
-    """Ship, wave and speed of a state.
-
-    Raises
-    ------
-    InputError    a loading that cannot float upright, a wave that breaks
-    """
+    """Ship, wave and speed of a state."""
     own = known.ship
     changes = {name: number(own, name, value) for name in LOADING if (value := getattr(state, name)) is not None}
     length = own.hull.length

@@ -29,20 +29,8 @@ class MeasuredFile:
 def measured_source(named: str | Path) -> str | MeasuredFile:
     """A measured set as a ship keeps it: a file with the digest of what it holds now, or the name of a built-in set.
 
-    Parameters
-    ----------
-    named : str or Path    path of a file; anything else counts as a name
+    named: path of a file; anything else counts as a name
 
-    Returns
-    -------
-    MeasuredFile or str
-
-    Raises
-    ------
-    Refused    neither a file nor a built-in set
-
-    Examples
-    --------
     >>> measured_source("son-nomoto-1982")
     'son-nomoto-1982'
     """
@@ -57,25 +45,13 @@ def measured_source(named: str | Path) -> str | MeasuredFile:
 
 
 def available_sets() -> tuple[str, ...]:
-    """Names of the built-in measured sets.
-
-    Examples
-    --------
-    >>> "blanke-christensen-1993" in available_sets()
-    True
-    """
+    """Names of the built-in measured sets."""
     return tuple(sorted(path.stem for path in LIBRARY.glob("*.yaml")))
 
 
 def file_digest(path: str | Path) -> str:
     """Digest of what a file holds.
 
-    Parameters
-    ----------
-    path : str or Path
-
-    Returns
-    -------
-    str    32 hexadecimal digits
+    Returns 32 hexadecimal digits
     """
     return hashlib.sha256(Path(path).read_bytes()).hexdigest()[:32]

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 Answer = TypeVar("Answer")
 
 
-class Turns:
+class JobQueue:
     """A line for each client; their heads are served round and round, in a thread, so that the server never waits.
 
     Work handed in is short (a verdict, a block of a map): who wants much hands it in piece by piece, and the others come
@@ -20,15 +20,15 @@ class Turns:
     Examples
     --------
     >>> async def two():
-    ...     turns = Turns()
-    ...     return await asyncio.gather(turns.take("a", lambda: 1), turns.take("b", lambda: 2))
+    ...     jobs = JobQueue()
+    ...     return await asyncio.gather(jobs.take("a", lambda: 1), jobs.take("b", lambda: 2))
     >>> asyncio.run(two())
     [1, 2]
     """
 
     def __init__(self) -> None:
         self._lines: dict[str, deque[tuple[asyncio.Future[Any], Callable[[], Any]]]] = {}
-        self._thread = ThreadPoolExecutor(1, thread_name_prefix="turns")
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="jobs")
         self._busy = False
 
     async def take(self, client: str, work: Callable[[], Answer]) -> Answer:

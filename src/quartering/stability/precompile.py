@@ -1,7 +1,7 @@
 """Kernel compilation: notice on first use, and a helper process that compiles in parallel.
 
-``python -m quartering.stability.ahead`` leaves the kernels that a first map meets last in the cache on disk, where the other
-process finds them.
+``python -m quartering.stability.precompile`` leaves the kernels that a first map meets last in the cache on disk, where the
+other process finds them.
 """
 
 from __future__ import annotations
@@ -38,8 +38,6 @@ NOT_KEPT = (
 def announce_compilation() -> None:
     """Say that kernels will be compiled, when they are not in the cache, and have a second process compile some; once.
 
-    Notes
-    -----
     A warning of the logger "quartering", which stands on stderr unless logging is set up otherwise.  Worker processes of
     `multiprocessing` keep quiet: there may be many.
     """
@@ -49,7 +47,9 @@ def announce_compilation() -> None:
     logging.getLogger("quartering").warning(NOTICE if kept else NOT_KEPT)
     if kept and workers() > 1 and sys.executable:
         beside = subprocess.Popen(
-            [sys.executable, "-m", "quartering.stability.ahead"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            [sys.executable, "-m", "quartering.stability.precompile"],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
         )
         atexit.register(_stop, beside)
 

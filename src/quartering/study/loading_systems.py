@@ -37,30 +37,16 @@ def systems(
 ) -> Iterator[ShipSystem]:
     """Equations per metre of wave amplitude, as `ship_system` gives them, for each loading in turn.
 
-    Parameters
-    ----------
-    ships : sequence of Ship    the same ship in its loadings
-    wavenumber : (m,) float     k > 0 [1/m]
-    speed, heading : (m,)       [m/s, deg]
-    form : str                  of the diffraction force
-    known : optional            forces found by earlier calls for the same conditions, to which those of this one are added
+    ships: the same ship in its loadings
+    wavenumber (m,): k > 0 [1/m]
+    speed, heading (m,): [m/s, deg]
+    form: of the diffraction force
+    known: forces found by earlier calls for the same conditions, to which those of this one are added
+    Yields of each ship, NaN where its own database does not hold the condition; forces are found again only where the
+        hull in the water, its density, its speed terms or (for a form other than "stf") the height of G changes
 
-    Yields
-    ------
-    ShipSystem    of each ship, NaN where its own database does not hold the condition; forces are found again only where
-                  the hull in the water, its density, its speed terms or (for a form other than "stf") the height of G changes
-
-    Notes
-    -----
     G moves up and down over one point of the waterplane, so sway and yaw stay and K_G' = K_G - (z0' - z0) Y, exactly.
     Source: [STF70] forces about the waterline, moved rigidly.
-
-    Examples
-    --------
-    >>> from quartering.hull.file.read import ship
-    >>> two = [ship("wigley"), ship("wigley").with_(gm=2.0)]
-    >>> [at.slow.tolist() for at in systems(two, np.array([0.05]), np.array([5.0]), np.array([30.0]))]
-    [[False], [False]]
     """
     known = {} if known is None else known
     for ship in ships:
@@ -106,17 +92,10 @@ def _moved(force: Phasors, up: float) -> Phasors:
 def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
     """The equations of some of the conditions.
 
-    Parameters
-    ----------
-    equations : ShipSystem    m conditions
-    part : slice              of them
+    equations: m conditions
+    part: of them
+    Returns with the whole batch's coefficients
 
-    Returns
-    -------
-    ShipSystem                with the whole batch's coefficients
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> two = next(systems([ship("wigley")], np.full(2, 0.05), np.array([5.0, 6.0]), np.full(2, 30.0)))
     >>> part_of(two, slice(1, 2)).system.count

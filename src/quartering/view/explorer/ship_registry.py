@@ -34,7 +34,7 @@ class Known:
     files: Mapping[str, bytes] = field(default_factory=dict)
 
 
-class Fleet:
+class ShipRegistry:
     """Ships by key. A key never is a path: nobody opens a file of the server by naming it, or learns where it stands.
 
     Parameters
@@ -43,7 +43,7 @@ class Fleet:
 
     Examples
     --------
-    >>> Fleet().known("wigley").ship.name
+    >>> ShipRegistry().known("wigley").ship.name
     'Wigley hull'
     """
 
@@ -58,22 +58,12 @@ class Fleet:
         self._lock = threading.Lock()
 
     def check(self, key: str) -> None:
-        """Refuse a key that is none of this server's; the ship itself is not read.
-
-        Raises
-        ------
-        InputError    as from `known`
-        """
+        """Refuse a key that is none of this server's; the ship itself is not read."""
         if key not in self._names:
             self.known(key)
 
     def known(self, key: str) -> Known:
-        """A ship by its key.
-
-        Raises
-        ------
-        InputError    a key that is none of this server's
-        """
+        """A ship by its key."""
         if key == self._given:
             return self._own
         if key in self._names:

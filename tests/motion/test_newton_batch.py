@@ -1,4 +1,4 @@
-"""Conditions solved a row abreast: the same motions as one at a time, and none the wiser of its neighbours."""
+"""Conditions solved in batches: the same motions as one at a time, and none the wiser of its neighbours."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ from quartering.conventions import CUBIC_MONOMIALS
 from quartering.motion.equations.system import FEWEST, System, canonical, kernel_arguments
 from quartering.motion.equations.terms import term_table
 from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
-from quartering.motion.steady.newton import in_step
+from quartering.motion.steady.newton import newton_batch
 
 COUNT = 75  # two full rows and part of one
 
@@ -33,7 +33,7 @@ def systems(extra=(), mean=0.0, force=0.1, seed=1971) -> System:
 def found_in_step(system, orders):
     table = system.basis(orders, fewest=FEWEST)
     u, waiting, error = np.zeros((system.count, 3, table.factors.size)), np.ones(system.count, np.int8), np.zeros(COUNT)
-    in_step(0, system.count, *kernel_arguments(system, table), False, False, u, waiting, error)
+    newton_batch(0, system.count, *kernel_arguments(system, table), False, False, u, waiting, error)
     return u, waiting == 0, error
 
 
@@ -47,7 +47,7 @@ def found_in_step(system, orders):
     ],
 )
 def test_motions_are_those_of_the_careful_solver(extra, mean, orders):
-    """Two codes of the same balance equations: rows abreast, and one condition at a time with damped steps."""
+    """Two codes of the same balance equations: in batches, and one condition at a time with damped steps."""
     system = systems(extra, mean)
     u, found, error = found_in_step(system, orders)
     alone, status, _ = solve_with_care(system, orders)
