@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from quartering.compiled import batch_kernel, kernel
 from quartering.motion.equations.system import Floats
+from quartering.simd import every, load, store
 from quartering.stability.exponential import ROW, commutator, exponential, product
 from quartering.threads import in_threads
 
@@ -31,47 +32,46 @@ _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
 
 
 @batch_kernel
-def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
+def _exponent(a, h, a1, a2, a3, c1, c2, out):
     """Magnus' exponent of one step to sixth order from the matrices (3, 4, 4, W) at Gauss' three nodes."""
+    step = load(h, ())
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                low, middle, high = a[0, i, j, l], a[1, i, j, l], a[2, i, j, l]
-                a1[i, j, l] = h[l] * middle
-                a2[i, j, l] = h[l] * _ROOT * (high - low)
-                a3[i, j, l] = _THIRDS * h[l] * (high - 2.0 * middle + low)
-    commutator(a1, a2, scratch, c1)
+            low, middle, high = load(a, (0, i, j)), load(a, (1, i, j)), load(a, (2, i, j))
+            store(a1, (i, j), step * middle)
+            store(a2, (i, j), step * (_ROOT * (high - low)))
+            store(a3, (i, j), step * (_THIRDS * (high - 2.0 * middle + low)))
+    commutator(a1, a2, c1)
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                out[i, j, l] = 2.0 * a3[i, j, l] + c1[i, j, l]
-    commutator(a1, out, scratch, c2)
+            store(out, (i, j), 2.0 * load(a3, (i, j)) + load(c1, (i, j)))
+    commutator(a1, out, c2)
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                c1[i, j, l] += -20.0 * a1[i, j, l] - a3[i, j, l]
-                c2[i, j, l] = a2[i, j, l] - c2[i, j, l] * (1.0 / 60.0)
-    commutator(c1, c2, scratch, out)
+            store(c1, (i, j), load(c1, (i, j)) - 20.0 * load(a1, (i, j)) - load(a3, (i, j)))
+            store(c2, (i, j), load(a2, (i, j)) - load(c2, (i, j)) * (1.0 / 60.0))
+    commutator(c1, c2, out)
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                out[i, j, l] = a1[i, j, l] + a3[i, j, l] * (1.0 / 12.0) + out[i, j, l] * (1.0 / 240.0)
+            first = load(a1, (i, j)) + load(a3, (i, j)) * (1.0 / 12.0)
+            store(out, (i, j), first + load(out, (i, j)) * (1.0 / 240.0))
 
 
 @batch_kernel
 def _at_nodes(values, weights, node, matrix):
     """Variational matrices (3, 4, 4, W) at the three nodes from ``node`` on, interpolated from equal intervals (s, 12, W)."""
-    for m in range(3):
-        for e in range(12):
-            i = 0 if e < 4 else e // 4 + 1
-            j = e % 4
-            for l in range(ROW):
-                matrix[m, i, j, l] = 0.0
-            for s in range(0, values.shape[0], 4):
-                a, b, c, d = weights[node + m, s : s + 4]
-                for l in range(ROW):
-                    two = a * values[s, e, l] + b * values[s + 1, e, l]
-                    matrix[m, i, j, l] += two + c * values[s + 2, e, l] + d * values[s + 3, e, l]
+    for e in range(12):
+        i = 0 if e < 4 else e // 4 + 1
+        j = e % 4
+        low, middle, high = every(0.0), every(0.0), every(0.0)
+        for s in range(values.shape[0]):
+            own = load(values, (s, e))
+            low += weights[node, s] * own
+            middle += weights[node + 1, s] * own
+            high += weights[node + 2, s] * own
+        store(matrix, (0, i, j), low)
+        store(matrix, (1, i, j), middle)
+        store(matrix, (2, i, j), high)
 
 
 @kernel
@@ -82,9 +82,9 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
     """
     matrix, values = np.zeros((3, 4, 4, ROW)), np.zeros((weights.shape[1], 12, ROW))
     a1, a2, a3, c1 = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
-    c2, scratch, exponent = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
+    c2, exponent = np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
     phi, g, h = np.empty((4, 4, ROW)), np.empty(ROW), np.empty(ROW)
-    norm, halvings = np.empty(ROW), np.empty(ROW, np.int64)
+    norm, halvings = np.empty(ROW), np.empty(ROW)
     for r in range(first, last):
         for l in range(ROW):
             i = rows[r, l]
@@ -103,13 +103,12 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
         # errs by h^7; with the equations nearly constant few steps do.
         for n in range(counts[r]):
             _at_nodes(values, weights, starts[r] + 3 * n, matrix)
-            _exponent(matrix, h, a1, a2, a3, c1, c2, scratch, exponent)
-            exponential(exponent, c1, c2, scratch, norm, halvings, a1)
+            _exponent(matrix, h, a1, a2, a3, c1, c2, exponent)
+            exponential(exponent, c1, c2, a3, norm, halvings, a1)
             product(a1, phi, a2)
             for a in range(4):
                 for b in range(4):
-                    for l in range(ROW):
-                        phi[a, b, l] = a2[a, b, l]
+                    store(phi, (a, b), load(a2, (a, b)))
         for l in range(ROW):
             for a in range(4):
                 for b in range(4):
@@ -119,7 +118,7 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
 
 @lru_cache(maxsize=16)
 def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64]]:
-    """Weights (nodes, samples, filled up to a multiple of 4) of a periodic function's equally spaced values at the nodes of
+    """Weights (nodes, samples) of a periodic function's equally spaced values at the nodes of
     the first numbers of steps in turn, and where each begins: trigonometric interpolation, exact for the harmonics that
     the samples can hold.
 
@@ -142,7 +141,7 @@ def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.i
     else:
         nodes = [((np.arange(n)[:, None] + [0.5 - _NODE, 0.5, 0.5 + _NODE]) / n).ravel() for n in STEPS[:kinds]]
         weights = _cardinals(np.concatenate(nodes), samples)
-    return np.pad(weights, ((0, 0), (0, -samples % 4))), starts  # four are taken at a time
+    return weights, starts
 
 
 def _cardinals(nodes: Floats, samples: int) -> Floats:

@@ -13,6 +13,7 @@ from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_la
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System, kernel_arguments
 from quartering.motion.steady.newton import at_sample, gather_motions
+from quartering.simd import every, load, store
 from quartering.threads import in_threads
 
 EVEN_HARMONICS = (0, 2, 4, 6)
@@ -43,12 +44,12 @@ def _harmonics(first, last, program, parts, tables, u, project, out, along):
             slopes(program, lanes, waves[1, n], waves[2, n], columns, strips, jacobian)
             for k in range(3):
                 for s in range(4):
+                    own = load(jacobian, (k, s))
+                    for m in range(wanted):
+                        before = load(sums, (m, k, s)) if n > 0 else every(0.0)
+                        store(sums, (m, k, s), before + project[m, n] * own)
                     for l in range(count):
                         along[begin + l, n, k, s] = jacobian[k, s, l]
-                    for m in range(wanted):
-                        for l in range(WIDTH):
-                            before = sums[m, k, s, l] if n > 0 else 0.0
-                            sums[m, k, s, l] = before + project[m, n] * jacobian[k, s, l]
         for l in range(count):
             for m in range(wanted):
                 for k in range(3):

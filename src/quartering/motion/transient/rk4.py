@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel
+from quartering.compiled import batch_kernel, inner
 from quartering.motion.equations.program import Program
 from quartering.motion.equations.rates import (
     WIDTH,
@@ -71,7 +71,7 @@ def alike(system: System) -> Alike:
     return Alike(matrix, at, np.array(of, dtype=np.int64), program, parts)
 
 
-@batch_kernel
+@inner
 def room_to_march(equations):
     """What `step_sum` works in: lanes, columns and rates, the sum of four rates, and the first of them."""
     lanes = row_of_lanes(equations.parts, WIDTH)
