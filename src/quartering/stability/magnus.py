@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel, kernel
+from quartering.compiled import batch_kernel, kernel, summing
 from quartering.motion.equations.system import Floats
 from quartering.simd import every, load, store
 from quartering.stability.exponential import ROW, commutator, exponential, product
@@ -169,19 +169,42 @@ def magnus_steps(
     (stiffness) and w (damping), r = rate/w >= 1 and C = 40, the largest found on seven loadings of four hulls in 2,400
     conditions each.  Source: [Blanes09] order of the method; the constant is measured, see tests.
     """
-    sizes, mean = np.abs(phasors[:, 1:]).sum(axis=1), np.abs(phasors[:, 0])
-    out, back = mean[:, 0, 1:].sum(axis=1), mean[:, 1:, 0].sum(axis=1)
-    usable = (out > 0) & (back > 0)
-    scale = np.sqrt(np.where(usable, out, 1.0) / np.where(usable, back, 1.0))
-    unit = np.stack([scale, np.ones_like(scale), np.ones_like(scale)], axis=1)
-    sizes = sizes / unit[:, :, None]
-    sizes[:, :, 0] *= scale[:, None]
-    stiffness, damping = sizes[:, :, 1].max(axis=1), sizes[:, :, [0, 2, 3]].max(axis=(1, 2))
-    w = np.where(frequency > 0, frequency, np.nan)
-    strength = np.maximum(stiffness / w**2, damping / w) * np.maximum(rate / w, 1.0) ** 4
-    wanted = 2 * span * (_CONSTANT * strength / max(accuracy, FINEST)) ** (1 / 6)
-    index = np.searchsorted(STEPS, wanted)  # NaN sorts last
-    return np.array([*STEPS, 0], dtype=np.int64)[index], scale
+    steps, scale = np.empty(frequency.size, np.int64), np.empty(frequency.size)
+    given = (np.require(phasors, requirements=("C", "W")), frequency, rate, span, _CONSTANT / max(accuracy, FINEST))
+    in_threads(_choose, frequency.size, *given, _STEPS, steps, scale)
+    return steps, scale
+
+
+_STEPS = np.array([*STEPS, 0], dtype=np.int64)
+
+
+@summing
+def _choose(first, last, phasors, frequency, rate, span, by_accuracy, kinds, steps, scale):
+    """Numbers of steps and units of sway velocity of `magnus_steps`."""
+    for i in range(first, last):
+        out, back = 0.0, 0.0
+        for k in range(1, 4):
+            out += abs(phasors[i, 0, 0, k])
+        for k in range(1, 3):
+            back += abs(phasors[i, 0, k, 0])
+        g = math.sqrt(out / back) if out > 0.0 and back > 0.0 else 1.0
+        stiffness, damping = 0.0, 0.0
+        for k in range(3):
+            for s in range(4):
+                own = 0.0
+                for m in range(1, phasors.shape[1]):
+                    own += abs(phasors[i, m, k, s])
+                own *= (g if s == 0 else 1.0) / (g if k == 0 else 1.0)
+                if s == 1:
+                    stiffness = own if own > stiffness or np.isnan(own) else stiffness
+                else:
+                    damping = own if own > damping or np.isnan(own) else damping
+        w = frequency[i] if frequency[i] > 0.0 else np.nan
+        strength = max(stiffness / (w * w), damping / w) * max(rate[i] / w, 1.0) ** 4
+        wanted, place = 2.0 * span * (by_accuracy * strength) ** (1.0 / 6.0), 0
+        while place < kinds.size - 1 and not kinds[place] >= wanted:  # not a number goes to the end
+            place += 1
+        steps[i], scale[i] = kinds[place], g
 
 
 def magnus_transition(
