@@ -13,8 +13,8 @@ import operator
 from typing import Any, Final
 
 from llvmlite import ir
-from numba import njit
 from numba.core import cgutils, types
+from numba.core.errors import TypingError
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
 from numba.extending import intrinsic, lower_builtin, models, register_model
 
@@ -102,6 +102,12 @@ def _address(context, builder, array_type, array, place_type, place):
     return builder.bitcast(builder.gep(own.data, [offset], inbounds=True), _VECTOR.as_pointer())
 
 
+def _row_major(array: Any) -> None:
+    """Refuse, as the kernel is compiled, an array whose elements do not follow each other."""
+    if array.layout != "C":
+        raise TypingError(f"vectors are loaded from row-major arrays; this one is {array}")
+
+
 @intrinsic
 def load(_typing, array, place):
     """The vector at the leading indices of an array whose last axis has `LANES` elements."""
@@ -110,6 +116,7 @@ def load(_typing, array, place):
         pointer = _address(context, builder, sig.args[0], args[0], sig.args[1], args[1])
         return builder.load(pointer, align=8)
 
+    _row_major(array)
     return vector_type(array, place), lowered
 
 
@@ -122,6 +129,7 @@ def store(_typing, array, place, value):
         builder.store(args[2], pointer, align=8)
         return context.get_dummy_value()
 
+    _row_major(array)
     return types.none(array, place, value), lowered
 
 
@@ -167,7 +175,13 @@ def where_less(_typing, a, b, yes, no):
     return vector_type(number(a), number(b), number(yes), number(no)), lowered
 
 
-@njit(inline="always")
-def whole_vectors(count):
-    """The next multiple of `LANES`."""
-    return -(-count // LANES) * LANES
+@intrinsic
+def all_at_most(_typing, a, number):
+    """Is no lane above a number, and none of them not a number?"""
+
+    def lowered(_context, builder, _sig, args):
+        inside = builder.fcmp_ordered("<=", args[0], _all_lanes(builder, args[1]))
+        bits = ir.IntType(LANES)
+        return builder.icmp_unsigned("==", builder.bitcast(inside, bits), ir.Constant(bits, 2**LANES - 1))
+
+    return types.boolean(a, types.float64), lowered

@@ -17,6 +17,7 @@ from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
 from quartering.options import quoted
+from quartering.simd import all_at_most, every, load, size, store, where_less
 from quartering.threads import in_threads
 
 if TYPE_CHECKING:
@@ -37,13 +38,13 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
     """Runge-Kutta steps for rows first..last of realisations, a row being a batch.
 
-    ``forcing`` (steps + 7, 3 + e + z, n) begins 3 steps before the first step: accelerations, known inputs, water.
+    ``forcing`` (steps + 7, 3 + e + z, rows, W) begins 3 steps before the first step: accelerations, known inputs, water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.
     """
     kinds = forcing.shape[1]
-    room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
+    room, given, still = room_to_march(equations), np.zeros((3, kinds, WIDTH)), np.zeros(WIDTH)
     waves, total, roll_angle = (
         np.zeros((3, equations.parts.inputs.shape[2])),
         room[4],
@@ -51,27 +52,31 @@ def _march(first, last, equations, forcing, between, h, begin, limit, states, pe
     )
     waves[:, 0], waves[:, 1] = 1.0, 1.0  # a series stands where the mean of an input and the cosine of the water would
     for row in range(first, last):
-        y, own = states[row], forcing[:, :, row * WIDTH : (row + 1) * WIDTH]
+        y, going = states[row], every(0.0)
+        for l in range(WIDTH):
+            still[l] = 1.0 if np.isnan(capsize[row, l]) else 0.0
+        highest, total_square = load(peak, row), load(square, row)
         for n in range(forcing.shape[0] - between.size + 1):
             for k in range(kinds):
-                for l in range(WIDTH):
-                    given[0, k, l], given[2, k, l] = own[n + _BEFORE, k, l], own[n + _BEFORE + 1, k, l]
-                    given[1, k, l] = 0.0
+                store(given, (0, k), load(forcing, (n + _BEFORE, k, row)))
+                store(given, (2, k), load(forcing, (n + _BEFORE + 1, k, row)))
+                middle = every(0.0)
                 for i in range(between.size):
-                    for l in range(WIDTH):
-                        given[1, k, l] += between[i] * own[n + i, k, l]
-            step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
+                    middle += between[i] * load(forcing, (n + i, k, row))
+                store(given, (1, k), middle)
+            step_sum(equations, h, given, waves, y, room)
+            going = load(still, ())
             for s in range(y.shape[0]):
+                store(y, s, load(y, s) + going * (h / 6.0) * load(total, s))
+            roll = size(load(y, roll_angle))
+            highest = where_less(highest, roll, roll, highest)
+            total_square += going * roll * roll
+            if not all_at_most(roll, limit):
                 for l in range(WIDTH):
-                    going = 1.0 if np.isnan(capsize[row, l]) else 0.0
-                    y[s, l] += going * h / 6.0 * total[s, l]
-            for l in range(WIDTH):
-                going = 1.0 if np.isnan(capsize[row, l]) else 0.0
-                roll = abs(y[roll_angle, l])
-                peak[row, l] = max(peak[row, l], roll)
-                square[row, l] += going * roll * roll
-                if going > 0.0 and not roll <= limit:
-                    capsize[row, l] = begin + (n + 1) * h
+                    if still[l] > 0.0 and not abs(y[roll_angle, l]) <= limit:
+                        capsize[row, l], still[l] = begin + (n + 1) * h, 0.0
+        store(peak, row, highest)
+        store(square, row, total_square)
 
 
 @takes(model="Model")
@@ -151,7 +156,7 @@ def irregular(
         samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
         angle = np.multiply.outer((begin - _BEFORE + np.arange(samples)) * step, w)
         waves = np.concatenate([np.cos(angle), np.sin(angle), np.ones((samples, 1))], axis=1)
-        forcing = (waves @ amplitude).reshape(samples, len(acceleration), -1)
+        forcing = (waves @ amplitude).reshape(samples, len(acceleration), rows, WIDTH)
         arrays = (equations, forcing, _BETWEEN, step, begin * step, angle_of_capsize, states, peak, square, capsize)
         in_threads(_march, rows, *arrays, smallest=1)
     result = _dataset(model, states, peak, square, capsize, count, steps * step, step)

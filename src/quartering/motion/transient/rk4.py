@@ -24,6 +24,7 @@ from quartering.motion.equations.rates import (
     row_of_lanes,
 )
 from quartering.motion.equations.system import Floats, System
+from quartering.simd import every, load, store
 
 _GROUP = 4
 
@@ -85,38 +86,37 @@ def _rates(equations, lanes, c, s, columns, sums, rate):
     """Add to ``rate`` (k, W) what the state and the known inputs in ``columns`` do; the products are made here."""
     matrix, at, program = equations.matrix, equations.columns, equations.program
     multiply(program.links, 0, program.values, columns)
-    for g in range(matrix.shape[0]):
-        k, m0, m1, m2, m3 = equations.row[g], matrix[g, 0], matrix[g, 1], matrix[g, 2], matrix[g, 3]
-        c0, c1, c2, c3 = at[g, 0], at[g, 1], at[g, 2], at[g, 3]
-        for l in range(WIDTH):
-            first = m0 * columns[c0, l] + m1 * columns[c1, l]
-            rate[k, l] += first + (m2 * columns[c2, l] + m3 * columns[c3, l])
+    g = 0
+    for k in range(rate.shape[0]):
+        own = load(rate, k)
+        while g < matrix.shape[0] and equations.row[g] == k:
+            own += matrix[g, 0] * load(columns, at[g, 0]) + matrix[g, 1] * load(columns, at[g, 1])
+            own += matrix[g, 2] * load(columns, at[g, 2]) + matrix[g, 3] * load(columns, at[g, 3])
+            g += 1
+        store(rate, k, own)
     add_strips_and_table(program, lanes, c, s, columns, sums, rate)
 
 
 @batch_kernel
-def _hold(series, lanes):
-    """Known inputs and the water at the strips as they are at one time (e + z, W), in place of a wave's."""
+def _hold(series, at, first, lanes):
+    """Known inputs and the water at the strips as they are at one time, in place of a wave's."""
     inputs = lanes.inputs.shape[0]
     for e in range(inputs):
-        for l in range(WIDTH):
-            lanes.inputs[e, 0, l] = series[e, l]
+        store(lanes.inputs, (e, 0), load(series, (at, first + e)))
         for i in range(1, lanes.inputs.shape[1]):
-            for l in range(WIDTH):
-                lanes.inputs[e, i, l] = 0.0
+            store(lanes.inputs, (e, i), every(0.0))
     for z in range(lanes.strips.shape[0]):
-        for l in range(WIDTH):
-            lanes.strips[z, 3, l] = series[inputs + z, l]
+        store(lanes.strips, (z, 3), load(series, (at, first + inputs + z)))
 
 
 @batch_kernel
-def step_sum(equations, h, excitation, series, waves, y, room):
+def step_sum(equations, h, given, waves, y, room):
     """Sum of the four rates of a Runge-Kutta step from the states ``y`` (4 to 6, W), into the last but one of ``room``.
 
     The last takes the accelerations at the beginning of the step.
 
-    excitation (3, 3, W): accelerations at the beginning, the middle and the end of the step
-    series (3, e + z, W): known inputs and water at the strips at these times; (3, 0, W) where they follow the wave
+    given (3, 3 + e + z, W): accelerations at the beginning, the middle and the end of the step, then known inputs and water at
+        the strips; (3, 3, W) where these follow the wave
     waves (3, h): 1 and the wave's cosines and sines at these times; 1, 1, 0 with a series
 
     The state after the step is ``y + h/6`` times the sum.  Source: [H71] eq. (3), the classical fourth-order method.
@@ -125,32 +125,30 @@ def step_sum(equations, h, excitation, series, waves, y, room):
     program = equations.program
     states = program.states
     for s in range(states):
-        for l in range(WIDTH):
-            columns[s, l], total[s, l] = y[s, l], 0.0
+        store(columns, s, load(y, s))
+        store(total, s, every(0.0))
     for j in range(4):
         at = (j + 1) // 2
         for k in range(rate.shape[0]):
-            for l in range(WIDTH):
-                rate[k, l] = excitation[at, k, l] if k < 3 else 0.0
-        if series.shape[1] > 0:
-            _hold(series[at], lanes)
+            store(rate, k, load(given, (at, k)) if k < 3 else every(0.0))
+        if given.shape[1] > 3:
+            _hold(given, at, 3, lanes)
         enter_inputs(program, lanes, waves[at], columns)
         _rates(equations, lanes, waves[at, 1], waves[at, 2], columns, sums, rate)
         if j == 0:
             for k in range(rate.shape[0]):
-                for l in range(WIDTH):
-                    first[k, l] = rate[k, l]
+                store(first, k, load(rate, k))
         weight, ahead = (1.0 if j == 0 or j == 3 else 2.0), (0.5 * h if j < 2 else h)
         # a state that follows another first, while that one is still the stage's
         for s in range(states):
             follows = program.follows[s]
             if follows >= 0:
-                for l in range(WIDTH):
-                    total[s, l] += weight * columns[follows, l]
-                    columns[s, l] = y[s, l] + ahead * columns[follows, l]
+                own = load(columns, follows)
+                store(total, s, load(total, s) + weight * own)
+                store(columns, s, load(y, s) + ahead * own)
         for s in range(states):
             row = program.rows[s]
             if row >= 0:
-                for l in range(WIDTH):
-                    total[s, l] += weight * rate[row, l]
-                    columns[s, l] = y[s, l] + ahead * rate[row, l]
+                own = load(rate, row)
+                store(total, s, load(total, s) + weight * own)
+                store(columns, s, load(y, s) + ahead * own)
