@@ -23,6 +23,9 @@ from quartering.threads import in_threads
 if TYPE_CHECKING:
     import xarray as xr
 
+_TOGETHER = 8
+"""Rows whose excitation stands together."""
+
 _CHUNK = 256
 """Steps whose excitation is computed together."""
 
@@ -38,12 +41,12 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
     """Runge-Kutta steps for rows first..last of realisations, a row being a batch.
 
-    ``forcing`` (steps + 7, 3 + e + z, rows, W) begins 3 steps before the first step: accelerations, known inputs, water.
+    ``forcing`` (groups of rows, steps + 7, 3 + e + z, rows, W) begins 3 steps before the first step: accelerations, known inputs, water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.
     """
-    kinds = forcing.shape[1]
+    samples, kinds, together = forcing.shape[1:4]
     room, given, still = room_to_march(equations), np.zeros((3, kinds, WIDTH)), np.zeros(WIDTH)
     waves, total, roll_angle = (
         np.zeros((3, equations.parts.inputs.shape[2])),
@@ -52,17 +55,17 @@ def _march(first, last, equations, forcing, between, h, begin, limit, states, pe
     )
     waves[:, 0], waves[:, 1] = 1.0, 1.0  # a series stands where the mean of an input and the cosine of the water would
     for row in range(first, last):
-        y, going = states[row], every(0.0)
+        y, group, own = states[row], row // together, row % together
         for l in range(WIDTH):
             still[l] = 1.0 if np.isnan(capsize[row, l]) else 0.0
         highest, total_square = load(peak, row), load(square, row)
-        for n in range(forcing.shape[0] - between.size + 1):
+        for n in range(samples - between.size + 1):
             for k in range(kinds):
-                store(given, (0, k), load(forcing, (n + _BEFORE, k, row)))
-                store(given, (2, k), load(forcing, (n + _BEFORE + 1, k, row)))
+                store(given, (0, k), load(forcing, (group, n + _BEFORE, k, own)))
+                store(given, (2, k), load(forcing, (group, n + _BEFORE + 1, k, own)))
                 middle = every(0.0)
                 for i in range(between.size):
-                    middle += between[i] * load(forcing, (n + i, k, row))
+                    middle += between[i] * load(forcing, (group, n + i, k, own))
                 store(given, (1, k), middle)
             step_sum(equations, h, given, waves, y, room)
             going = load(still, ())
@@ -141,14 +144,18 @@ def irregular(
         )
     known = _known_inputs(model, w.size, water)
     count, steps = phases.shape[0], round(duration / step)
-    rows = -(-count // WIDTH)
+    together = min(_TOGETHER, -(-count // WIDTH))
+    groups = -(-count // (WIDTH * together))
+    rows = groups * together
     acceleration = np.concatenate([np.linalg.solve(model.inertia, f.T), known])  # (3 + m, c)
     turned = acceleration[:, None, :] * np.exp(1j * phases)  # (3 + m, n, c)
     amplitude = np.zeros((2 * w.size + 1, len(acceleration), rows * WIDTH))
     amplitude[: w.size, :, :count] = turned.real.transpose(2, 0, 1)
     amplitude[w.size : -1, :, :count] = -turned.imag.transpose(2, 0, 1)
     amplitude[-1, :3] = model.system.mean[0][:, None]
-    amplitude = amplitude.reshape(2 * w.size + 1, -1)
+    # of a few rows at a time (groups, 2 c + 1, kinds rows W), so that what a step takes stands close together
+    amplitude = amplitude.reshape(2 * w.size + 1, len(acceleration), groups, -1).transpose(2, 0, 1, 3)
+    amplitude = np.ascontiguousarray(amplitude).reshape(groups, 2 * w.size + 1, -1)
     states = np.zeros((rows, model.system.states, WIDTH))
     peak, square = np.zeros((rows, WIDTH)), np.zeros((rows, WIDTH))
     capsize, equations = np.full((rows, WIDTH), np.nan), alike(model.system)
@@ -156,7 +163,7 @@ def irregular(
         samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
         angle = np.multiply.outer((begin - _BEFORE + np.arange(samples)) * step, w)
         waves = np.concatenate([np.cos(angle), np.sin(angle), np.ones((samples, 1))], axis=1)
-        forcing = (waves @ amplitude).reshape(samples, len(acceleration), rows, WIDTH)
+        forcing = (waves @ amplitude).reshape(groups, samples, len(acceleration), together, WIDTH)
         arrays = (equations, forcing, _BETWEEN, step, begin * step, angle_of_capsize, states, peak, square, capsize)
         in_threads(_march, rows, *arrays, smallest=1)
     result = _dataset(model, states, peak, square, capsize, count, steps * step, step)

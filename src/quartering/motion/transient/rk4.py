@@ -26,23 +26,19 @@ from quartering.motion.equations.rates import (
 from quartering.motion.equations.system import Floats, System
 from quartering.simd import every, load, store
 
-_GROUP = 4
-
 
 class Alike(NamedTuple):
-    """The equations of one ship for a row of histories: ``rates = matrix columns``, of the state and its products.
+    """The equations of one ship for a row of histories: ``rates = matrix^T columns``, of the state and its products.
 
     Parameters
     ----------
-    matrix : (g, 4) float    what is not zero, four at a time; a row has as many groups as it needs, filled up with zeros
-    columns : (g, 4) int     where the program has their columns
-    row : (g,) int           row of the right-hand side, those of one row together
+    matrix : (c, k) float    a row for each column that any of the k rates takes
+    columns : (c,) int       where the program has it
     program, parts           of the `System`
     """
 
     matrix: Floats
     columns: NDArray[np.int64]
-    row: NDArray[np.int64]
     program: Program
     parts: Parts
 
@@ -51,25 +47,21 @@ def alike(system: System) -> Alike:
     """The equations of a system's first condition.
 
     Source: [H71] eq. (3); no approximation, only the order of multiplications.
+
+    >>> from quartering.motion.equations.system import Model
+    >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_ppp": -0.2, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
+    >>> alike(model.system).columns.tolist()  # v, phi, r, and p^3 of roll in column 5
+    [0, 1, 3, 5]
     """
     program = system.program
     rows, states = system.linear.shape[1:]
-    whole = np.zeros((rows, states + program.products.size))
-    whole[:, :states] = system.linear[0]
-    whole[:3, states:] = system.coefficients[0]
-    columns = np.concatenate([np.arange(states), program.products])
-    groups, of = [], []
-    for k in range(rows):
-        held = np.flatnonzero(whole[k])
-        for first in range(0, held.size, _GROUP):
-            part = held[first : first + _GROUP]
-            fill_up = _GROUP - part.size
-            groups.append((np.pad(whole[k, part], (0, fill_up)), np.pad(columns[part], (0, fill_up))))
-            of.append(k)
-    matrix = np.array([one for one, _ in groups]).reshape(-1, _GROUP)
-    at = np.array([one for _, one in groups], dtype=np.int64).reshape(-1, _GROUP)
+    whole = np.zeros((states + program.products.size, rows))
+    whole[:states] = system.linear[0].T
+    whole[states:, :3] = system.coefficients[0].T
+    held = np.flatnonzero(whole.any(axis=1))
+    columns = np.concatenate([np.arange(states), program.products])[held].astype(np.int64)
     parts = Parts(*(array[:1] for array in system.parts))
-    return Alike(matrix, at, np.array(of, dtype=np.int64), program, parts)
+    return Alike(np.ascontiguousarray(whole[held]), columns, program, parts)
 
 
 @inner
@@ -86,14 +78,20 @@ def _rates(equations, lanes, c, s, columns, sums, rate):
     """Add to ``rate`` (k, W) what the state and the known inputs in ``columns`` do; the products are made here."""
     matrix, at, program = equations.matrix, equations.columns, equations.program
     multiply(program.links, 0, program.values, columns)
-    g = 0
-    for k in range(rate.shape[0]):
-        own = load(rate, k)
-        while g < matrix.shape[0] and equations.row[g] == k:
-            own += matrix[g, 0] * load(columns, at[g, 0]) + matrix[g, 1] * load(columns, at[g, 1])
-            own += matrix[g, 2] * load(columns, at[g, 2]) + matrix[g, 3] * load(columns, at[g, 3])
-            g += 1
-        store(rate, k, own)
+    x, y, z = load(rate, 0), load(rate, 1), load(rate, 2)
+    for i in range(at.size):
+        own = load(columns, at[i])
+        x += matrix[i, 0] * own
+        y += matrix[i, 1] * own
+        z += matrix[i, 2] * own
+    store(rate, 0, x)
+    store(rate, 1, y)
+    store(rate, 2, z)
+    for k in range(3, rate.shape[0]):
+        more = load(rate, k)
+        for i in range(at.size):
+            more += matrix[i, k] * load(columns, at[i])
+        store(rate, k, more)
     add_strips_and_table(program, lanes, c, s, columns, sums, rate)
 
 
