@@ -44,7 +44,9 @@ def compiled(job, steps, newton=8):
 
         x, _ = jax.lax.scan(step, jnp.zeros(3 * nb), None, length=newton)
         u = x.reshape(3, nb)
-        states = jnp.stack([w * (u[0] @ along_rates), u[1] @ along, w * (u[1] @ along_rates), w * (u[2] @ along_rates)], 1)
+        states = jnp.stack(
+            [w * (u[0] @ along_rates), u[1] @ along, w * (u[1] @ along_rates), w * (u[2] @ along_rates)], 1
+        )
         rows = jax.vmap(jax.jacfwd(lambda y: accelerations(*y)))(states)
         turn = jnp.broadcast_to(jnp.array([[0.0, 0.0, 1.0, 0.0]]), (rows.shape[0], 1, 4))
         a = jnp.concatenate([rows[:, :1], turn, rows[:, 1:]], axis=1)

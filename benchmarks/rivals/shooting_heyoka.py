@@ -23,7 +23,18 @@ class Shooting:
 
         v, phi, p, r = hy.make_vars("v", "phi", "p", "r")
         w, time = hy.par[0], hy.time
-        cubes = [v * v * v, p * p * p, r * r * r, v * p * p, v * r * r, p * v * v, p * r * r, r * v * v, r * p * p, v * p * r]
+        cubes = [
+            v * v * v,
+            p * p * p,
+            r * r * r,
+            v * p * p,
+            v * r * r,
+            p * v * v,
+            p * r * r,
+            r * v * v,
+            r * p * p,
+            v * p * r,
+        ]
 
         def row(k):
             value = -(job.damping[k, 0] * v + job.damping[k, 1] * p + job.damping[k, 2] * r)

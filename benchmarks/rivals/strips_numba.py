@@ -1,7 +1,7 @@
 """Rival: harmonic balance with cross-flow drag by strips in moving water, in plain numba for this ship alone.
 
-As `harmonic_numba`, odd harmonics over half a cycle. The strips' forms are read once for all conditions, their velocities once a
-sample for force and slope together, and the water's velocity is added up without a sine.
+As `harmonic_numba`, odd harmonics over half a cycle. The strips' forms are read once for all conditions, their velocities once
+a sample for force and slope together, and the water's velocity is added up without a sine.
 """
 
 import numpy as np
@@ -159,7 +159,7 @@ def _solve(
 
 
 def harmonic_balance(job, samples, steps):
-    """Amplitudes, multipliers, K2 and S of a `systems.ByStrips`; ``samples`` a cycle, ``steps`` of Runge-Kutta in half of it."""
+    """Amplitudes, multipliers, K2 and S of a `systems.ByStrips`; ``samples`` a cycle, ``steps`` in half of it."""
     values, rates, factors, weights, along, along_rates = tables_of((1, 3), samples, steps)
     n = job.w.size
     u, mean, floquet = np.empty((n, 3, factors.size)), np.empty((n, 3, 4)), np.empty((n, 4, 4))

@@ -1,15 +1,26 @@
 """The systems all tools solve: numbers alone, so that nobody needs another's objects.
 
-`cubic` is one made-up ship of sway, roll and yaw in many waves, in units of its natural roll frequency: every cubic product of
-(v, p, r) and phi^3, velocities over ground. `by_strips` is Series 60, CB 0.60, as it is read: cross-flow drag by strips in moving
-water and the hull's own righting curve; its conditions are those of a map.
+`cubic` is one made-up ship of sway, roll and yaw in many waves, in units of its natural roll frequency: every cubic product
+of (v, p, r) and phi^3, velocities over ground. `by_strips` is Series 60, CB 0.60, as it is read: cross-flow drag by strips in
+moving water and the hull's own righting curve; its conditions are those of a map.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-MONOMIALS = ((3, 0, 0), (0, 3, 0), (0, 0, 3), (1, 2, 0), (1, 0, 2), (2, 1, 0), (0, 1, 2), (2, 0, 1), (0, 2, 1), (1, 1, 1))
+MONOMIALS = (
+    (3, 0, 0),
+    (0, 3, 0),
+    (0, 0, 3),
+    (1, 2, 0),
+    (1, 0, 2),
+    (2, 1, 0),
+    (0, 1, 2),
+    (2, 0, 1),
+    (0, 2, 1),
+    (1, 1, 1),
+)
 """Powers of v, p, r in the ten cubic products, in the order every tool writes them."""
 
 
@@ -17,7 +28,7 @@ MONOMIALS = ((3, 0, 0), (0, 3, 0), (0, 0, 3), (1, 2, 0), (1, 0, 2), (2, 1, 0), (
 class Cubic:
     """``(v, p, r)' = -damping (v, p, r) + products (ten) + (0, g phi^3 - phi, 0) + cos cos(w t) + sin sin(w t)``, phi' = p.
 
-    The ship's ``damping`` (3, 3), ``products`` (3, 10) and ``g`` are alike in all conditions; ``w`` (n,), ``cos`` and ``sin`` (n, 3).
+    Alike in all conditions are ``damping`` (3, 3), ``products`` (3, 10) and ``g``; ``w`` (n,), ``cos`` and ``sin`` (n, 3).
     """
 
     damping: np.ndarray

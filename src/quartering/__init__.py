@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from quartering.motion.transient.basin import basin
     from quartering.motion.transient.simulate import simulate
     from quartering.references import cite
-    from quartering.stability.hill import hill_exponents
+    from quartering.stability.variational.hill import hill_exponents
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branches.branch import branch
     from quartering.study.branches.coexisting import all_motions
@@ -58,16 +58,16 @@ if TYPE_CHECKING:
     from quartering.study.effects.sensitivity import sensitivity
     from quartering.study.effects.tornado import tornado
     from quartering.study.effects.vary import vary
-    from quartering.study.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.maps.extension import edges_of_largest
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
-    from quartering.study.parametric_map import parametric_map
-    from quartering.study.parametric_roll import parametric_roll
-    from quartering.study.responses import responses
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
+    from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
+    from quartering.study.six_modes.parametric_map import parametric_map
+    from quartering.study.six_modes.parametric_roll import parametric_roll
+    from quartering.study.six_modes.responses import responses
     from quartering.study.solve import solve
 
 _HOMES = {
@@ -110,7 +110,7 @@ _HOMES = {
     "Motion": "motion.steady.motion",
     "steady_motion": "motion.steady.motion",
     "surf_riding_thresholds": "motion.surf_riding",
-    "hill_exponents": "stability.hill",
+    "hill_exponents": "stability.variational.hill",
     "Verdict": "stability.verdict",
     "all_motions": "study.branches.coexisting",
     "branch": "study.branches.branch",
@@ -119,13 +119,13 @@ _HOMES = {
     "cures": "study.effects.cure",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
-    "gm_in_waves": "study.gm_in_waves",
-    "righting_arm": "study.gm_in_waves",
+    "gm_in_waves": "study.six_modes.gm_in_waves",
+    "righting_arm": "study.six_modes.gm_in_waves",
     "paper_ship": "study.paper.model",
-    "parametric_map": "study.parametric_map",
-    "parametric_roll": "study.parametric_roll",
+    "parametric_map": "study.six_modes.parametric_map",
+    "parametric_roll": "study.six_modes.parametric_roll",
     "polar": "study.maps.polar",
-    "responses": "study.responses",
+    "responses": "study.six_modes.responses",
     "sea_response": "study.seas.response",
     "solve": "study.solve",
     "sensitivity": "study.effects.sensitivity",

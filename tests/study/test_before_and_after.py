@@ -8,6 +8,7 @@ import pytest
 
 import quartering as qt
 from quartering.hydro.calm_water import calm_water_exponents
+from quartering.study.condition.resonance import missed_resonance
 from quartering.study.effects.uncertainty import uncertain
 from quartering.study.grid import grid
 from quartering.study.maps.estimate import BYTES, Estimate, check_size, estimate
@@ -15,7 +16,6 @@ from quartering.study.maps.progress import failures, outcome, progress_line, sum
 from quartering.study.maps.query import cut, worst, worst_by, write_csv
 from quartering.study.maps.result import open_result
 from quartering.study.maps.sweep import fill
-from quartering.study.resonance import missed_resonance
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length

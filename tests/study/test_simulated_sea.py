@@ -66,8 +66,8 @@ def oscillator(limit, c, d, cubic, hours, seed=3):
     for row in range(hours):
         forcing = series_of(record, seed, 7, row * RECORDS)
         time, cause = np.full(RECORDS, (steps - first) * h), np.zeros(RECORDS, dtype=np.int64)
-        march(equations, forcing, steps, first, h, 0.0, 0.0, 0.0, limit, np.inf, np.zeros((16, RECORDS)), np.zeros((2, RECORDS)),
-              time, cause)  # fmt: skip
+        sums, largest = np.zeros((16, RECORDS)), np.zeros((2, RECORDS))
+        march(equations, forcing, steps, first, h, 0.0, 0.0, 0.0, limit, np.inf, sums, largest, time, cause)  # fmt: skip
         times.append(time)
         causes.append(cause)
     time, cause = np.concatenate(times), np.concatenate(causes)

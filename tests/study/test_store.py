@@ -17,7 +17,7 @@ import pytest
 import xarray as xr
 
 import quartering as qt
-from quartering import publish
+from quartering._machine import publish
 from quartering.hydro.database.dataset import write_capytaine
 from quartering.hydro.manoeuvring.measured import LIBRARY
 from quartering.study.grid import grid

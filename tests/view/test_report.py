@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.hull.file.read import ship
-from quartering.study.failure_events import failure_events
+from quartering.study.condition.failure_events import failure_events
 from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from quartering.motion.equations.steering import state_matrix
 from quartering.motion.equations.system import System
-from quartering.stability.eigenvalues import eigenvalues
-from quartering.stability.floquet import Floquet
+from quartering.stability.variational.eigenvalues import eigenvalues
+from quartering.stability.variational.floquet import Floquet
 
 _MOSTLY_ROLL, _HARDLY_ROLL = 0.6, 0.25
 _NEAR = 0.5

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
 from quartering.motion.steady_course.balance import Harmonics
 from quartering.motion.steady_course.course import ROLL, SWAY, YAW, Course, roll_inertia
 from quartering.motion.steady_course.orbits import POINTS, Orbits, slopes

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
-from quartering.digest import fingerprint
 from quartering.hull.changes import COEFFICIENTS, check_twice
 from quartering.hull.ship import Ship
 from quartering.loads.forces import FORMS, Form

@@ -13,7 +13,8 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel, inner
+from quartering._machine.compiled import batch_kernel, inner
+from quartering._machine.simd import LANES, every, load, size, store, where_less
 from quartering.motion.equations.drag import drag, drag_of_one_hull, drag_slopes, drag_slopes_of_one_hull, one_hull
 from quartering.motion.equations.program import SIGN, SIZE, TIMES
 from quartering.motion.equations.restoring import (
@@ -25,7 +26,6 @@ from quartering.motion.equations.restoring import (
     slope_of_table,
     slope_of_tables,
 )
-from quartering.simd import LANES, every, load, size, store, where_less
 
 Floats = NDArray[np.float64]
 

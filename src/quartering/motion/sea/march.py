@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from quartering.compiled import batch_kernel, inner, kernel
+from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering.conventions import GRAVITY
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.transient.rk4 import room_to_march, step_sum

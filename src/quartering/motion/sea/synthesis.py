@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scipy.fft import irfft, next_fast_len
 from scipy.interpolate import CubicSpline
 
-from quartering.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
 

@@ -9,8 +9,8 @@ other's loops would work on one number at a time.
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import batch_kernel, inner
-from quartering.simd import load, store
+from quartering._machine.compiled import batch_kernel, inner
+from quartering._machine.simd import load, store
 
 
 @inner

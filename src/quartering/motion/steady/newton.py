@@ -10,7 +10,8 @@ from typing import Final
 
 import numpy as np
 
-from quartering.compiled import batch_kernel, inner, kernel
+from quartering._machine.compiled import batch_kernel, inner, kernel
+from quartering._machine.simd import every, load, store
 from quartering.motion.equations.rates import (
     WIDTH,
     enter_inputs,
@@ -22,7 +23,6 @@ from quartering.motion.equations.rates import (
     slopes,
 )
 from quartering.motion.steady.dense import factor_batch, solve_batch
-from quartering.simd import every, load, store
 
 _ITERATIONS = 8
 _LEFT, _DONE = 1, 2

@@ -26,7 +26,7 @@ from quartering.hydro.coefficients import coefficients
 from quartering.hydro.source.of_ship import source_of
 from quartering.loads.forces import ship_force_phasors
 from quartering.loads.lift import ship_lift_phasors
-from quartering.loads.vertical import vertical_forces
+from quartering.loads.strips.vertical import vertical_forces
 from quartering.loads.waves import encounter_frequency, heading_components, least_encounter_frequency
 from quartering.loads.wetted_hull.floating import floating_tables
 from quartering.loads.wetted_hull.section_tables import SectionTables

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
+from quartering._machine.simd import all_at_most, every, load, size, store, where_less
+from quartering._machine.threads import in_threads
 from quartering.conventions import STATE, InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.told import number, numbers
@@ -17,8 +19,6 @@ from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
 from quartering.options import quoted
-from quartering.simd import all_at_most, every, load, size, store, where_less
-from quartering.threads import in_threads
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -41,7 +41,8 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
     """Runge-Kutta steps for rows first..last of realisations, a row being a batch.
 
-    ``forcing`` (groups of rows, steps + 7, 3 + e + z, rows, W) begins 3 steps before the first step: accelerations, known inputs, water.
+    ``forcing`` (groups of rows, steps + 7, 3 + e + z, rows, W) begins 3 steps before the first step: accelerations, known
+    inputs, water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.

@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel, inner
+from quartering._machine.compiled import batch_kernel, inner
+from quartering._machine.simd import every, load, store
 from quartering.motion.equations.program import Program
 from quartering.motion.equations.rates import (
     WIDTH,
@@ -24,7 +25,6 @@ from quartering.motion.equations.rates import (
     row_of_lanes,
 )
 from quartering.motion.equations.system import Floats, System
-from quartering.simd import every, load, store
 
 
 class Alike(NamedTuple):

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.io import netcdf_file
 
-from quartering.digest import fingerprint
+from quartering._machine.digest import fingerprint
 from quartering.motion.steady.truncation import ENOUGH
 from quartering.study.conditions import FLAGS, RESULTS
 from quartering.study.dataset import EXTRA_DIMS, attributes

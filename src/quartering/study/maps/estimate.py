@@ -10,12 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
+from quartering._machine.threads import alone, workers
 from quartering.conventions import InputError
 from quartering.stability.precompile import announce_compilation
+from quartering.study.condition.resonance import missed_resonance
 from quartering.study.conditions import FLAGS, RESULTS, evaluate_block
 from quartering.study.grid import Grid
-from quartering.study.resonance import missed_resonance
-from quartering.threads import alone, workers
 
 BYTES = sum(int(np.prod(extra)) * (1 if name in FLAGS else 8) for name, extra in RESULTS.items())
 """Disk and result memory of one condition."""

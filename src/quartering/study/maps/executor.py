@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.threads import alone, spread
 from quartering.conventions import InputError
 from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import evaluate_block
 from quartering.study.grid import Grid
-from quartering.threads import alone, spread
 
 Found = dict[str, NDArray[np.generic]]
 Counts = dict[str, int]

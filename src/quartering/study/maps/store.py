@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.digest import fingerprint, source_digest
+from quartering._machine.publish import publish
 from quartering.conventions import InputError
-from quartering.digest import fingerprint, source_digest
-from quartering.publish import publish
 from quartering.study.dataset import heading_of, plain_attributes
 from quartering.study.grid import Grid
 from quartering.study.maps.block_file import Arrays, belongs, block_file, counted, part_of
@@ -245,7 +245,10 @@ def code_digest() -> str:
 
     Returns 16 hexadecimal digits, equal for equal installations
     """
-    own = (f"study/{name}.py" for name in ("conditions", "beside", "shared", "grid", "loadings", "case/values"))
+    own = (
+        f"study/{name}.py"
+        for name in ("conditions", "condition/beside", "loading_systems", "grid", "loadings", "case/values")
+    )
     return source_digest("hull", "hydro", "loads", "motion", "stability", *own)
 
 

@@ -18,12 +18,12 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.publish import publish
+from quartering._machine.threads import spread
 from quartering.conventions import InputError
 from quartering.motion.sea.march import NONE, RUN_UP, SUMS, march
 from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.transient.rk4 import Alike
-from quartering.publish import publish
-from quartering.threads import spread
 
 Floats = NDArray[np.float64]
 Single = NDArray[np.float32]

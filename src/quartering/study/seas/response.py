@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.threads import spread
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
@@ -28,7 +29,6 @@ from quartering.options import quoted
 from quartering.stability.sea import sea_stability
 from quartering.study.seas.dataset import sea_dataset
 from quartering.study.seas.moments import Moments, moments_of, products
-from quartering.threads import spread
 
 Floats = NDArray[np.float64]
 Method = Literal["linear", "closure"]

@@ -13,8 +13,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.conventions import InputError, RangeWarning
-from quartering.digest import fingerprint, source_digest
 from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import count, number

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from rich.table import Table
 
-    from quartering.study.parametric_roll import ParametricRoll
+    from quartering.study.six_modes.parametric_roll import ParametricRoll
 
 _NUMBERS = (
     ("growth of small roll, sway and yaw free", "growth", "1/s"),
@@ -53,7 +53,7 @@ def parametric(
 ) -> Answer:
     """Parametric roll and pure loss in a regular sea; with -o a map over speed and height in a head or following one."""
     from quartering.stability.precompile import announce_compilation
-    from quartering.study.parametric_roll import parametric_roll
+    from quartering.study.six_modes.parametric_roll import parametric_roll
 
     one, wave, u, mu = Typed(ship, heading, speed, wave_length, wave_height, changes).read()
     path = reserve_path(output, PICTURES)
@@ -65,7 +65,7 @@ def parametric(
     def draw() -> Figure:
         import numpy as np
 
-        from quartering.study.parametric_map import parametric_map
+        from quartering.study.six_modes.parametric_map import parametric_map
         from quartering.view.plots.parametric import parametric_picture
 
         heights = np.linspace(0.0, min(2 * wave.height, wave.length / 8), _HEIGHTS + 1)[1:]

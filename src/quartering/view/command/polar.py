@@ -213,7 +213,7 @@ def _lines(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> Iterator[Ta
     from quartering.hydro.capsize import capsize_limit
     from quartering.motion.status import Status
     from quartering.motion.steady.motion import capsize_advice
-    from quartering.study.beside import also_words
+    from quartering.study.condition.beside import also_words
     from quartering.study.maps.query import other_rolls
     from quartering.view.wording import (
         CALM_WORDS,

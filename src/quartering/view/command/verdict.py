@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from quartering.loads.forces import Form
     from quartering.stability.verdict import Verdict
-    from quartering.study.condition import Examined
+    from quartering.study.condition.examine import Examined
     from quartering.study.effects.cure import Cure
 
 
@@ -43,7 +43,7 @@ def verdict(
 ) -> Answer:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
     from quartering.stability.precompile import announce_compilation
-    from quartering.study.condition import examine, facts, helps
+    from quartering.study.condition.examine import examine, facts, helps
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
@@ -65,7 +65,7 @@ def verdict(
 def _lines(found: Examined, cures: list[Cure]) -> Iterator[Table | str]:
     """The verdict in sentences, then its numbers."""
     from quartering.hydro.calm_water import calm_water_exponents
-    from quartering.study.condition import estimated
+    from quartering.study.condition.examine import estimated
     from quartering.view.wording import CALM_COURSE, estimated_words
 
     one = found.ship

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
+from quartering.study.condition.resonance import resonance_fields
 from quartering.study.maps.query import capsizing, coexisting, other_rolls
-from quartering.study.resonance import resonance_fields
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 

@@ -10,15 +10,15 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel, summing
+from quartering._machine.compiled import inner, kernel, summing
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.batch import rows
 from quartering.motion.equations.steering import HEADING, RUDDER, holds_heading
 from quartering.motion.equations.system import Floats, System
-from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.first_order import Detail
-from quartering.stability.magnus import FINEST, magnus_steps, magnus_transition
-from quartering.stability.transition import even_steps, transition_matrices
-from quartering.threads import in_threads
+from quartering.stability.variational.eigenvalues import eigenvalues
+from quartering.stability.variational.magnus import FINEST, magnus_steps, magnus_transition
+from quartering.stability.variational.transition import even_steps, transition_matrices
 
 Complex = NDArray[np.complex128]
 

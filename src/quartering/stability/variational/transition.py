@@ -4,12 +4,13 @@
 from __future__ import annotations
 
 import math
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.simd import every, load, store
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.rates import (
     WIDTH,
     enter_inputs,
@@ -22,8 +23,6 @@ from quartering.motion.equations.rates import (
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.newton import states
-from quartering.simd import every, load, store
-from quartering.threads import in_threads
 
 _OCTAVE = 8
 

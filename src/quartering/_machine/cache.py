@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from platformdirs import user_cache_path
 
-from quartering.publish import publish
+from quartering._machine.publish import publish
 
 Arrays = Mapping[str, NDArray[Any]]
 

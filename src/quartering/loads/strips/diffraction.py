@@ -8,11 +8,11 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.compiled import summing
+from quartering._machine.compiled import summing
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hydro.strip.table import SectionTable
-from quartering.loads.interpolation import frequency_weights
-from quartering.loads.stations import Stations
+from quartering.loads.strips.interpolation import frequency_weights
+from quartering.loads.strips.stations import Stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
 
 

@@ -9,11 +9,11 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel, kernel, summing
+from quartering._machine.compiled import batch_kernel, kernel, summing
+from quartering._machine.simd import every, load, store
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
-from quartering.simd import every, load, store
-from quartering.stability.exponential import ROW, commutator, exponential, product
-from quartering.threads import in_threads
+from quartering.stability.variational.exponential import ROW, commutator, exponential, product
 
 STEPS = (
     4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024, 2048, 4096,

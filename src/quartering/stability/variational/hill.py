@@ -11,7 +11,7 @@ from quartering.motion.equations.steering import state_matrix
 from quartering.motion.equations.system import Floats, Model, System
 from quartering.motion.steady.motion import Motion
 from quartering.motion.steady.subharmonic import slowed
-from quartering.stability.variation import variational_harmonics
+from quartering.stability.variational.variation import variational_harmonics
 
 _CANDIDATES, _SAME, _FARTHEST = 16, 1e-7, 200
 

@@ -34,7 +34,12 @@ def _kind(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 kernel: Any = _kind()
 inner: Any = _kind(no_cpython_wrapper=True, no_cfunc_wrapper=True)
 batch_kernel: Any = _kind(
-    no_cpython_wrapper=True, no_cfunc_wrapper=True, error_model="numpy", fastmath={"contract"}, forceinline=True, _nrt=False
+    no_cpython_wrapper=True,
+    no_cfunc_wrapper=True,
+    error_model="numpy",
+    fastmath={"contract"},
+    forceinline=True,
+    _nrt=False,
 )
 inlined: Any = _kind(inline="always")
 summing: Any = _kind(error_model="numpy", fastmath={"contract", "reassoc"})

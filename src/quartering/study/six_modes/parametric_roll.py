@@ -25,7 +25,7 @@ from quartering.motion.steady_course.doubled import doubled_motions, largest_rol
 from quartering.motion.steady_course.orbits import POINTS, Orbits, forced_motions, symmetric_orbits
 from quartering.stability.averaged_roll import threshold
 from quartering.stability.parametric import doubled_multipliers, forced_growth, roll_growth
-from quartering.study.gm_in_waves import gm_in_waves
+from quartering.study.six_modes.gm_in_waves import gm_in_waves
 
 Kind = Literal["parametric", "pure-loss", "forced", "stable"]
 

@@ -134,7 +134,7 @@ def store(_typing, array, place, value):
 
 
 @intrinsic
-def every(_typing, number):
+def every(_typing, number):  # noqa: ARG001
     """One number in all lanes."""
 
     def lowered(_context, builder, _sig, args):
@@ -145,7 +145,7 @@ def every(_typing, number):
 
 def _unary(name: str) -> Any:
     @intrinsic
-    def function(_typing, a):
+    def function(_typing, a):  # noqa: ARG001
         def lowered(_context, builder, _sig, args):
             made = cgutils.get_or_insert_function(
                 builder.module, ir.FunctionType(_VECTOR, [_VECTOR]), f"llvm.{name}.v{LANES}f64"
@@ -176,7 +176,7 @@ def where_less(_typing, a, b, yes, no):
 
 
 @intrinsic
-def all_at_most(_typing, a, number):
+def all_at_most(_typing, a, number):  # noqa: ARG001
     """Is no lane above a number, and none of them not a number?"""
 
     def lowered(_context, builder, _sig, args):

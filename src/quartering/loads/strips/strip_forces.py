@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike
 from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
 from quartering.hull.lines.strips import Strips
 from quartering.hydro.strip.table import SectionTable
-from quartering.loads.diffraction import contour_diffraction
-from quartering.loads.froude_krylov import froude_krylov
-from quartering.loads.relative_motion import relative_motion_diffraction
-from quartering.loads.stations import Stations
+from quartering.loads.strips.diffraction import contour_diffraction
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.relative_motion import relative_motion_diffraction
+from quartering.loads.strips.stations import Stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, folded
 
 Form = Literal["paper", "paper-corrected", "relative-motion", "stf"]

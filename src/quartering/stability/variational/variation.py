@@ -8,13 +8,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
+from quartering._machine.simd import every, load, store
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_lanes, slopes
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System, kernel_arguments
 from quartering.motion.steady.newton import at_sample, gather_motions
-from quartering.simd import every, load, store
-from quartering.threads import in_threads
 
 EVEN_HARMONICS = (0, 2, 4, 6)
 """Harmonics of the variational matrix that first-order theory uses."""

@@ -7,10 +7,10 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quartering.compiled import inlined, kernel
+from quartering._machine.compiled import inlined, kernel
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hull.lines.strips import Strips
-from quartering.loads.stations import Stations
+from quartering.loads.strips.stations import Stations
 from quartering.loads.waves import Floats, Phasors, heading_components
 
 

@@ -19,7 +19,7 @@ from quartering.motion.equations.system import Model
 from quartering.motion.of_ship import equations
 from quartering.motion.steady.motion import Motion, advice, steady_motion, within_limit
 from quartering.stability.verdict import Verdict, stability
-from quartering.study.beside import Way, also_words, capsizes_on_the_way, other_stable_motions
+from quartering.study.condition.beside import Way, also_words, capsizes_on_the_way, other_stable_motions
 from quartering.study.effects.cure import Cure, seek
 
 _MOST_CURES = 3

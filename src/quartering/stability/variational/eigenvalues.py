@@ -11,9 +11,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
-from quartering.threads import in_threads
 
 _ROUNDING = 2.220446049250313e-16
 _MOST = 60

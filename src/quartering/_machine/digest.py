@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-_ROOT = Path(__file__).parent
+_ROOT = Path(__file__).parents[1]
 _UNSAID = ("provenance", "source", "references")
 
 
@@ -55,9 +55,11 @@ def source_digest(*parts: str) -> str:
     Returns 16 hexadecimal digits, equal for equal installations
     """
     digest = hashlib.sha256()
-    for part in (".", *parts):
+    for part in (".", "_machine", *parts):
         place = _ROOT / part
-        files = [place] if place.is_file() else place.glob("*.py") if part == "." else place.rglob("*.py")
-        for file in sorted(files):
+        files = [place] if place.suffix == ".py" else sorted(place.glob("*.py") if part == "." else place.rglob("*.py"))
+        if not files:
+            raise FileNotFoundError(f"no source files in {place}")
+        for file in files:
             digest.update(file.read_bytes())
     return digest.hexdigest()[:16]

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from quartering.compiled import batch_kernel
-from quartering.simd import LANES, every, load, size, store, where_less
+from quartering._machine.compiled import batch_kernel
+from quartering._machine.simd import LANES, every, load, size, store, where_less
 
 ROW: Final = LANES
 """Conditions at once."""

@@ -9,6 +9,7 @@ from typing import Final, Literal, NamedTuple, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.threads import small_matrices
 from quartering.motion.branches.homotopy import carried, same
 from quartering.motion.branches.search import from_grid
 from quartering.motion.branches.seeds import grid_of_roll
@@ -20,7 +21,6 @@ from quartering.motion.steady.motion import Motion, roll_peaks, steady_motions
 from quartering.motion.transient.approach import capsizes_before
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.kind import Kind, near_fold
-from quartering.threads import small_matrices
 
 Way = Literal["upright", "raised"]
 """How a ship comes to its motion: met upright by the whole wave, or by a wave raised in three steps."""

@@ -11,8 +11,8 @@ from quartering.conventions import GRAVITY
 from quartering.hull.lines.strips import Strips
 from quartering.hydro.strip.integrals import about_gravity_centre
 from quartering.hydro.strip.table import SectionTable
-from quartering.loads.interpolation import frequency_weights, interpolated
-from quartering.loads.stations import Stations
+from quartering.loads.strips.interpolation import frequency_weights, interpolated
+from quartering.loads.strips.stations import Stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
 
 RelativeForm = Literal["paper", "paper-corrected", "relative-motion"]

@@ -8,13 +8,13 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
 from quartering.conventions import GRAVITY
 from quartering.hull.lines.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.strip.heave import heave_table
-from quartering.loads.interpolation import frequency_weights
-from quartering.loads.stations import stations
+from quartering.loads.strips.interpolation import frequency_weights
+from quartering.loads.strips.stations import stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
 
 

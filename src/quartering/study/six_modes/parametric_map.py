@@ -23,7 +23,7 @@ from quartering.motion.steady_course.orbits import climbed
 from quartering.stability.averaged_roll import threshold
 from quartering.stability.parametric import doubled_multipliers, roll_growth
 from quartering.study.dataset import attributes, made_by
-from quartering.study.parametric_roll import whole_damping
+from quartering.study.six_modes.parametric_roll import whole_damping
 
 Floats = NDArray[np.float64]
 
