@@ -147,12 +147,25 @@ def _solve(a, d, g, w, cos, sin, values, rates, factors, weights, along, along_r
         floquet[q] = phi
 
 
-def harmonic_balance(job, odd, steps):
-    """Motions (n, 3, b), multipliers (n, 4), K2 and S of a `systems.Cubic`; ``steps`` of Runge-Kutta in the integrated span."""
+def solved(job, odd, steps):
+    """Motions (n, 3, b), mean slopes and Floquet matrices of a `systems.Cubic`; ``steps`` of Runge-Kutta in the span."""
     orders = (1, 3) if odd else (0, 1, 2, 3)
     values, rates, factors, weights, along, along_rates = tables_of(orders, 14 if odd else 16, steps)
     n = job.w.size
     u, mean, floquet = np.empty((n, 3, factors.size)), np.empty((n, 3, 4)), np.empty((n, 4, 4))
     sides = (job.damping, job.products, job.g, job.w, job.cos, job.sin)
     _solve(*sides, values, rates, factors, weights, along, along_rates, u, mean, floquet)
-    return harmonics(u, mean, floquet, odd)
+    return u, mean, floquet
+
+
+def harmonic_balance(job, odd, steps):
+    """Amplitudes (n, 3), multipliers (n, 4), K2 and S."""
+    return harmonics(*solved(job, odd, steps), odd)
+
+
+def motion(job, i):
+    """State at time 0 of the motion of condition i."""
+    u = solved(job.first(i + 1), True, 4)[0][i]
+    w = job.w[i]
+    rates = u[:, 1] * w + 3 * u[:, 3] * w
+    return np.array([rates[0], u[1, 0] + u[1, 2], rates[1], rates[2]])
