@@ -4,8 +4,8 @@
     python benchmarks/beside_rivals.py --job cubic --turns 9
     python benchmarks/beside_rivals.py --json ratios.json
 
-Jobs: `cubic`, periodic motion in three harmonics, multipliers, K2 and S of a made-up ship over ground; `relative`, the same of a
-ship as it is read, drag by strips in moving water, the rivals given the water's velocity at every strip; `ensemble`, the cubic
+Jobs: `cubic`, periodic motion in three harmonics, multipliers, K2 and S of a made-up ship over ground; `relative`, the same of
+a ship as it is read, drag by strips in moving water, the rivals given the water's velocity at every strip; `ensemble`, the cubic
 ship through half hours of a sea of 50 components. Each rival stands in a file of its own in `rivals/`; heyoka and jax come with
 the extra `bench`, and one that is missing is named as not run. Times are of the processor, so that other work on the machine
 hardly counts, and ratios are of neighbours in time. What is told is the median, in brackets the least and the most.
@@ -66,8 +66,8 @@ def by_us(system, accuracy):
     return np.hypot(u[:, :, 0], u[:, :, 1]), multipliers, k2, s
 
 
-def cubic(count, turns):
-    """Every tool on the cubic system; the rivals that are slow on fewer of the same conditions."""
+def cubic(count, turns, others=True):
+    """Every tool on the cubic system, slow rivals on fewer of its conditions; ``others``: with those that packages bring."""
     job, checked = systems.cubic(count), 24
     own = job.system()
     solve = {
@@ -76,12 +76,12 @@ def cubic(count, turns):
         "numba, odd harmonics": (count, lambda job: harmonic_numba.harmonic_balance(job, odd=True, steps=56)),
     }
     left_out = []
-    if harmonic_jax.missing():
+    if not others or harmonic_jax.missing():
         left_out.append("jax, vmap")
     else:
         run = harmonic_jax.compiled(job, steps=56)
         solve["jax, vmap"] = (1024, run)
-    if shooting_heyoka.missing():
+    if not others or shooting_heyoka.missing():
         left_out.append("heyoka, batch mode")
     else:
         shoot = shooting_heyoka.Shooting(job, 1e-8)
@@ -95,13 +95,14 @@ def cubic(count, turns):
             "amplitude": float(np.abs(size - right).max()),
             "multipliers": float(apart(found[1], multipliers).max()),
         }
-    work = {name: (lambda one=one, part=job.first(n): one(part)) for name, (n, one) in solve.items()}
+    parts = {name: job.first(n) for name, (n, _) in solve.items()}
+    work = {name: (lambda one=one, part=parts[name]: one(part)) for name, (_, one) in solve.items()}
     times = in_turn(work, turns)
     each = {name: [t / solve[name][0] for t in own_times] for name, own_times in times.items()}
     return told("cubic", each, errors, left_out, (AMPLITUDE, MULTIPLIERS))
 
 
-def relative(count, turns):
+def relative(count, turns, others=True):  # noqa: ARG001
     """Drag by strips in moving water; right is a harmonic balance of many samples and steps."""
     job, checked = systems.by_strips(count), 200
     own = job.system()
@@ -109,7 +110,7 @@ def relative(count, turns):
     right, multipliers, *_ = strips_numba.harmonic_balance(few, samples=2048, steps=2048)
     solve = {
         OURS: lambda job: by_us(job.system(), MULTIPLIERS),
-        "numba, drag by strips": lambda job: strips_numba.harmonic_balance(job, samples=48, steps=96),
+        "numba, drag by strips": lambda job: strips_numba.harmonic_balance(job, samples=48, steps=84),
     }
     errors = {}
     for name, one in solve.items():
@@ -124,7 +125,7 @@ def relative(count, turns):
     return told("relative", each, errors, left_out, (OF_KINKS, MULTIPLIERS))
 
 
-def ensemble(count, turns):
+def ensemble(count, turns, others=True):  # noqa: ARG001
     """Half hours of a sea with steps of 0.2 s where a roll period is 12 s; right is one with steps a quarter as long."""
     import quartering as qt
 
@@ -168,7 +169,11 @@ def told(job, each, errors, left_out, allowed):
 
 
 JOBS = {"cubic": (cubic, 4096), "relative": (relative, 4096), "ensemble": (ensemble, 256)}
-UNITS = {"cubic": (1e6, "us a condition"), "relative": (1e6, "us a condition"), "ensemble": (1.0, "s a thousand half hours")}
+UNITS = {
+    "cubic": (1e6, "us a condition"),
+    "relative": (1e6, "us a condition"),
+    "ensemble": (1.0, "s a thousand half hours"),
+}
 
 
 def printed(result):
@@ -190,12 +195,12 @@ def printed(result):
         print("  NOT of equal accuracy: these ratios mean nothing")
 
 
-def measured(jobs=tuple(JOBS), turns=7, counts=None):
-    """Results of some jobs, and where and when they were measured."""
+def measured(jobs=tuple(JOBS), turns=7, others=True):
+    """Results of some jobs, with or without the rivals that other packages bring, and where they were measured."""
     results = {}
     for name in jobs:
         run, count = JOBS[name]
-        results[name] = run((counts or {}).get(name, count), turns)
+        results[name] = run(count, turns, others)
     return {"processor": processor(), "load": busy(), "turns": turns, "jobs": results}
 
 

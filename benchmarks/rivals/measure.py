@@ -1,8 +1,8 @@
 """Contestants measured in turn: medians of processor time, and what a ratio of two of them is worth.
 
-Work that other programs share the machine with is counted in processor time, which hardly feels them, and in turn, so that what
-they do to one they do to all: a ratio is taken of two times of the same turn, and the median of these is told with the least and
-the most.
+Work that other programs share the machine with is counted in processor time, which hardly feels them, and in turn, so that
+what they do to one they do to all: a ratio is taken of two times of the same turn, and the median of these is told with the
+least and the most.
 """
 
 import os

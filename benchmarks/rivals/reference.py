@@ -1,4 +1,4 @@
-"""What is right, for the check of accuracy in the run: the cubic system by shooting, drag by strips by fine harmonic balance."""
+"""What is right, for the check of accuracy in the run: the cubic system by shooting at 1e-12."""
 
 import numpy as np
 from scipy.integrate import solve_ivp
