@@ -83,7 +83,7 @@ def of_sections():
 
 
 def with_terms(count):
-    """A system with some of the products of degrees 7, 5 and 3 of four states, all small: as many samples for few as for many."""
+    """A system with products of degrees 7, 5 and 3 of four states, all small: as many samples for few as for many."""
     job = systems.cubic(CONDITIONS)
     base = job.system()
     powers = []

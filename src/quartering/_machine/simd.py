@@ -13,13 +13,16 @@ import operator
 from typing import Any, Final
 
 from llvmlite import ir
+from numba import extending
 from numba.core import cgutils, types
 from numba.core.errors import TypingError
 from numba.core.typing.templates import ConcreteTemplate, infer_global, signature
-from numba.extending import intrinsic, lower_builtin, models, register_model
+from numba.extending import lower_builtin, models, register_model
 
 LANES: Final = 8
 """Numbers in a vector: two of a processor with 256 bits; arrays hold a multiple of them in their last axis."""
+
+intrinsic: Any = extending.intrinsic  # its annotations are those of the function it decorates
 
 _DOUBLE = ir.DoubleType()
 _VECTOR = ir.VectorType(_DOUBLE, LANES)

@@ -123,7 +123,7 @@ def derivative_batch(program, tables, lanes, u, matrix, room):
     for n in range(products.shape[1]):
         at_sample(program, tables, nth * n, u, lanes, columns)
         slopes(program, lanes, waves[1, nth * n], waves[2, nth * n], columns, sums, jacobian[n])
-    _project(jacobian, products, projected)
+    project(jacobian, products, projected)
     # d residual_(k c)/du_(j b) = -(h w)^2 [same k, c = b] - <phi_c, df_k/dv_j phi_b' w + df_k/dx_j phi_b>, as in `balance`.
     # All of it are the sums <phi_c, J phi_b>, symmetric in b and c: the rate of a cosine is -h times the sine beside it, that
     # of a sine h times the cosine.
@@ -155,8 +155,8 @@ def _pair(b, c):
 
 
 @batch_kernel
-def _project(jacobian, products, projected):
-    """Sums (k, s, pair, W) over samples of the derivatives (n, k, s, W) times products (pair, n) of two harmonics."""
+def project(jacobian, products, projected):
+    """Sums (k, s, p, W) over samples of the derivatives (n, k, s, W) times functions (p, n), p a multiple of four."""
     for k in range(3):
         for s in range(4):
             for p in range(0, products.shape[0], 4):

@@ -27,7 +27,9 @@ _TIERS = (14, 18, 22, 24, 26, 28)
 take tens of megabytes."""
 _CONSTANT = 40.0
 _NODE = math.sqrt(15.0) / 10.0
-_POINTS = 40
+_POINTS = 8
+_BESIDE, _BEFORE = 3, 2
+"""Values that a polynomial takes on either side, and how many a step takes before the one it begins at."""
 _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
 
 
@@ -58,14 +60,14 @@ def _exponent(a, h, a1, a2, a3, c1, c2, out):
 
 
 @batch_kernel
-def _at_nodes(values, weights, node, matrix):
-    """Variational matrices (3, 4, 4, W) at the three nodes from ``node`` on, interpolated from equal intervals (s, 12, W)."""
+def _at_nodes(values, begin, count, weights, node, matrix):
+    """Variational matrices (3, 4, 4, W) at three nodes from ``node`` on, of ``count`` values (s, 12, W) from ``begin`` on."""
     for e in range(12):
         i = 0 if e < 4 else e // 4 + 1
         j = e % 4
         low, middle, high = every(0.0), every(0.0), every(0.0)
-        for s in range(values.shape[0]):
-            own = load(values, (s, e))
+        for s in range(count):
+            own = load(values, (begin + s, e))
             low += weights[node, s] * own
             middle += weights[node + 1, s] * own
             high += weights[node + 2, s] * own
@@ -75,24 +77,31 @@ def _at_nodes(values, weights, node, matrix):
 
 
 @kernel
-def _transition(first, last, along, weights, rows, starts, counts, scale, cycle, transition):
+def _transition(first, last, along, weights, rows, starts, widths, counts, scale, cycle, transition):
     """Transition matrices (n, 4, 4) of the conditions in rows first..last over `cycle` seconds.
 
-    Row r holds the conditions rows[r], all of counts[r] steps; its last one fills up what is empty.
+    Row r holds the conditions rows[r], all of counts[r] steps; its last one fills up what is empty. A step takes widths[r]
+    values about it, which go on beyond the ends of the period; all, where that is their number.
     """
-    matrix, values = np.zeros((3, 4, 4, ROW)), np.zeros((weights.shape[1], 12, ROW))
+    matrix, values = np.zeros((3, 4, 4, ROW)), np.zeros((along.shape[1] + 2 * _BESIDE + 2, 12, ROW))
     a1, a2, a3, c1 = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
     c2, exponent = np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
     phi, g, h = np.empty((4, 4, ROW)), np.empty(ROW), np.empty(ROW)
     norm, halvings = np.empty(ROW), np.empty(ROW)
+    samples = along.shape[1]
     for r in range(first, last):
+        local = widths[r] != samples
         for l in range(ROW):
             i = rows[r, l]
             g[l], h[l] = scale[i], cycle[i] / counts[r]
             for e in range(12):  # sway velocity in units of g, so that all entries are of one size
                 unit = (g[l] if e % 4 == 0 else 1.0) / (g[l] if e < 4 else 1.0)
-                for s in range(along.shape[1]):
-                    values[s, e, l] = along[i, s, e] * unit
+                for s in range(samples):
+                    values[s + _BEFORE, e, l] = along[i, s, e] * unit
+                for s in range(_BEFORE):
+                    values[s, e, l] = along[i, samples - _BEFORE + s, e] * unit
+                for s in range(2 * _BESIDE - _BEFORE):
+                    values[samples + _BEFORE + s, e, l] = along[i, s, e] * unit
             for a in range(4):
                 for b in range(4):
                     phi[a, b, l] = 1.0 if a == b else 0.0
@@ -102,7 +111,8 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
         # a3 = 10/3 h (A3 - 2 A2 + A1), Omega = a1 + a3/12 + [-20 a1 - a3 + [a1, a2], a2 - [a1, 2 a3 + [a1, a2]]/60]/240
         # errs by h^7; with the equations nearly constant few steps do.
         for n in range(counts[r]):
-            _at_nodes(values, weights, starts[r] + 3 * n, matrix)
+            begin = samples * n // counts[r] if local else _BEFORE
+            _at_nodes(values, begin, widths[r], weights, starts[r] + 3 * n, matrix)
             _exponent(matrix, h, a1, a2, a3, c1, c2, exponent)
             exponential(exponent, c1, c2, a3, norm, halvings, a1)
             product(a1, phi, a2)
@@ -117,31 +127,50 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
 
 
 @lru_cache(maxsize=16)
-def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64]]:
-    """Weights (nodes, samples) of a periodic function's equally spaced values at the nodes of
-    the first numbers of steps in turn, and where each begins: trigonometric interpolation, exact for the harmonics that
-    the samples can hold.
+def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
+    """Weights (nodes, most) of a periodic function's equally spaced values at the nodes of the first numbers of steps in turn,
+    where each number begins, and how many values a step of it takes: trigonometric interpolation, exact for the harmonics
+    that the samples can hold.
 
-    With kinks the values at the nodes are those of the parabola that comes nearest to the interpolated function over the step
-    in the mean square: Gauss' rule then has its integral and first moments without error, wherever in the step the kink lies.
+    With kinks the values at the nodes are those of the parabola that comes nearest to the function over the step in the mean
+    square: Gauss' rule then has its integral and first moments without error, wherever in the step the kink lies. There the
+    function between its values is that of the polynomial through six of them, so that a step takes those near it alone.
     """
     starts = (3 * np.concatenate([[0], np.cumsum(STEPS[:kinds])[:-1]])).astype(np.int64)
-    if kinks:
-        place, weight = np.polynomial.legendre.leggauss(_POINTS)
-        powers = np.arange(3)
-        parabola = np.polynomial.legendre.legvander(np.array([-2 * _NODE, 0.0, 2 * _NODE]), 2)
-        project = parabola @ (
-            (powers[:, None] + 0.5) * np.polynomial.legendre.legvander(place, 2).T * weight
-        )  # (3, points)
-        rows = [
-            np.einsum("ap,nps->nas", project, _cardinals((np.arange(n)[:, None] + 0.5 + 0.5 * place) / n, samples))
-            for n in STEPS[:kinds]
-        ]
-        weights = np.concatenate([row.reshape(-1, samples) for row in rows])
-    else:
+    if not kinks:
         nodes = [((np.arange(n)[:, None] + [0.5 - _NODE, 0.5, 0.5 + _NODE]) / n).ravel() for n in STEPS[:kinds]]
-        weights = _cardinals(np.concatenate(nodes), samples)
-    return weights, starts
+        return _cardinals(np.concatenate(nodes), samples), starts, np.full(kinds, samples)
+    local = [_local(samples, n) for n in STEPS[:kinds]]
+    widths = np.array([part.shape[1] for part in local])
+    return np.concatenate([np.pad(part, ((0, 0), (0, widths.max() - part.shape[1]))) for part in local]), starts, widths
+
+
+def _local(samples: int, count: int) -> Floats:
+    """Weights (3 count, values) of each of ``count`` steps, on the values from two before the one where it begins."""
+    ends = samples * np.arange(count + 1) / count
+    first = samples * np.arange(count) // count
+    pieces = int(np.ceil(samples / count)) + 1
+    cuts = np.clip(first[:, None] + np.arange(pieces + 1), ends[:-1, None], ends[1:, None])  # (n, pieces + 1)
+    place, weight = np.polynomial.legendre.leggauss(_POINTS)
+    half = 0.5 * np.diff(cuts)[..., None]
+    x = cuts[:, :-1, None] + half * (1.0 + place)  # (n, pieces, points)
+    length = samples / count
+    # the parabola's values at the nodes: its Legendre coefficients are integrals over the step
+    across = 2.0 * (x - ends[:-1, None, None]) / length - 1.0
+    moments = (
+        np.polynomial.legendre.legvander(across, 2) * (2.0 * np.arange(3) + 1.0) * (half * weight / length)[..., None]
+    )
+    at_nodes = moments @ np.polynomial.legendre.legvander(np.array([-2 * _NODE, 0.0, 2 * _NODE]), 2).T
+    t = x - first[:, None, None] - np.arange(pieces)[:, None]  # from the value before: 0 to 1
+    beside = np.arange(-_BEFORE, _BESIDE * 2 - _BEFORE)
+    lagrange = np.ones((*t.shape, beside.size))
+    for j, own in enumerate(beside):
+        for other in beside[beside != own]:
+            lagrange[..., j] *= (t - other) / (own - other)
+    out = np.zeros((count, 3, pieces + 2 * _BESIDE - 1))
+    for p in range(pieces):
+        out[:, :, p : p + beside.size] += np.einsum("nga,ngj->naj", at_nodes[:, p], lagrange[:, p])
+    return out.reshape(3 * count, -1)
 
 
 def _cardinals(nodes: Floats, samples: int) -> Floats:
@@ -225,10 +254,10 @@ def magnus_transition(
     samples = along.shape[1]
     where = np.searchsorted(STEPS, np.maximum(steps, STEPS[0]))
     kinds = next(tier for tier in _TIERS if where.max(initial=0) < tier)
-    weights, starts = _tables(samples, kinds, kinks)
+    weights, starts, widths = _tables(samples, kinds, kinks)
     transition = np.full((along.shape[0], 4, 4), np.nan)
     rows = _rows(steps)
-    of_row = (starts[where[rows[:, 0]]], steps[rows[:, 0]])
+    of_row = (starts[where[rows[:, 0]]], widths[where[rows[:, 0]]], steps[rows[:, 0]])
     in_threads(
         _transition, rows.shape[0], along.reshape(-1, samples, 12), weights, rows, *of_row, scale, cycle, transition
     )
