@@ -124,14 +124,14 @@ def operations(system):
     size, terms = 3 * nb, system.powers.shape[0]
     slopes = int((system.powers > 0).sum())
     state, force, jacobian = 9 * nb, 24 + 9 * terms, 12 + 10 * slopes
-    derivative = samples * (state + jacobian + 15 * nb + 18 * nb**2)
+    derivative = samples * (state + jacobian + 12 * nb * (nb + 1)) + 27 * nb**2
     residual = samples * (state + force + 6 * nb)
     newton = derivative + 2 * size**3 / 3 + 3 * (residual + 2 * size**2)
     phasors, _ = variation_along(system, *motion_of(system))
     rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
     steps = magnus_steps(system.frequency, phasors, rate, 0.5, ACCURACY)[0].mean()
     product = 128
-    magnus = steps * (3 * 24 * points + 13 * product + 16 * 40)
+    magnus = steps * (3 * 24 * points + 12 * product + 16 * 30)
     count = NEWTON_MATRICES * newton + points * (state + jacobian + 24 * 7) + magnus + 2500
     square = np.random.default_rng(0).random((1500, 1500))
     square @ square

@@ -92,7 +92,7 @@ def with_terms(count):
             powers.append([factors.count(s) for s in range(4)])
     random = np.random.default_rng(5)
     chosen = np.array(powers[:count])
-    coefficients = random.normal(0.0, 0.01, (3, len(chosen)))
+    coefficients = random.normal(0.0, 0.001, (3, len(chosen)))
     return replace(
         base,
         powers=chosen,
