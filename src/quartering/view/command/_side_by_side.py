@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
 from quartering.view.command._map_axes import MapAxes, mapped
 from quartering.view.command._map_summary import Summary, summary_of
@@ -46,6 +45,7 @@ def side_by_side(
     ship, beside: as typed
     files: dataset or tables, and picture
     """
+    from quartering._machine.digest import fingerprint
     from quartering.study.maps.compare import map_difference
     from quartering.view.wording import notes, wave_words
 
