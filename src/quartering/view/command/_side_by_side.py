@@ -45,7 +45,6 @@ def side_by_side(
     ship, beside: as typed
     files: dataset or tables, and picture
     """
-    from quartering._machine.digest import fingerprint
     from quartering.study.maps.compare import map_difference
     from quartering.view.wording import notes, wave_words
 
@@ -94,6 +93,8 @@ def _other(one: Ship, ship: str, beside: str, changes: Mapping[str, str]) -> Shi
     ------
     InputError    no such ship; the same ship, loaded alike
     """
+    from quartering._machine.digest import fingerprint
+
     cases = _cases(one)
     if beside in cases:
         other = typed_ship(ship, {**changes, "loading_case": beside})
