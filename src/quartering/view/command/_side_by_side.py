@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from quartering.conventions import InputError
-from quartering.digest import fingerprint
 from quartering.view.command._map_axes import MapAxes, mapped
 from quartering.view.command._map_summary import Summary, summary_of
 from quartering.view.console.answer import Answer
@@ -94,6 +93,8 @@ def _other(one: Ship, ship: str, beside: str, changes: Mapping[str, str]) -> Shi
     ------
     InputError    no such ship; the same ship, loaded alike
     """
+    from quartering.digest import fingerprint
+
     cases = _cases(one)
     if beside in cases:
         other = typed_ship(ship, {**changes, "loading_case": beside})

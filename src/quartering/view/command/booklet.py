@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from quartering.conventions import InputError
-from quartering.digest import fingerprint
 from quartering.options import OPTIONS
 from quartering.view.command._map_axes import (
     ALL_HEADINGS,
@@ -162,6 +161,8 @@ def _facts(case: Case) -> dict[str, float | str]:
 
 def _alike(cases: Sequence[Case]) -> Iterator[str]:
     """Which cases are one loading under several names."""
+    from quartering.digest import fingerprint
+
     names: dict[str, list[str]] = {}
     for case in cases:
         numbers = (case.ship.hull, case.ship.loading)
