@@ -25,6 +25,7 @@ import numpy as np
 import others
 
 import quartering as qt
+from quartering._machine.threads import spread, workers
 from quartering.motion.equations.basis import basis
 from quartering.motion.equations.batch import joined, rows
 from quartering.motion.of_ship import ship_system
@@ -32,10 +33,9 @@ from quartering.motion.status import Status
 from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
 from quartering.stability.assessment import assess
 from quartering.stability.first_order import roll_mode
-from quartering.stability.floquet import fastest_rate, floquet
-from quartering.stability.magnus import magnus_steps
-from quartering.stability.variation import variation_along
-from quartering.threads import spread, workers
+from quartering.stability.variational.floquet import fastest_rate, floquet
+from quartering.stability.variational.magnus import magnus_steps
+from quartering.stability.variational.variation import variation_along
 
 BLOCK, ORDERS, ACCURACY = 1024, (1, 3), 1e-6
 FOUND = (Status.CONVERGED, Status.CONVERGED_BY_FOLLOWING)

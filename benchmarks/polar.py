@@ -15,11 +15,11 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import quartering as qt
+from quartering._machine.threads import spread
 from quartering.motion.of_ship import ship_system
 from quartering.motion.steady.motion import steady_motions
 from quartering.stability.assessment import assess
 from quartering.study.conditions import BLOCK
-from quartering.threads import spread
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length

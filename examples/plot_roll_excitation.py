@@ -20,7 +20,7 @@ import xarray as xr
 import quartering as qt
 from quartering.hull.lines.mesh import hull_panels
 from quartering.hydro.strip.moments import section_table
-from quartering.loads.stations import stations
+from quartering.loads.strips.stations import stations
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#6b6b6b"
 RATIOS = np.array([0.5, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0])

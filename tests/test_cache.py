@@ -8,8 +8,8 @@ import time
 import numpy as np
 import pytest
 
-from quartering import cache
-from quartering.cache import cache_folder, cached
+from quartering._machine import cache
+from quartering._machine.cache import cache_folder, cached
 from quartering.hull.file.read import ship
 from quartering.hull.lines.immersed import strips
 from quartering.hydro.strip import table
@@ -128,7 +128,7 @@ def test_the_files_unused_for_longest_go_when_there_is_no_room(folder, monkeypat
 
 def test_processes_that_write_the_same_file_at_once_leave_it_whole(folder):
     line = (
-        "import numpy as np; from quartering.cache import _write, cache_folder\n"
+        "import numpy as np; from quartering._machine.cache import _write, cache_folder\n"
         "for _ in range(40): _write(cache_folder() / 'name.npz', {'a': np.arange(20000.0)})"
     )
     writers = [subprocess.Popen([sys.executable, "-c", line], env=os.environ) for _ in range(2)]

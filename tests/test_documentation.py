@@ -101,8 +101,8 @@ def test_commands_of_the_pages_print_what_they_show(page, tmp_path, monkeypatch)
 def test_commands_of_the_readme_exist():
     from quartering.view.cli import app
 
-    names = {command.name or command.callback.__name__ for command in app.registered_commands}
-    used = set(re.findall(r"^quartering (\w+)", (ROOT / "README.md").read_text(), re.MULTILINE))
+    names = {(command.name or command.callback.__name__).replace("_", "-") for command in app.registered_commands}
+    used = set(re.findall(r"^quartering ([\w-]+)", (ROOT / "README.md").read_text(), re.MULTILINE))
     assert used
     assert used <= names
 

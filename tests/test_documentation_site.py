@@ -50,8 +50,8 @@ def test_the_main_results_are_found_where_they_are_implemented():
     for place, name in (
         ("A-11", "motion.steady.struble.modified_struble"),
         ("13", "stability.first_order.first_order"),
-        ("8", "stability.floquet.floquet"),
-        ("B-4", "loads.froude_krylov.froude_krylov"),
+        ("8", "stability.variational.floquet.floquet"),
+        ("B-4", "loads.strips.froude_krylov.froude_krylov"),
         ("C-5", "study.paper.duffing_formulas.duffing_amplitudes"),
     ):
         assert (place, f"quartering.{name}") in where

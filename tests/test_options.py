@@ -44,7 +44,7 @@ def wrong(one, way):
     if way == "word":
         return "abc"
     if one.low is not None and not one.above and one.kind != "length":
-        return f"-90000{unit}"
+        return f"-9e9{unit}"
     return f"-1{unit}" if one.above else f"-1e9{unit}"
 
 
@@ -263,7 +263,7 @@ def test_what_a_ship_is_told_is_recorded_with_where_it_comes_from(tmp_path):
     file.write_text(
         "base: series60-cb60\ndepth: 1.6 T\ndatum: keel\nopenings: {value: 40 deg, status: published, source: plan 12}\n"
         "highest_position: {x: 40 m, height: 25 m}\nwindage: {area: 900 m2, lever: 9 m}\nbilge_keel_area: 20 m2\n"
-        "propulsion: one propeller\nloading: {gyradius_pitch: 0.24 L}\n"
+        "propulsion: {diameter: 0.6 T, k0: 0.45, k1: -0.28, r2: 20e3}\nloading: {gyradius_pitch: 0.24 L}\n"
         "loadings: {ballast: {draught: 5.5 m, gm: 1.2 m}, departure: {kg: 5.5 m, roll_period: 11 s, roll_damping: 0.03}}\n"
     )
     one = qt.ship(file)
@@ -271,6 +271,8 @@ def test_what_a_ship_is_told_is_recorded_with_where_it_comes_from(tmp_path):
     assert one.value("openings") == 40.0
     assert one.value("windage") == {"area": 900.0, "lever": 9.0}
     assert one.value("windage_lever") == 9.0
+    assert one.value("propeller_diameter") == pytest.approx(0.6 * 6.5024)
+    assert (one.value("propellers"), one.value("resistance_2"), one.value("resistance_5")) == (1.0, 20e3, 0.0)
     assert one.provenance["openings"] == "published: 40 deg; plan 12"
     assert S60.value("gyradius_pitch") == 0.25 * S60.hull.length
     assert one.value("gyradius_pitch") == 0.24 * S60.hull.length
@@ -284,6 +286,30 @@ def test_what_a_ship_is_told_is_recorded_with_where_it_comes_from(tmp_path):
     assert "plan 12" in " ".join(answer.output.split())
     with pytest.raises(qt.InputError, match="did you mean ballast"):
         one.with_(loading_case="balast")
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ("estimate", "did you mean estimated"),
+        ({"diameter": 4.0, "k0": 0.45, "k1": -0.28}, "r0 to r5 are all 0"),
+        (
+            {"diameter": 4.0, "k0": 0.45, "k1": -0.28, "r2": 2e4, "propellers": 1.5},
+            "propellers = 1.5; it is a whole number",
+        ),
+        ({"k0": 0.45}, "diameter is missing"),
+    ],
+)
+def test_propulsion_that_drives_nothing_is_refused(given, words):
+    with pytest.raises(qt.InputError, match=words):
+        S60.with_(propulsion=given)
+
+
+def test_propulsion_may_be_given_as_a_record_by_key_or_as_text():
+    driven = qt.Propulsion((0, 0, 2e4), 4.0, 0.15, 0.25, (0.45, -0.28, -0.12))
+    text = S60.with_(propulsion="4,0.45,-0.28,-0.12,0.15,0.25,1,0,0,20e3")
+    assert S60.with_(propulsion=driven).value("propulsion") == text.value("propulsion") == driven.parts
+    assert S60.with_(propulsion="estimated").value("propeller_diameter") is None
 
 
 def test_bilge_keels_beside_a_method_that_does_not_allow_for_them_are_refused(tmp_path):

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from quartering.hull.autopilot import Autopilot, Rudder
+    from quartering.hull.propulsion import Propulsion
     from quartering.hull.user_database import Database
 
 {words}

@@ -1,4 +1,4 @@
-"""Read this project's docstrings: `name : type    meaning` on one line, formulas as plain text."""
+"""Read this project's docstrings: `name : type    meaning` on one line, short lists of internal functions, plain formulas."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ _FIELD = type(NamedTuple("_Any", [("field", int)]).field)
 """A field of a named tuple: its class lists it among the parameters, and Python's own words for it say nothing."""
 
 _SECTIONS = ("Parameters", "Returns", "Raises", "Yields", "Attributes")
+_ENTRY = re.compile(r"(Returns|Yields) |\*{0,2}[a-z_][\w*, ]*( \([^()]*\))?(: \S|$)")
+"""A line such as `speed (n,): U [m/s]` of an internal function; its first letter is small, that of a sentence is not."""
+
 _LITERAL = re.compile(r"(``.*?``|`[^`]+`|:\w+:`[^`]+`)")
 _MARKUP = re.compile(r"([|*])|(?<=\w)_(?=[\s,.;:)\]]|$)")
 
@@ -48,6 +51,25 @@ def plain(lines: list[str]) -> list[str]:
     return made
 
 
+def listed(lines: list[str]) -> list[str]:
+    """Docstring of an internal function, its lines on arguments and results made a list.
+
+    Examples
+    --------
+    >>> listed(["Sum.", "", "a (n,): numbers", "    of any kind", "Returns their sum", "", "Source: none."])
+    ['Sum.', '', '- a (n,): numbers', '  of any kind', '- Returns their sum', '', 'Source: none.']
+    """
+    made, inside = [], False
+    for i, line in enumerate(lines):
+        begins = i > 1 and not lines[i - 1].strip()
+        inside = bool(line.strip()) and (inside or (begins and _ENTRY.match(line) is not None))
+        if not inside:
+            made.append(line)
+        else:
+            made.append(f"  {line.strip()}" if line.startswith(" ") else f"- {line}")
+    return made
+
+
 def _typed(head: str, section: str) -> str:
     """Name and type of an entry; the type is code, for its words are shapes and not names to link to.
 
@@ -73,7 +95,8 @@ def setup(app: Any) -> dict[str, bool]:
     """Connect to Sphinx, before the numpydoc reader."""
 
     def process(_app: Any, _what: str, _name: str, _obj: Any, _options: Any, lines: list[str]) -> None:
-        lines[:] = plain(lines)
+        in_sections = any(set(line.strip()) == {"-"} for line in lines)
+        lines[:] = plain(lines if in_sections else listed(lines))
 
     def skip(_app: Any, _what: str, _name: str, obj: Any, _skip: bool, _options: Any) -> bool | None:
         return True if isinstance(obj, _FIELD) else None

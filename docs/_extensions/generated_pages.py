@@ -39,7 +39,7 @@ def write_pages(_app: Any = None) -> None:
     made = room_pages.pages(PACKAGE)
     made["commands.rst"] = command_pages.page()
     made["paper_code.rst"] = paper_code.page(PACKAGE, theory_sections(DOCS / "theory"))
-    made["changelog.md"] = (DOCS.parent / "CHANGELOG.md").read_text()
+    made["changelog.md"] = (DOCS.parent / "CHANGELOG.md").read_text().replace("](docs/", "](../")
     folder = DOCS / "reference"
     folder.mkdir(exist_ok=True)
     for old in set(folder.iterdir()) - {folder / name for name in made}:

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
     from quartering.motion.transient.basin import basin
     from quartering.motion.transient.simulate import simulate
     from quartering.references import cite
-    from quartering.stability.hill import hill_exponents
+    from quartering.stability.variational.hill import hill_exponents
     from quartering.stability.verdict import Verdict, stability
     from quartering.study.branches.branch import branch
     from quartering.study.branches.coexisting import all_motions
@@ -58,16 +58,23 @@ if TYPE_CHECKING:
     from quartering.study.effects.sensitivity import sensitivity
     from quartering.study.effects.tornado import tornado
     from quartering.study.effects.vary import vary
-    from quartering.study.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.maps.extension import edges_of_largest
+    from quartering.study.maps.guidance import guidance
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
-    from quartering.study.parametric_map import parametric_map
-    from quartering.study.parametric_roll import parametric_roll
-    from quartering.study.responses import responses
+    from quartering.study.seas.design_point import design_point
+    from quartering.study.seas.long_term import long_term
+    from quartering.study.seas.lyapunov import lyapunov
+    from quartering.study.seas.rare import failure_rate_at, largest_roll
     from quartering.study.seas.response import sea_response
     from quartering.study.seas.simulation import irregular
+    from quartering.study.six_modes.broaching import broaching, broaching_branch
+    from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
+    from quartering.study.six_modes.parametric_map import parametric_map
+    from quartering.study.six_modes.parametric_roll import parametric_roll
+    from quartering.study.six_modes.responses import responses
+    from quartering.study.six_modes.surf_riding import surf_riding, surf_riding_map
     from quartering.study.solve import solve
 
 _HOMES = {
@@ -109,23 +116,33 @@ _HOMES = {
     "simulate": "motion.transient.simulate",
     "Motion": "motion.steady.motion",
     "steady_motion": "motion.steady.motion",
+    "surf_riding": "study.six_modes.surf_riding",
+    "surf_riding_map": "study.six_modes.surf_riding",
     "surf_riding_thresholds": "motion.surf_riding",
-    "hill_exponents": "stability.hill",
+    "hill_exponents": "stability.variational.hill",
     "Verdict": "stability.verdict",
     "all_motions": "study.branches.coexisting",
     "branch": "study.branches.branch",
+    "broaching": "study.six_modes.broaching",
+    "broaching_branch": "study.six_modes.broaching",
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
     "cures": "study.effects.cure",
+    "design_point": "study.seas.design_point",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
-    "gm_in_waves": "study.gm_in_waves",
-    "righting_arm": "study.gm_in_waves",
+    "failure_rate_at": "study.seas.rare",
+    "gm_in_waves": "study.six_modes.gm_in_waves",
+    "guidance": "study.maps.guidance",
+    "righting_arm": "study.six_modes.gm_in_waves",
+    "largest_roll": "study.seas.rare",
+    "long_term": "study.seas.long_term",
+    "lyapunov": "study.seas.lyapunov",
     "paper_ship": "study.paper.model",
-    "parametric_map": "study.parametric_map",
-    "parametric_roll": "study.parametric_roll",
+    "parametric_map": "study.six_modes.parametric_map",
+    "parametric_roll": "study.six_modes.parametric_roll",
     "polar": "study.maps.polar",
-    "responses": "study.responses",
+    "responses": "study.six_modes.responses",
     "sea_response": "study.seas.response",
     "solve": "study.solve",
     "sensitivity": "study.effects.sensitivity",
@@ -152,24 +169,32 @@ __all__ = [
     "bem_forces",
     "bem_hydrodynamics",
     "branch",
+    "broaching",
+    "broaching_branch",
     "cite",
     "coefficients",
     "compare_forces",
     "criteria",
     "cures",
     "decay_record",
+    "design_point",
     "edge",
     "edges_of_largest",
     "encounter_frequency",
     "equations",
+    "failure_rate_at",
     "gm_in_waves",
+    "guidance",
     "hill_exponents",
     "hydrodynamics",
     "hydrodynamics6",
     "hydrostatics",
     "irregular",
     "kramers_kronig",
+    "largest_roll",
     "limiting_kg",
+    "long_term",
+    "lyapunov",
     "paper_ship",
     "parametric_map",
     "parametric_roll",
@@ -189,6 +214,8 @@ __all__ = [
     "solve",
     "stability",
     "steady_motion",
+    "surf_riding",
+    "surf_riding_map",
     "surf_riding_thresholds",
     "sweep",
     "tornado",

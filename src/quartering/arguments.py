@@ -48,6 +48,18 @@ ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
     "felt_limit": Option(
         "acceleration_limit", "ratio", "lateral acceleration of a failure [m/s2]", low=0, above=True, usual=9.81
     ),
+    "roll_level": Option("roll", "angle", "level that roll passes", low=0, above=True, high=90, usual="40 deg"),
+    "safety_factor": Option(
+        "threshold",
+        "ratio",
+        "factor on the mean largest motion of three hours, against the limit of a failure",
+        low=1,
+        high=10,
+        usual=2.0,
+    ),
+    "rate_limit": Option(
+        "threshold", "ratio", "rate of failures that is allowed [1/s]", low=0, above=True, high=1, usual=1e-6
+    ),
     "until": Option(
         "until",
         "ratio",

@@ -440,8 +440,23 @@ OPTIONS: Final[dict[str, Option]] = {one.name: one for one in (
     Option("windage_area", "area", "projected on the side", group="windage", key="area", low=0, high=100_000, usual="900 m2"),
     Option("windage_lever", "length", "its centre over half the draught", group="windage", key="lever", low=0, high=100,
            usual="9 m"),
-    Option("propulsion", "text", "what drives the ship, in words; nothing reads it yet", acts=False,
-           example="one fixed-pitch propeller"),
+    Option("propulsion", "group", "resistance r0 + r1 u + .. + r5 u^5, propeller k0 + k1 J + k2 J^2",
+           typed="Propulsion | Mapping[str, float | str] | str", words={"estimated": "from the lines"},
+           example="{diameter: 4.5 m, k0: 0.45, k1: -0.28, k2: -0.12, wake: 0.25, thrust_deduction: 0.15, r2: 20e3}"),
+    Option("propeller_diameter", "length", "of the propeller", group="propulsion", key="diameter", low=0, above=True,
+           high="2 T", usual="0.7 T"),
+    Option("thrust_at_rest", "ratio", "k0 of the thrust coefficient", group="propulsion", key="k0", low=0, above=True, high=2,
+           usual=0.45),
+    Option("thrust_slope", "ratio", "k1 of the thrust coefficient", group="propulsion", key="k1", low=-5, high=5, usual=-0.28),
+    Option("thrust_curvature", "ratio", "k2 of the thrust coefficient", group="propulsion", key="k2", low=-5, high=5,
+           usual=-0.12, default=0.0),
+    Option("thrust_deduction", "ratio", "of the propeller behind the hull", group="propulsion", low=0, high=0.9, usual=0.15,
+           default=0.0),
+    Option("wake_fraction", "ratio", "of the propeller behind the hull", group="propulsion", key="wake", low=0, high=0.9,
+           usual=0.25, default=0.0),
+    Option("propellers", "ratio", "how many equal ones", group="propulsion", low=1, high=10, usual=1, default=1),
+    *(Option(f"resistance_{i}", "ratio", f"r{i} of the resistance [N/(m/s)^{i}]", group="propulsion", key=f"r{i}", low=-1e8,
+             high=1e8, usual=20e3 if i == 2 else 0.0, default=0.0) for i in range(6)),
     # What is known of the coefficients
     Option("values", "coefficients", "coefficients you know, in SI about G, by name; they replace the estimates",
            key="coefficients", home="overrides", typed="Mapping[str, float]", example="{N_r: -2.0e9}", also=("values",)),
@@ -505,12 +520,14 @@ def no_coefficients(name: str, given: Any) -> Refused:
     )
 
 
-def part_values(of: Option, given: Any, where: str, sizes: Sizes) -> dict[str, float] | None:
+def part_values(of: Option, given: Any, where: str, sizes: Sizes) -> Any:
     """Values of a group by key, from a mapping, a sequence in the order of its parts, or text such as "1,10s,2s".
 
     of: a group
     given: "none" for none
     as for `checked`
+
+    Returns None for none, or another word the group may be
 
     >>> part_values(option("autopilot"), "1,10s", "my ship", NO_SHIP)
     {'gain': 1.0, 'rate_gain': 10.0, 'lag': 0.0}
@@ -519,6 +536,13 @@ def part_values(of: Option, given: Any, where: str, sizes: Sizes) -> dict[str, f
     if isinstance(given, str):
         if given.strip() == "none":
             return None
+        if given.strip() in (of.words or {}):
+            return given.strip()
+        if of.words and "," not in given:
+            likely = get_close_matches(given.strip(), of.words, n=1, cutoff=0.5)
+            hint = f"; did you mean {likely[0]}?" if likely else ""
+            words = f"{of.name} = {quoted(given)}; it is {' or '.join(of.words)}, or a group of {', '.join(own)}{hint}"
+            raise Refused(of.name, words, where)
         given = [part.strip() for part in given.split(",")]
     if isinstance(given, (tuple, list)):
         if len(given) > len(own):

@@ -24,6 +24,10 @@ REFERENCES: Final[dict[str, str]] = {
     "Physics Reports 470.",
     "Owen97": "Owen, A. B. (1997). Scrambled net variance for integrals of smooth functions. Annals of Statistics 25.",
     "Francis61": "Francis, J. G. F. (1961). The QR transformation. Computer Journal 4.",
+    "Holtrop82": "Holtrop, J., Mennen, G. G. J. (1982). An approximate power prediction method. International "
+    "Shipbuilding Progress 29.",
+    "Holtrop84": "Holtrop, J. (1984). A statistical re-analysis of resistance and propulsion data. International "
+    "Shipbuilding Progress 31.",
     "Krack19": "Krack, M., Gross, J. (2019). Harmonic balance for nonlinear vibration problems. Springer.",
     "Thompson89": "Thompson, J. M. T. (1989). Chaotic phenomena triggering the escape from a potential well. "
     "Proceedings of the Royal Society A 421.",
@@ -113,6 +117,8 @@ REFERENCES: Final[dict[str, str]] = {
     "Gustavsen99": "Gustavsen, B., Semlyen, A. (1999). Rational approximation of frequency domain responses by vector fitting. "
     "IEEE Transactions on Power Delivery 14.",
     "Coles01": "Coles, S. (2001). An Introduction to Statistical Modeling of Extreme Values. Springer.",
+    "Jensen07": "Jensen, J. J. (2007). Efficient estimation of extreme non-linear roll motions using the first-order "
+    "reliability method (FORM). Journal of Marine Science and Technology 12.",
     "Kress90": "Kress, R. (1990). A Nystrom method for boundary integral equations in domains with corners. "
     "Numerische Mathematik 58.",
 }

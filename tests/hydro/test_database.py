@@ -11,8 +11,8 @@ from quartering.hull.lines.immersed import strips
 from quartering.hull.lines.quadrature import gauss
 from quartering.hydro.added_mass import hydrodynamics
 from quartering.hydro.database.dataset import read_capytaine, read_wamit, write_capytaine, write_wamit
-from quartering.loads.froude_krylov import froude_krylov
-from quartering.loads.stations import stations
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.stations import stations
 
 BOX = ship("box").with_(kg=6.5)
 S60 = ship("series60-cb60")

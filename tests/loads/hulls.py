@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from quartering.hull.lines.strips import Strips
-from quartering.loads.stations import Stations
+from quartering.loads.strips.stations import Stations
 
 
 def gauss(start, end, points):

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from quartering.conventions import GRAVITY, WATER_DENSITY
-from quartering.loads.diffraction import contour_diffraction
-from quartering.loads.interpolation import frequency_weights, interpolated
-from quartering.loads.stations import Stations
+from quartering.loads.strips.diffraction import contour_diffraction
+from quartering.loads.strips.interpolation import frequency_weights, interpolated
+from quartering.loads.strips.stations import Stations
 
 SECTIONS, POINTS = 5, 6
 

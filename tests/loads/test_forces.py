@@ -13,10 +13,10 @@ from quartering.hull.lines.hull import scaled
 from quartering.hull.lines.immersed import strips
 from quartering.hydro.strip.moments import section_table
 from quartering.hydro.strip.table import radiation_table
-from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.forces import FORMS, wave_force_phasors, wave_forces
-from quartering.loads.froude_krylov import froude_krylov
-from quartering.loads.stations import stations
+from quartering.loads.strips.diffraction import contour_diffraction
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.stations import stations
 from quartering.loads.waves import Wave
 from tests.loads.hulls import rows, stations_of, wigley
 

@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hull.lines.strips import Strips
-from quartering.loads.froude_krylov import froude_krylov
+from quartering.loads.strips.froude_krylov import froude_krylov
 from tests.loads.hulls import box, gauss, phasor, rows, stations_of, wigley
 
 pytestmark = pytest.mark.quick

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from quartering.conventions import InputError
-from quartering.loads.interpolation import frequency_weights, interpolated
+from quartering.loads.strips.interpolation import frequency_weights, interpolated
 
 GRID = np.array([0.05, 0.1, 0.2, 0.5, 0.9, 1.6, 3.0])
 

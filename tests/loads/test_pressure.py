@@ -5,8 +5,8 @@ import pytest
 
 import quartering as qt
 from quartering.hull.lines.immersed import strips
-from quartering.loads.froude_krylov import froude_krylov
-from quartering.loads.stations import stations
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.stations import stations
 from quartering.loads.wetted_hull.floating import floating_hull
 from quartering.loads.wetted_hull.pressure import Waves, direct_loads, wetted_hull
 

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from quartering.conventions import GRAVITY
 from quartering.hull.lines.strips import Strips
-from quartering.loads.relative_motion import relative_motion_diffraction, section_average
+from quartering.loads.strips.relative_motion import relative_motion_diffraction, section_average
 from tests.loads.hulls import box, phasor, rows, stations_of, wigley
 
 REFERENCE = rows("strip_correction_box_reference.csv")

@@ -6,10 +6,10 @@ import pytest
 from quartering.conventions import GRAVITY, WATER_DENSITY
 from quartering.hull.lines.strips import Strips
 from quartering.hydro.strip.table import radiation_table
-from quartering.loads.diffraction import contour_diffraction
-from quartering.loads.froude_krylov import froude_krylov
-from quartering.loads.relative_motion import relative_motion_diffraction
-from quartering.loads.stations import Stations
+from quartering.loads.strips.diffraction import contour_diffraction
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.relative_motion import relative_motion_diffraction
+from quartering.loads.strips.stations import Stations
 from tests.loads.hulls import rows
 
 REFERENCE = rows("sections_2d_reference.csv")

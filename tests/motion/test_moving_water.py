@@ -20,7 +20,7 @@ from quartering.motion.transient.simulate import simulate
 from quartering.stability.assessment import assess
 from quartering.stability.contribution import contributions
 from quartering.stability.derivative import change_of_stability
-from quartering.stability.variation import variational_harmonics
+from quartering.stability.variational.variation import variational_harmonics
 from tests.reference import HERE
 
 WATER = json.loads((HERE / "moving_water.json").read_text())

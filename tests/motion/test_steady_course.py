@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.loads.vertical import vertical_forces
+from quartering.loads.strips.vertical import vertical_forces
 from quartering.loads.wetted_hull.floating import floating_hull
 from quartering.loads.wetted_hull.pressure import Waves, direct_loads
 from quartering.motion.six_modes import vertical_system

@@ -5,7 +5,7 @@ import pytest
 
 import quartering as qt
 from quartering.motion.transient.simulate import simulate
-from quartering.stability.transition import transition_matrices
+from quartering.stability.variational.transition import transition_matrices
 from tests.motion.test_autopilot import AUTOPILOTS, model_with
 from tests.reference import DYNAMICS, model_of
 

@@ -5,10 +5,10 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import GRAVITY, InputError
+from quartering.study.condition.resonance import resonant_headings
 from quartering.study.paper.conditions import speed_of, wave_of
 from quartering.study.paper.curves import coefficient_curves, loading_curves, response_curves
 from quartering.study.paper.model import paper_ship
-from quartering.study.resonance import resonant_headings
 
 SHIP = paper_ship()
 SPEED = speed_of(SHIP)

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import quartering as qt
-import quartering.compiled
+import quartering._machine.compiled
 from quartering.stability.precompile import NOTICE, compiled
 
 
@@ -38,10 +38,10 @@ def test_kernels_run_where_no_folder_for_them_can_be_written(monkeypatch):
 
         return compiler
 
-    monkeypatch.setattr(quartering.compiled, "_njit", njit)
-    assert quartering.compiled._kind()(lambda x: 2 * x)(3.0) == 6.0
+    monkeypatch.setattr(quartering._machine.compiled, "_njit", njit)
+    assert quartering._machine.compiled._kind()(lambda x: 2 * x)(3.0) == 6.0
     monkeypatch.setattr(
-        quartering.compiled, "_njit", lambda **_: lambda _: (_ for _ in ()).throw(RuntimeError("other"))
+        quartering._machine.compiled, "_njit", lambda **_: lambda _: (_ for _ in ()).throw(RuntimeError("other"))
     )
     with pytest.raises(RuntimeError, match="other"):
-        quartering.compiled._kind()(lambda x: x)
+        quartering._machine.compiled._kind()(lambda x: x)

@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 import quartering as qt
 from quartering.stability.assessment import assess
 from quartering.stability.contribution import contributions
-from quartering.stability.hill import hill_exponents
+from quartering.stability.variational.hill import hill_exponents
 from tests.motion.test_autopilot import AUTOPILOTS, INERTIA, TERMS, model_with
 
 LINEAR = {name: value for name, value in TERMS.items() if name not in ("K_phiphiphi", "K_ppp", "K_prr")}

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from quartering.stability.eigenvalues import eigenvalues
+from quartering.stability.variational.eigenvalues import eigenvalues
 
 pytestmark = pytest.mark.quick
 

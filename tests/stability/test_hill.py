@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from quartering.motion.steady.harmonic import harmonic_balance
-from quartering.stability.hill import exponents_of_batch
+from quartering.stability.variational.hill import exponents_of_batch
 from tests.reference import CASES, COUPLED, DYNAMICS, complexes, coupled_model, model_of
 
 
@@ -52,7 +52,7 @@ def test_mathieu_characteristic_values(q, a, trace):
     from quartering.motion.equations.system import Model
     from quartering.motion.status import Status
     from quartering.motion.steady.motion import Motion
-    from quartering.stability.transition import transition_matrices
+    from quartering.stability.variational.transition import transition_matrices
 
     # phi = sqrt(x) (cos t): 3 k3 phi^2 = 1.5 k3 x (1 + cos 2t), so stiffness K1 + 1.5 k3 x + 1.5 k3 x cos 2t.
     cubic = 4.0 / 3.0 * q  # with unit amplitude: 1.5 cubic = 2 q

@@ -8,8 +8,8 @@ import pytest
 from quartering.motion.equations.system import Model
 from quartering.motion.status import Status
 from quartering.motion.steady.motion import Motion
-from quartering.stability.hill import exponents_of_batch
-from quartering.stability.transition import transition_matrices
+from quartering.stability.variational.hill import exponents_of_batch
+from quartering.stability.variational.transition import transition_matrices
 from tests.reference import table
 
 MATHIEU, MEISSNER = table("mathieu.csv"), table("meissner.csv")

@@ -6,12 +6,12 @@ import pytest
 from scipy.optimize import brentq
 
 import quartering as qt
-from quartering.motion.steady_course.balance import doubled_harmonics
+from quartering.motion.steady_course.balance import doubled_harmonics, oblique_doubled_harmonics
 from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.doubled import doubled_motions, largest_roll
-from quartering.motion.steady_course.march import march, start_on
+from quartering.motion.steady_course.march import STATES, march, start_on
 from quartering.motion.steady_course.orbits import symmetric_orbits
-from quartering.stability.parametric import doubled_multipliers, hill_multipliers, roll_growth
+from quartering.stability.parametric import doubled_multipliers, growths, hill_multipliers, roll_growth
 from tests.reference import table
 
 SHIP = qt.ship("s175").with_(gm=1.0, gyradius_roll=8.89, gyradius_pitch=43.75, ends="strips", roll_damping=0.02)
@@ -91,3 +91,34 @@ def test_of_two_motions_of_two_periods_beyond_a_fold_one_is_stable():
             assert bool((real > 1.0).any()) == (branch.amplitude[k + 1] < branch.amplitude[k - 1])
             checked += 1
     assert checked > 3
+
+
+@pytest.mark.parametrize("heading", [165.0, 150.0])
+def test_roll_of_two_periods_in_an_oblique_sea_is_that_of_a_march(heading):
+    """Authority: integration in time of the same equations, from 3 deg of roll, 1 % allowed; the forced motion is unstable."""
+    ship = qt.ship("dtc").with_(autopilot="1,10s")
+    one = course(ship, 2 * np.pi / 355, *(np.array([v]) for v in (3.5, 5.0, heading))).with_constant_coefficients()
+    basis = oblique_doubled_harmonics()
+    x, branches = doubled_motions(one, 3.5, 5.0, basis=basis)
+    assert len(x) == len(branches) == 1
+    assert growths(one, basis, x, 2)[0][0] < 0.0
+    assert branches[0].amplitude[0] < 3.5
+    start = np.zeros(len(STATES))
+    start[5] = 0.05
+    late = march(one, start, 400.0).state[-48 * 20 :, 5]
+    assert largest_roll(basis, x)[0] == pytest.approx(np.abs(late).max(), rel=0.01)
+    assert np.abs(late[48:] + late[:-48]).max() < np.abs(late).max()  # not of one period ..
+    np.testing.assert_allclose(late[96:], late[:-96], atol=1e-4 * np.abs(late).max())  # .. but of two
+
+
+def test_an_oblique_sea_that_turns_into_a_head_sea_has_its_roll():
+    """Limit: half a degree off the bow differs from a head sea in second order; a low wave leaves the forced motion alone."""
+    ship, wave = qt.ship("dtc"), qt.Wave(355.0, 7.0)
+    ahead, off = (qt.parametric_roll(ship, wave, 5.0, heading) for heading in (180.0, 179.5))
+    assert off.kind == ahead.kind == "parametric"
+    assert off.amplitude == pytest.approx(ahead.amplitude, rel=2e-3)
+    mirrored = qt.parametric_roll(ship, wave, 5.0, 180.5)
+    assert mirrored.amplitude == pytest.approx(off.amplitude, rel=1e-6)
+    low = qt.parametric_roll(ship, qt.Wave(355.0, 1.0), 5.0, 165.0)
+    assert (low.kind, len(low.amplitude)) == ("forced", 1)
+    assert "that motion is stable" in low.sentence

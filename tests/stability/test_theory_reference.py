@@ -6,8 +6,8 @@ import pytest
 from quartering.motion.steady.motion import motion_record, steady_motion
 from quartering.stability.assessment import assess
 from quartering.stability.first_order import first_order
-from quartering.stability.transition import transition_matrices
-from quartering.stability.variation import variational_harmonics
+from quartering.stability.variational.transition import transition_matrices
+from quartering.stability.variational.variation import variational_harmonics
 from quartering.stability.verdict import stability
 from tests.reference import CASES, COUPLED, DYNAMICS, complexes, coupled_model, model_of
 

@@ -8,14 +8,15 @@ import pytest
 
 import quartering as qt
 from quartering.hydro.calm_water import calm_water_exponents
+from quartering.study.condition.resonance import missed_resonance
 from quartering.study.effects.uncertainty import uncertain
 from quartering.study.grid import grid
-from quartering.study.maps.estimate import BYTES, Estimate, check_size, estimate
+from quartering.study.maps.estimate import Estimate, check_size, estimate
+from quartering.study.maps.kinds import WAVES
 from quartering.study.maps.progress import failures, outcome, progress_line, summary
 from quartering.study.maps.query import cut, worst, worst_by, write_csv
 from quartering.study.maps.result import open_result
 from quartering.study.maps.sweep import fill
-from quartering.study.resonance import missed_resonance
 
 SHIP = qt.ship("series60-cb60")
 LENGTH = SHIP.hull.length
@@ -35,7 +36,7 @@ def test_estimated_conditions_and_disk_are_what_comes(stored):
     disk = sum(f.stat().st_size for f in (folder / "blocks").iterdir())
     assert 0.8 * disk < found.disk < 1.5 * disk
     assert found.seconds > 0
-    assert BYTES > 100
+    assert WAVES.size > 100
 
 
 def test_a_run_too_large_is_refused_unless_it_is_meant(tmp_path):
@@ -131,7 +132,7 @@ def test_failed_conditions_are_grouped_with_advice():
     from quartering.study.conditions import evaluate_block
     from quartering.study.maps.block_file import counted
 
-    (group,) = failures(counted(evaluate_block(found, 0)))
+    (group,) = failures(counted(evaluate_block(found, 0), WAVES))
     assert group.conditions == 2
     assert "broaching" in group.advice
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.study.beside import capsizes_on_the_way, other_stable_motions
-from quartering.study.condition import examine, facts
+from quartering.study.condition.beside import capsizes_on_the_way, other_stable_motions
+from quartering.study.condition.examine import examine, facts
 
 DESTROYER = qt.ship("dtmb5415").with_(velocities="absolute", righting="polynomial", drag="cubic")
 WAVE = qt.Wave(2.18 * DESTROYER.hull.length, 2.18 * DESTROYER.hull.length / 20)

@@ -8,6 +8,7 @@ import pytest
 import xarray as xr
 
 import quartering as qt
+from quartering.study.conditions import evaluate_block
 from quartering.study.grid import grid
 from quartering.study.maps import executor
 
@@ -52,7 +53,7 @@ def test_a_grid_travels_to_another_process():
     wanted = grid(SHIP, **CONDITIONS)
     there = pickle.loads(pickle.dumps(wanted))
     assert there.described == wanted.described
-    np.testing.assert_array_equal(executor.evaluate_block(there, 2)["roll"], executor.evaluate_block(wanted, 2)["roll"])
+    np.testing.assert_array_equal(evaluate_block(there, 2)["roll"], evaluate_block(wanted, 2)["roll"])
 
 
 @pytest.mark.filterwarnings("ignore")

@@ -7,6 +7,7 @@ import quartering as qt
 from quartering.study.effects import cure as search
 from quartering.study.effects.cure import cures
 from quartering.study.effects.nearest import Reached, nearest, rounded
+from quartering.study.effects.trials import Trials
 from quartering.study.loadings import loaded
 from quartering.study.paper.model import paper_ship
 
@@ -208,3 +209,18 @@ def test_course_instability_of_calm_water_is_no_matter_of_the_wave():
     verdict = qt.stability(model, qt.steady_motion(model, start="rest"))
     assert verdict.kind == "course-in-calm-water"
     assert cures(ship, qt.Wave(121.92, 1.0), SPEED, 60.0) == []
+
+
+def test_other_wave_heights_match_the_cubic_drag_anew():
+    """Cubic drag through the water has its reference velocity at the motion: each height tried is that of new equations."""
+    ship, wave, speed, heading = qt.ship("series60-cb60").with_(drag="cubic"), qt.Wave(180.0, 6.0), 9.0, 60.0
+    heights = np.array([0.25, 1.0, 1.3])
+    tried = Trials(ship, wave, speed, heading, 3, "stf").exponents({"wave_height": heights}, settled=True)[
+        "wave_height"
+    ]
+    anew = []
+    for factor in heights:
+        model = qt.equations(ship, qt.Wave(wave.length, wave.height * factor), speed, heading)
+        anew.append(qt.stability(model, qt.steady_motion(model, 3, start="rest")).exponents[0].real)
+    np.testing.assert_allclose(tried, anew, rtol=1e-6)
+    assert abs(tried[0] / tried[1] - 1) > 1e-3  # and the height matters

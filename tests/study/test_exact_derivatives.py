@@ -15,7 +15,7 @@ from quartering.motion.equations.terms import parse
 from quartering.motion.steady.derivative import OFFSETS, difference, products, states_along
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for
 from quartering.stability.assessment import assess
-from quartering.stability.hill import exponents_of_batch
+from quartering.stability.variational.hill import exponents_of_batch
 from quartering.study.effects.sensitivity import coefficient_rows, derivatives
 
 SHIP = qt.paper_ship("series60-cb60")  # every term has a name and all derivatives

@@ -7,7 +7,7 @@ import quartering as qt
 from quartering.motion.of_ship import ship_system
 from quartering.motion.steady.motion import steady_motions
 from quartering.stability.assessment import assess
-from quartering.stability.magnus import STEPS, magnus_steps, magnus_transition
+from quartering.stability.variational.magnus import STEPS, magnus_steps, magnus_transition
 from quartering.study.conditions import ACCURACY
 
 

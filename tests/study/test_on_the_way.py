@@ -12,9 +12,9 @@ from quartering.motion.status import OnTheWay
 from quartering.motion.steady.motion import steady_motions
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind, near_fold
-from quartering.study.beside import capsizes_on_the_way
+from quartering.study.condition.beside import capsizes_on_the_way
+from quartering.study.condition.failure_events import failure_events
 from quartering.study.conditions import RESULTS, evaluate_block
-from quartering.study.failure_events import failure_events
 from quartering.study.grid import grid
 from quartering.study.maps.query import capsizing
 from quartering.study.maps.result import in_memory, open_result

@@ -9,7 +9,7 @@ from quartering.hull import hydrostatics
 from quartering.hull.lines import immersed
 from quartering.hull.righting import heeled
 from quartering.hydro.strip import ends, moments
-from quartering.study.condition import examine, facts
+from quartering.study.condition.examine import examine, facts
 
 OF_THE_HULL = {
     "particulars": hydrostatics._floating,

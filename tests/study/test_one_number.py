@@ -8,8 +8,8 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.study.branches.coexisting import all_motions
-from quartering.study.condition import examine, facts
-from quartering.study.failure_events import failure_events
+from quartering.study.condition.examine import examine, facts
+from quartering.study.condition.failure_events import failure_events
 from quartering.study.maps.query import coexisting, other_rolls, worst
 from quartering.view.cli import app
 from quartering.view.explorer.headline import headline

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering import threads
-from quartering.rowwise import rowwise
+from quartering._machine import threads
+from quartering._machine.rowwise import rowwise
 from quartering.study import grid as grids
 from quartering.study.conditions import RESULTS, evaluate, evaluate_block
 from quartering.study.grid import grid

@@ -10,7 +10,7 @@ import pytest
 
 import quartering as qt
 from quartering.hull.file.read import available_ships
-from quartering.study.condition import examine
+from quartering.study.condition.examine import examine
 
 pytestmark = [pytest.mark.soak, pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")]
 

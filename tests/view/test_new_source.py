@@ -5,7 +5,7 @@ import pytest
 import quartering as qt
 from quartering.hydro import coefficients as registry
 from quartering.hydro.terms import Term
-from quartering.study.condition import examine, facts
+from quartering.study.condition.examine import examine, facts
 from quartering.view.wording import estimates_of, notes, ship_notes
 
 S60 = qt.ship("series60-cb60")

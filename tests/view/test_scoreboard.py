@@ -23,7 +23,7 @@ def measured(*words):
 @pytest.mark.usefixtures("_two_claims")
 def test_table_names_claim_answer_and_evidence_and_the_page_is_written(tmp_path):
     printed = measured("-o", tmp_path / "board.md").stdout
-    assert "2 claims: 1 holds, 1 holds in part" in printed
+    assert "2 claims over ground, as the paper: 1 holds, 1 holds in part" in " ".join(printed.split())
     assert "wave force" in printed
     assert "| Figs. 2-4 | holds | without it the error is" in (tmp_path / "board.md").read_text()
 
@@ -32,7 +32,7 @@ def test_table_names_claim_answer_and_evidence_and_the_page_is_written(tmp_path)
 def test_json_has_a_row_a_claim():
     rows = json.loads(measured("--json").stdout)["claims"]
     assert [row["answer"] for row in rows] == ["holds", "holds in part"]
-    assert all(row["evidence"] and row["where"] for row in rows)
+    assert all(row["evidence"] and row["where"] and row["through_water"]["evidence"] for row in rows)
 
 
 def test_another_ending_is_refused_before_the_work(tmp_path):

@@ -14,6 +14,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.hull import Hull, at_draught, scaled, with_depth
 from quartering.hull.lines.sense import check_proportions
 from quartering.hull.loading import Loading, loaded_alike, reloaded
+from quartering.hull.propulsion import Propulsion, propulsion_of_parts
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.roll_period import gyradius_of_period
 from quartering.hull.user_database import DATABASE_IS, Database, database_of, database_of_keys
@@ -206,7 +207,7 @@ def _grouped(ship: Ship, given: Mapping[str, Any], where: str, sizes: Sizes) -> 
 def part_of_ship(ship: Ship, group: str) -> dict[str, float]:
     """Values of a group by key, as far as the ship has them."""
     value = ship.value(group)
-    if value is None:
+    if value is None or isinstance(value, str):
         return {}
     keys = list(parts(group))
     if isinstance(value, Mapping):
@@ -346,12 +347,27 @@ def _particulars(given: Mapping[str, Any], where: str, sizes: Sizes) -> dict[str
         one = OPTIONS[name]
         if one.home or one.group or name == "roll_period":
             continue
-        if one.kind == "group":
+        if name == "propulsion":
+            found[name] = _propulsion(one, value, where, sizes)
+        elif one.kind == "group":
             found[name] = part_values(one, value, where, sizes)
         elif one.kind == "table":
             found[name] = _loading_cases(value, where, sizes)
         else:
             found[name] = checked(one, value, where, sizes)
+    return found
+
+
+def _propulsion(one: Option, given: Any, where: str, sizes: Sizes) -> Any:
+    """Resistance and propeller by key, or how they are estimated; what makes no propeller is refused."""
+    if isinstance(given, Propulsion):
+        return given.parts
+    found = part_values(one, given, where, sizes)
+    if isinstance(found, Mapping):
+        try:
+            propulsion_of_parts(found)
+        except InputError as error:
+            raise Refused(one.name, f"{one.name}: {error}", where) from None
     return found
 
 

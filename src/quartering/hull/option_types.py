@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from quartering.hull.autopilot import Autopilot, Rudder
+    from quartering.hull.propulsion import Propulsion
     from quartering.hull.user_database import Database
 
 Datum = Literal["keel", "waterline"]
@@ -118,8 +119,34 @@ class ShipOptions(TypedDict, total=False):
     """Projected on the side [m2]."""
     windage_lever: float | str | None
     """Its centre over half the draught [m, L, B, T]."""
-    propulsion: str | None
-    """What drives the ship, in words; nothing reads it yet; recorded."""
+    propulsion: Propulsion | Mapping[str, float | str] | str | None
+    """Resistance r0 + r1 u + .. + r5 u^5, propeller k0 + k1 J + k2 J^2: estimated (from the lines)."""
+    propeller_diameter: float | str | None
+    """Of the propeller [m, L, B, T]."""
+    thrust_at_rest: float | str | None
+    """K0 of the thrust coefficient [1, %]."""
+    thrust_slope: float | str | None
+    """K1 of the thrust coefficient [1, %]."""
+    thrust_curvature: float | str | None
+    """K2 of the thrust coefficient [1, %]."""
+    thrust_deduction: float | str | None
+    """Of the propeller behind the hull [1, %]."""
+    wake_fraction: float | str | None
+    """Of the propeller behind the hull [1, %]."""
+    propellers: float | str | None
+    """How many equal ones [1, %]."""
+    resistance_0: float | str | None
+    """R0 of the resistance [N/(m/s)^0] [1, %]."""
+    resistance_1: float | str | None
+    """R1 of the resistance [N/(m/s)^1] [1, %]."""
+    resistance_2: float | str | None
+    """R2 of the resistance [N/(m/s)^2] [1, %]."""
+    resistance_3: float | str | None
+    """R3 of the resistance [N/(m/s)^3] [1, %]."""
+    resistance_4: float | str | None
+    """R4 of the resistance [N/(m/s)^4] [1, %]."""
+    resistance_5: float | str | None
+    """R5 of the resistance [N/(m/s)^5] [1, %]."""
     values: Mapping[str, float] | None
     """Coefficients you know, in SI about G, by name; they replace the estimates."""
     factors: Mapping[str, float] | None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -71,6 +71,14 @@ class Propulsion:
         object.__setattr__(self, "resistance", tuple(float(x) for x in np.pad(r, (0, _DEGREE + 1 - r.size))))
         object.__setattr__(self, "thrust", tuple(float(x) for x in k))
 
+    @property
+    def parts(self) -> dict[str, float]:
+        """The same numbers by the keys of a ship file."""
+        k0, k1, k2 = self.thrust
+        named = {"diameter": self.diameter, "k0": k0, "k1": k1, "k2": k2}
+        named |= {"thrust_deduction": self.thrust_deduction, "wake": self.wake, "propellers": self.propellers}
+        return named | {f"r{i}": r for i, r in enumerate(self.resistance)}
+
     def thrust_terms(self, density: float = WATER_DENSITY) -> tuple[float, float, float]:
         """Coefficients tau0, tau1, tau2 of T = tau0 n^2 + tau1 n u + tau2 u^2, all propellers together [SI]."""
         k0, k1, k2 = self.thrust
@@ -106,3 +114,29 @@ def larger_root(a: float, b: float, c: float) -> float:
         return math.nan
     found = (-b + math.sqrt(inside)) / (2 * a)
     return found if found > 0 else math.nan
+
+
+def propulsion_of_parts(parts: Mapping[str, float]) -> Propulsion:
+    """Propulsion from the keys of a ship file: diameter, k0, k1, k2, thrust_deduction, wake, propellers, r0, .. r5.
+
+    Raises
+    ------
+    InputError    as `Propulsion`
+
+    Examples
+    --------
+    >>> told = dict(diameter=2.6, k0=0.36, k1=-0.28, k2=-0.12, thrust_deduction=0.1, wake=0.2, propellers=1, r2=2500.0)
+    >>> propulsion_of_parts(told).drag(2.0)
+    10000.0
+    """
+    if not any(parts.get(f"r{i}", 0.0) for i in range(_DEGREE + 1)):
+        raise InputError("r0 to r5 are all 0; give the resistance r0 + r1 u + .. + r5 u^5 [N], such as r2: 20e3")
+    count = parts["propellers"]
+    return Propulsion(
+        [parts.get(f"r{i}", 0.0) for i in range(_DEGREE + 1)],
+        parts["diameter"],
+        parts["thrust_deduction"],
+        parts["wake"],
+        (parts["k0"], parts["k1"], parts["k2"]),
+        int(count) if float(count).is_integer() else count,  # type: ignore[arg-type]  # refused with its words
+    )

@@ -143,7 +143,7 @@ class Ship(ShownInNotebooks):
         one = option(name)
         if one.group:
             whole = self.value(one.group)
-            if whole is None:
+            if whole is None or isinstance(whole, str):
                 return None
             key = one.path[-1]
             if isinstance(whole, tuple):

@@ -15,8 +15,8 @@ from quartering.hull.lines.strips import has_transom
 from quartering.hull.user_database import Database
 from quartering.hydro.source.record import AtRest, Hydrodynamics, Phasors
 from quartering.hydro.strip.moments import section_table
-from quartering.loads.stations import Stations
-from quartering.loads.strip_forces import wave_force_phasors
+from quartering.loads.strips.stations import Stations
+from quartering.loads.strips.strip_forces import wave_force_phasors
 from quartering.loads.waves import Floats
 
 SIZE: Final = (0.6, 1.7)

@@ -19,7 +19,7 @@ from quartering.doors import takes
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.source import wave_source
-from quartering.loads.strip_forces import FORMS, Form, wave_force_phasors
+from quartering.loads.strips.strip_forces import FORMS, Form, wave_force_phasors
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Floats, Phasors, Wave, encounter_frequency
 

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quartering._machine.rowwise import contracted
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.loads.water import surface_slope, water_velocity
 from quartering.loads.waves import Floats, Phasors
-from quartering.rowwise import contracted
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.rowwise import rowwise
 from quartering.conventions import GRAVITY, MODES, InputError
 from quartering.hull.lines.immersed import strips
 from quartering.hydro.source.of_ship import source_of
@@ -16,11 +17,10 @@ from quartering.hydro.source.record import Hydrodynamics
 from quartering.hydro.strip.moments import section_table
 from quartering.hydro.transfer import transfer_matrix
 from quartering.loads.database_forces import warn_of_forces
-from quartering.loads.froude_krylov import froude_krylov
-from quartering.loads.stations import stations
-from quartering.loads.strip_forces import FORMS, Form, wave_force_phasors
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.stations import stations
+from quartering.loads.strips.strip_forces import FORMS, Form, wave_force_phasors
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, folded
-from quartering.rowwise import rowwise
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship

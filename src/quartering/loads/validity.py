@@ -16,7 +16,7 @@ from quartering.loads.waves import Floats, encounter_frequency
 
 if TYPE_CHECKING:
     from quartering.hull.ship import Ship
-    from quartering.loads.strip_forces import Form
+    from quartering.loads.strips.strip_forces import Form
 
 FASTEST: Final = 0.5
 """Froude number above which a hull no longer floats as at rest: it trims, and lift carries part of it [1]."""

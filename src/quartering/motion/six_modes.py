@@ -15,9 +15,9 @@ from quartering.hydro.strip.heave import heave_table
 from quartering.hydro.strip.lateral import frequency_floor
 from quartering.hydro.strip.six_mode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip.surge import spheroid_surge
-from quartering.loads.interpolation import frequency_weights, interpolated
-from quartering.loads.stations import stations
-from quartering.loads.vertical import vertical_forces
+from quartering.loads.strips.interpolation import frequency_weights, interpolated
+from quartering.loads.strips.stations import stations
+from quartering.loads.strips.vertical import vertical_forces
 from quartering.loads.waves import encounter_frequency, least_encounter_frequency
 from quartering.motion.of_ship import ship_system
 

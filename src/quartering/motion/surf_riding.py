@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
 from quartering.doors import takes
 from quartering.hull.propulsion import Propulsion, larger_root

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from quartering.motion.equations.steering import HEADING, RUDDER
 from quartering.motion.equations.system import Floats, System
 from quartering.stability.first_order import Detail, FirstOrder, first_order
-from quartering.stability.floquet import Floquet, fastest_rate, floquet
 from quartering.stability.kind import kinds, linear_exponents
-from quartering.stability.variation import variation_along
+from quartering.stability.variational.floquet import Floquet, fastest_rate, floquet
+from quartering.stability.variational.variation import variation_along
 
 
 @dataclass(frozen=True, eq=False)

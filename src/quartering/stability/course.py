@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.rowwise import contracted
 from quartering.motion.equations.steering import HEADING, RUDDER
 from quartering.motion.equations.system import Floats
-from quartering.rowwise import contracted
-from quartering.stability.eigenvalues import eigenvalues
+from quartering.stability.variational.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
 _VELOCITIES = [0, 2, 3]

@@ -20,8 +20,8 @@ from quartering.motion.steady.derivative import (
     variables_along,
 )
 from quartering.stability.first_order import roll_mode
-from quartering.stability.floquet import steps_for
-from quartering.stability.transition import transition_matrices
+from quartering.stability.variational.floquet import steps_for
+from quartering.stability.variational.transition import transition_matrices
 
 Complex = NDArray[np.complex128]
 

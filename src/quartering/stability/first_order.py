@@ -11,12 +11,12 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.rowwise import contracted
 from quartering.motion.equations.steering import HEADING, RUDDER, feedback, state_matrix
 from quartering.motion.equations.system import Floats, System
-from quartering.rowwise import contracted
 from quartering.stability.course import combination_rate, course_matrix, course_rates
-from quartering.stability.eigenvalues import eigenvalues
 from quartering.stability.short_index import short_index, through_water
+from quartering.stability.variational.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
 Detail = Literal["full", "map"]

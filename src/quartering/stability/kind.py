@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from quartering.motion.equations.steering import state_matrix
 from quartering.motion.equations.system import System
-from quartering.stability.eigenvalues import eigenvalues
-from quartering.stability.floquet import Floquet
+from quartering.stability.variational.eigenvalues import eigenvalues
+from quartering.stability.variational.floquet import Floquet
 
 _MOSTLY_ROLL, _HARDLY_ROLL = 0.6, 0.25
 _NEAR = 0.5
@@ -38,6 +38,7 @@ class Kind(IntEnum):
     COURSE_IN_CALM_WATER = 5
     COMBINATION = 6
     PERIOD_DOUBLING = 7
+    PURE_LOSS = 8
 
     @property
     def label(self) -> str:
@@ -60,6 +61,7 @@ _MEANING = {
     Kind.COURSE_IN_CALM_WATER: "the ship is unstable on course without any wave; the wave is not to blame",
     Kind.COMBINATION: "roll and the slow sway-yaw motion grow together",
     Kind.PERIOD_DOUBLING: "roll at half the encounter frequency grows",
+    Kind.PURE_LOSS: "the righting moment is lost for a part of each wave, and roll grows",
 }
 
 

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
 from quartering.motion.steady_course.balance import Harmonics
 from quartering.motion.steady_course.course import ROLL, SWAY, YAW, Course, roll_inertia
 from quartering.motion.steady_course.orbits import POINTS, Orbits, slopes
@@ -193,24 +193,40 @@ def forced_growth(orbits: Orbits) -> tuple[float, complex]:
 
     The multipliers nearest to those of the course in calm water are left out. Coefficients as in `doubled_multipliers`.
     """
-    course, period = orbits.course, 2 * np.pi / float(orbits.course.numbers.omega[0])
-    found = doubled_multipliers(course, orbits.basis, orbits.x, mirrored=False)[0]
+    rates, multipliers = growths(orbits.course, orbits.basis, orbits.x, 1)
+    return float(rates[0]), complex(multipliers[0])
+
+
+def growths(course: Course, basis: Harmonics, x: Floats, periods: int) -> tuple[Floats, Complex]:
+    """Growth (n,) [1/s] of disturbances of motions (n, m) of one condition and their multipliers over one or two periods.
+
+    Notes
+    -----
+    The multipliers nearest to those of the course in calm water are left out. Coefficients as in `doubled_multipliers`.
+    """
+    time = periods * 2 * np.pi / float(course.numbers.omega[0])
+    found = doubled_multipliers(course, basis, x, mirrored=False, periods=periods)
     still = np.zeros((1, 1, 5, 6))
     still[0, 0, ROLL, ROLL] = -course.numbers.scale.prod() * course.ship.loading.gm
     calm = _lateral_matrices(course, still)[0, 0]
-    expected = np.exp(np.delete(np.linalg.eigvals(calm), _roll_pair(calm)) * period)
-    kept = np.delete(found, linear_sum_assignment(np.abs(expected[:, None] - found[None, :]))[1])
-    largest = kept[np.abs(kept).argmax()]
-    return float(np.log(np.abs(largest)) / period), complex(largest)
+    expected = np.exp(np.delete(np.linalg.eigvals(calm), _roll_pair(calm)) * time)
+    largest = np.full(len(x), np.inf, dtype=complex)
+    for i in np.flatnonzero(np.isfinite(found).all(axis=1)):
+        kept = np.delete(found[i], linear_sum_assignment(np.abs(expected[:, None] - found[i][None, :]))[1])
+        largest[i] = kept[np.abs(kept).argmax()]
+    return np.asarray(np.log(np.abs(largest)) / time), largest
 
 
-def doubled_multipliers(course: Course, basis: Harmonics, x: Floats, mirrored: bool = True) -> Complex:
+def doubled_multipliers(
+    course: Course, basis: Harmonics, x: Floats, mirrored: bool = True, periods: int = 1
+) -> Complex:
     """Multipliers (n, s) of motions of two periods (n, m) of one condition, each over one period and a mirror.
 
     course: one condition, in the wave of the motions
     basis: of two periods
     x (n, m)
-    mirrored: False: over one period alone, of motions of one period
+    mirrored: False: over periods alone, without the mirror
+    periods: one, or two of motions without symmetry
     Returns (n, s): of heave, pitch, their rates, v, phi, p, r and the autopilot's states; a motion whose largest is
         below 1 in size is stable; infinite where the hull leaves its tables
 
@@ -221,8 +237,8 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats, mirrored: b
     natural = np.sqrt(
         course.numbers.scale.prod() * max(course.ship.loading.gm, 0.0) / course.numbers.mass[0, 1, ROLL, ROLL]
     )
-    steps = STEPS // 2 * max(1, int(np.ceil(0.5 * natural / course.numbers.omega[0])))
-    phase = 2 * np.pi * np.arange(2 * steps + 1) / (2 * steps)
+    steps = periods * STEPS // 2 * max(1, int(np.ceil(0.5 * natural / course.numbers.omega[0])))
+    phase = periods * 2 * np.pi * np.arange(2 * steps + 1) / (2 * steps)
     by = slopes(many, basis, x, phase)
     lateral = _lateral_matrices(many, by)
     s = lateral.shape[2]
@@ -238,7 +254,7 @@ def doubled_multipliers(course: Course, basis: Harmonics, x: Floats, mirrored: b
     for row, state in enumerate((4, 6, 7)):
         matrix[:, :, state, 0:2] = coupled[:, :, row]
     mirror = np.concatenate([np.ones(4), np.full(s, -1.0 if mirrored else 1.0)])
-    whole = transition(matrix, 2 * np.pi / many.numbers.omega)
+    whole = transition(matrix, periods * 2 * np.pi / many.numbers.omega)
     inside = np.asarray(np.isfinite(whole).all(axis=(1, 2)))
     found = np.linalg.eigvals(mirror[:, None] * np.where(inside[:, None, None], whole, 0.0))
     return np.where(inside[:, None], found, np.inf).astype(np.complex128)

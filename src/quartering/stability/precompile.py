@@ -17,15 +17,15 @@ from types import ModuleType
 
 import numpy as np
 
-from quartering.loads import diffraction
+from quartering._machine.threads import workers
+from quartering.loads.strips import diffraction
 from quartering.motion.equations.system import Model
 from quartering.motion.steady import harmonic
 from quartering.motion.steady.harmonic import solve_with_care
 from quartering.motion.transient import approach
 from quartering.motion.transient.approach import capsizes_before
-from quartering.stability import transition, variation
 from quartering.stability.assessment import assess
-from quartering.threads import workers
+from quartering.stability.variational import transition, variation
 
 NOTICE = "compiling numerical kernels, once (15 to 30 s)"
 NOT_KEPT = (

@@ -8,6 +8,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.threads import spread
 from quartering.conventions import RangeWarning
 from quartering.hull.righting.arm import fitted_to, warn_of_polynomial
 from quartering.hull.ship import Ship
@@ -21,10 +22,9 @@ from quartering.motion.steady.motion import roll_peaks, steady_motions, within_l
 from quartering.stability.assessment import assess
 from quartering.stability.kind import Kind
 from quartering.stability.precompile import announce_compilation
-from quartering.study.beside import OTHERS, beside_motions
+from quartering.study.condition.beside import OTHERS, beside_motions
 from quartering.study.grid import Grid
 from quartering.study.loading_systems import part_of, systems
-from quartering.threads import spread
 
 Floats = NDArray[np.float64]
 BLOCK = 1024

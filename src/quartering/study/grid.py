@@ -12,8 +12,9 @@ from typing import Any, NamedTuple, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.digest import fingerprint
+from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
-from quartering.digest import fingerprint
 from quartering.hull.changes import COEFFICIENTS, check_twice
 from quartering.hull.ship import Ship
 from quartering.loads.forces import FORMS, Form
@@ -26,6 +27,8 @@ from quartering.units import wave_length_of
 
 Floats = NDArray[np.float64]
 CONDITION_AXES = ("speed", "heading", "wave_length", "wave_height")
+SEA_AXES = ("hs", "tp", "tz")
+"""Axes of irregular seas."""
 STEEPNESS = "steepness"
 """Axis that may stand in the place of wave_height: H/lambda, the same for all wave lengths."""
 MOST_CONDITIONS = 1_000_000_000
@@ -96,7 +99,12 @@ class Grid:
     @property
     def point_count(self) -> int:
         """Number of points (speed, heading, wave length)."""
-        return int(np.prod([self.axes[name].size for name in CONDITION_AXES[:3]]))
+        return int(np.prod([values.size for values in self.point_axes.values()]))
+
+    @property
+    def point_axes(self) -> dict[str, Floats]:
+        """The three axes of the points: all but the last."""
+        return {name: self.axes[name] for name in tuple(self.axes)[:-1]}
 
     @property
     def count(self) -> int:
@@ -141,17 +149,21 @@ class Grid:
         return made
 
     def points(self, part: slice) -> tuple[Floats, Floats, Floats]:
-        """Speed [m/s], heading [deg] and wave length [m] of some points."""
-        where = np.unravel_index(
-            np.arange(part.start, part.stop), [self.axes[name].size for name in CONDITION_AXES[:3]]
-        )
-        u, mu, length = (self.axes[name][i] for name, i in zip(CONDITION_AXES, where, strict=False))
-        return u, mu, length
+        """Speed [m/s], heading [deg] and wave length [m], or the third axis there is, of some points."""
+        axes = self.point_axes.values()
+        where = np.unravel_index(np.arange(part.start, part.stop), [values.size for values in axes])
+        u, mu, third = (values[i] for values, i in zip(axes, where, strict=True))
+        return u, mu, third
 
     def heights(self, part: slice) -> Floats:
         """Wave heights (points, heights) at some points [m]."""
         length = self.points(part)[2][:, None]
         return length * self.axes[STEEPNESS] if self.sea == STEEPNESS else length * 0 + self.axes["wave_height"]
+
+    def check_loadings(self) -> None:
+        """Refuse a loading the ship cannot have, before anything is computed."""
+        for i in range(self.loading_count if self.loadings else 0):
+            self.loaded(i)
 
     def loaded(self, index: int) -> Ship:
         """The ship in one of its loadings."""
@@ -194,17 +206,18 @@ def grid(
     checked_harmonics(harmonics)
     if form not in get_args(Form):
         raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
-    extra = {name: axis(name, given, ship) for name, given in _extra(axes, factors, values).items()}
-    check_twice(extra, "")
-    ship = base_of(ship, extra)
-    _check_count({**own, **extra})
-    combined = np.array(list(product(*extra.values())), dtype=float).reshape(
-        int(np.prod([v.size for v in extra.values()])), len(extra)
-    )
-    made = Grid(ship, own, {name: combined[:, i] for i, name in enumerate(extra)}, harmonics, form)
-    for i in range(made.loading_count if extra else 0):
-        made.loaded(i)
+    ship, extra = loading_columns(ship, axes, factors, values)
+    check_count({**own, **extra})
+    made = Grid(ship, own, combinations(extra), harmonics, form)
+    made.check_loadings()
     return made
+
+
+def combinations(extra: Mapping[str, Floats]) -> dict[str, Floats]:
+    """Columns (l,) of all combinations of values, by name."""
+    count = int(np.prod([values.size for values in extra.values()]))
+    combined = np.array(list(product(*extra.values())), dtype=float).reshape(count, len(extra))
+    return {name: combined[:, i] for i, name in enumerate(extra)}
 
 
 def _lengths(wave_length: ArrayLike | None, wave_period: ArrayLike | None, ship: Ship) -> ArrayLike:
@@ -219,6 +232,18 @@ def _lengths(wave_length: ArrayLike | None, wave_period: ArrayLike | None, ship:
     if wave_period is None:
         return wave_length if wave_length is not None else ()
     return [wave_length_of(period) for period in axis("wave_period", wave_period, ship).tolist()]
+
+
+def loading_columns(
+    ship: Ship,
+    axes: Mapping[str, ArrayLike],
+    factors: Mapping[str, ArrayLike] | None,
+    values: Mapping[str, ArrayLike] | None,
+) -> tuple[Ship, dict[str, Floats]]:
+    """The ship that loadings begin from, and the checked values of each axis of them by name."""
+    extra = {name: axis(name, given, ship) for name, given in _extra(axes, factors, values).items()}
+    check_twice(extra, "")
+    return base_of(ship, extra), extra
 
 
 def _extra(
@@ -244,7 +269,7 @@ def axis(name: str, values: ArrayLike, ship: Ship | None = None) -> Floats:
     Returns (n,)
     """
     given: Any = values
-    one = OPTIONS.get(name)
+    one = ARGUMENTS[name] if name in SEA_AXES else OPTIONS.get(name)
     if name in CHOICE_AXES:
         given = [coded(name, value) for value in np.atleast_1d(np.asarray(values)).tolist()]
         ship = None
@@ -281,7 +306,7 @@ def _sea(wave_height: ArrayLike | None, steepness: ArrayLike | None) -> dict[str
     )
 
 
-def _check_count(axes: Mapping[str, Floats]) -> None:
+def check_count(axes: Mapping[str, Floats]) -> None:
     """Refuse a study nobody can have meant, before memory goes on it."""
     count = math.prod(values.size for values in axes.values())
     if count > MOST_CONDITIONS:

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from quartering._machine.threads import spread
 from quartering.conventions import MODES, InputError
 from quartering.motion.equations.batch import joined
 from quartering.motion.equations.system import Floats, Model
@@ -19,7 +20,6 @@ from quartering.stability.assessment import assess
 from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import ACCURACY
 from quartering.study.dataset import attributes, made_by
-from quartering.threads import spread
 
 _BLOCK: Final = 1024
 _JUDGED: Final = ("k2", "k2_rho", "index", "n2", "exponent", "multiplier_modulus", "verdict")

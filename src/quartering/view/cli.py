@@ -42,7 +42,8 @@ def main_options(
 
 _ORDER = (
     "ships", "new", "hull", "coefficients", "forces", "responses", "criteria", "decay", "verdict", "simulate", "branch",
-    "basin", "parametric", "sea", "polar", "booklet", "vary", "sweep", "worst", "show", "figures", "duffing", "report", "app",
+    "basin", "parametric", "surf_riding", "broaching", "sea", "polar", "booklet", "vary", "sweep", "worst", "show",
+    "figures", "duffing", "report", "app",
 )  # fmt: skip
 """Order of the commands in `quartering --help`; one that is not named stands at the end."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -46,6 +47,21 @@ def map_of(part: xr.Dataset) -> xr.Dataset:
             loading=f"{own}{several}; the rest as the ship's own", natural_roll_frequency=small_roll_frequency(flat)
         )
     return flat.load()
+
+
+def sea_part(ds: xr.Dataset, where: Mapping[str, float]) -> xr.Dataset:
+    """The part of operational guidance at given heights, periods, speeds or headings, the nearest ones taken.
+
+    where: by name; tp and tz are of one axis, and loading counts from 1
+    """
+    allowed = ("hs", "tp", "tz", "speed", "heading", "loading")
+    for name, value in where.items():
+        if name not in allowed:
+            raise InputError(f"a cut at {name} is asked for; this result can be cut at {', '.join(allowed)}")
+        dim = "tz" if name == "tp" else name
+        values = np.arange(1, ds.sizes["loading"] + 1) if name == "loading" else ds[name].values
+        ds = ds.isel({dim: [int(np.abs(values - value).argmin())]})
+    return ds.load()
 
 
 def small_roll_frequency(ds: xr.Dataset) -> float:

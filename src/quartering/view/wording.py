@@ -22,7 +22,7 @@ from quartering.motion.status import OnTheWay
 from quartering.names import DRAG_NAME
 from quartering.references import REFERENCES
 from quartering.stability.kind import Kind
-from quartering.study.beside import also_words
+from quartering.study.condition.beside import also_words
 from quartering.study.loadings import CHOICE_AXES
 from quartering.study.maps.extension import edges_of_largest
 from quartering.study.maps.query import capsizing, other_rolls

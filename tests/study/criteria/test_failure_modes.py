@@ -155,6 +155,22 @@ def test_waves_that_catch_the_ship_are_those_of_the_thresholds():
         assert caught[i, j] == (driven.revolutions(12.0) > threshold.revolutions)
 
 
+def test_what_a_ship_was_told_of_its_propulsion_judges_surf_riding():
+    """The same numbers by option, by record and in a call give the same sum; an estimate is said to be one."""
+    driven = qt.Propulsion((0, 2000, 1500, -60, 6), 4.5, 0.1, 0.05, (0.55, -0.35, -0.2))
+    ship = qt.ship("series60-cb60")
+    p = particulars(ship, 12.0, None)
+    assert surf_riding.level2(p, None).reason.startswith("needs propulsion: {diameter: ..")
+    called = surf_riding.level2(p, driven)
+    told = surf_riding.level2(particulars(ship.with_(propulsion=driven), 12.0, None), None)
+    assert told.value("c") == called.value("c") > 0
+    guessed = surf_riding.level2(particulars(ship.with_(propulsion="estimated"), 12.0, None), None)
+    assert guessed.vulnerable is not None
+    assert any("estimated" in note for note in guessed.notes)
+    slow = surf_riding.level2(particulars(ship.with_(propulsion=driven), 2.0, None), None)
+    assert slow.value("c") == 0.0  # at rest no wave catches it
+
+
 def test_the_weather_criterion_of_a_box_is_that_of_wall_sides():
     """Closed form: GZ = sin phi (GM + BM/2 tan^2 phi) to the deck edge; heel and areas by quadrature of that."""
     ship = qt.ship("box").with_(windage={"area": 1200.0, "lever": 9.0})

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
 from quartering.hull.lines.section import Floats
 
 

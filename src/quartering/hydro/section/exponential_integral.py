@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 from typing import Final
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
 
 EULER: Final = 0.5772156649015329
 _TERMS: Final = 400

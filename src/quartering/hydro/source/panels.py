@@ -13,9 +13,9 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.cache import cached
+from quartering._machine.cache import cached
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.conventions import GRAVITY, WATER_DENSITY
-from quartering.digest import fingerprint, source_digest
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.bulb import bulb
 from quartering.hull.lines.hull import Hull

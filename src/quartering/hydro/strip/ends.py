@@ -28,16 +28,16 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from quartering.cache import cached
+from quartering._machine.cache import cached
+from quartering._machine.digest import fingerprint, source_digest
+from quartering._machine.threads import small_matrices
 from quartering.conventions import GRAVITY
-from quartering.digest import fingerprint, source_digest
 from quartering.hull.lines.hull import STEM_HALF_THICKNESS, Hull
 from quartering.hull.lines.mesh import Grid, hull_grid
 from quartering.hull.lines.section import Floats
 from quartering.hull.lines.strips import Strips, wholly_under_water
 from quartering.hydro.strip.double_body import double_body
 from quartering.hydro.strip.table import SectionTable
-from quartering.threads import small_matrices
 
 ENDS_WORDS: Final = "with three-dimensional ends"
 PANELS: Final = (30, 12)

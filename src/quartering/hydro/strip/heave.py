@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.cache import cached
-from quartering.digest import fingerprint, source_digest
+from quartering._machine.cache import cached
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.immersed import strips
 from quartering.hull.lines.section import Floats

@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.hull.lines.section import Floats
 
 FAR = 20.0

@@ -9,9 +9,9 @@ from typing import Any, Final, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.cache import cached
+from quartering._machine.cache import cached
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.conventions import GRAVITY, InputError
-from quartering.digest import fingerprint, source_digest
 from quartering.hull.lines.section import Floats
 from quartering.hull.lines.strips import Strips, wholly_under_water
 from quartering.hull.option_types import Sections
@@ -86,7 +86,7 @@ def radiation_table(
     method: "auto" and "close-fit" solve each section on its own contour, "lewis" on the Lewis form of its breadth,
         draught and area.
 
-    A table of 8 frequencies or more is kept on disk (`quartering.cache`) by its content and that of the source.
+    A table of 8 frequencies or more is kept on disk (`quartering._machine.cache`) by its content and that of the source.
     At w = 0 the damping is zero and the potentials are those under a rigid lid. Close-fit coefficients are those of twice
     as many panels as the contour has points; the potentials integrate to them within 1e-3 (5e-3 on offsets with kinks).
     Source: [Tasai61] sections in sway and roll by [Lewis29] forms; [Frank67] on their own contours.

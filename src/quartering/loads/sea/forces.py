@@ -13,13 +13,13 @@ import numpy as np
 from quartering.conventions import GRAVITY
 from quartering.hull.lines.immersed import strips
 from quartering.hydro.strip.moments import section_table
-from quartering.loads.diffraction import contour_diffraction
 from quartering.loads.forces import keeps_speed_terms, ship_force_phasors
-from quartering.loads.froude_krylov import froude_krylov
 from quartering.loads.sea.cells import Cells
 from quartering.loads.source import wave_source
-from quartering.loads.stations import stations
-from quartering.loads.strip_forces import Form
+from quartering.loads.strips.diffraction import contour_diffraction
+from quartering.loads.strips.froude_krylov import froude_krylov
+from quartering.loads.strips.stations import stations
+from quartering.loads.strips.strip_forces import Form
 from quartering.loads.waves import Phasors, folded
 
 if TYPE_CHECKING:

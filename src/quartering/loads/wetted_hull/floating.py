@@ -8,7 +8,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
 from quartering.loads.wetted_hull.pressure import PIECES, Waves, WettedHull, direct_load, direct_loads, wetted_hull

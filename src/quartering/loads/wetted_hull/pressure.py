@@ -14,7 +14,7 @@ from typing import Final, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.section import Floats
 from quartering.hull.righting.heeled import PIECES as PIECES

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from quartering.compiled import batch_kernel, inner, kernel
+from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.section import Floats
 from quartering.loads.wetted_hull.pressure import (

@@ -9,7 +9,7 @@ f (1, -h, x): along the gradient of q by (v, p, r). With e = c^(1/3) (1, -h, x) 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import batch_kernel
+from quartering._machine.compiled import batch_kernel
 
 
 @batch_kernel

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel
+from quartering._machine.compiled import batch_kernel
 from quartering.motion.equations.drag import drag, drag_of_one_hull, drag_slopes, drag_slopes_of_one_hull, one_hull
 from quartering.motion.equations.program import SIGN, SIZE, TIMES
 from quartering.motion.equations.restoring import (

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from quartering.compiled import batch_kernel
+from quartering._machine.compiled import batch_kernel
 
 CELLS: Final = 64
 """Equal cells of the guide: narrower than the pieces of a ship's own curve, every 4 degrees to 88."""

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner
+from quartering._machine.compiled import inner
 from quartering.hull.autopilot import Autopilot
 
 Floats = NDArray[np.float64]

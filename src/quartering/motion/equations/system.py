@@ -11,6 +11,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.rowwise import contracted
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.righting.limit import CapsizeLimit, first_vanishing, least_limit
@@ -24,7 +25,6 @@ from quartering.motion.equations.terms import TermTable, checked_number, parse, 
 from quartering.motion.equations.water import Strips, relative_inputs, relative_terms
 from quartering.names import RUDDER_NAMES, term
 from quartering.notebook import ShownInNotebooks
-from quartering.rowwise import contracted
 
 Floats = NDArray[np.float64]
 

@@ -18,7 +18,7 @@ import math
 
 import numpy as np
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 
 _ROOT = math.sqrt(2.0 / math.pi)
 _LEAST = 1e-300

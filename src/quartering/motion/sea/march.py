@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from quartering.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel
 from quartering.conventions import GRAVITY
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.transient.rk4 import room_to_march, step_sum
@@ -48,10 +48,10 @@ def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_lim
     y, before = np.zeros((program.states, WIDTH)), np.zeros((2, WIDTH))
     felt, going = np.zeros((4, WIDTH)), np.ones(WIDTH)  # three steps of the acceleration, and its size between them
     roll, turning = program.displacements[1], program.velocities[1]
-    _take(forcing[0], mean, given[0])
+    take(forcing[0], mean, given[0])
     for n in range(steps):
-        _take(forcing[2 * n + 1], mean, given[1])
-        _take(forcing[2 * n + 2], mean, given[2])
+        take(forcing[2 * n + 1], mean, given[1])
+        take(forcing[2 * n + 2], mean, given[2])
         step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
         _feel(program, rate, y, speed, x, z, felt)
         _peak(felt)
@@ -87,7 +87,7 @@ def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_lim
 
 
 @batch_kernel
-def _take(series, mean, given):
+def take(series, mean, given):
     """Known inputs of one time in double precision, the steady acceleration added."""
     for k in range(series.shape[0]):
         more = mean[k] if k < 3 else 0.0

@@ -11,7 +11,7 @@
 
 from __future__ import annotations
 
-from quartering.compiled import summing
+from quartering._machine.compiled import summing
 
 
 @summing

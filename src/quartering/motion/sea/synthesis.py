@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scipy.fft import irfft, next_fast_len
 from scipy.interpolate import CubicSpline
 
-from quartering.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
 from quartering.motion.equations.rates import WIDTH
@@ -138,6 +138,16 @@ def series_of(record: Record, entropy: int, condition: int, first: int) -> Singl
     for l in range(WIDTH):
         seed = np.random.SeedSequence(entropy, spawn_key=(condition, first + l))
         np.random.Generator(np.random.PCG64(seed)).standard_normal(dtype=np.float32, out=draws[l])
+    return series_from(record, draws)
+
+
+def series_from(record: Record, draws: Single) -> Single:
+    """A row of records of given draws.
+
+    draws (W, j, m, 2): real and imaginary parts of z, of variance 1 each
+    Returns (n, m, W)
+    """
+    bins, m, _ = record.roots.shape
     # the roots' own numbers as pairs, so that compiled loops run over plain numbers
     pairs = record.roots.view(np.float32).reshape(bins, m, m, 2)
     spectrum = np.zeros((record.samples // 2 + 1, m, WIDTH), dtype=np.complex64)

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.motion.equations.rates import (
     WIDTH,
     at_instants,

@@ -9,7 +9,7 @@ other's loops would work on one number at a time.
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from quartering.compiled import batch_kernel, inner
+from quartering._machine.compiled import batch_kernel, inner
 
 
 @inner

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.compiled import inner
+from quartering._machine.compiled import inner
 from quartering.motion.steady.balance import balance
 from quartering.motion.steady.dense import lu_factor, lu_solve
 

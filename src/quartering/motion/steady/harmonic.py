@@ -8,7 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
+from quartering._machine.threads import in_threads
 from quartering.conventions import InputError
 from quartering.motion.equations.basis import Basis
 from quartering.motion.equations.batch import rows
@@ -18,7 +19,6 @@ from quartering.motion.status import Status
 from quartering.motion.steady.balance import balance, copy_motion, newton, room_for_one
 from quartering.motion.steady.follow import follow
 from quartering.motion.steady.newton import ALTERED, FOUND, FOUND_ALTERED, TO_FOLLOW, WAITING, newton_batch
-from quartering.threads import in_threads
 
 MOST_HARMONICS: Final = 199
 """Highest harmonic taken: the work grows with its cube, 0.6 s a motion here; a righting spline needs 101 for 1e-8."""

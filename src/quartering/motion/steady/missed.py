@@ -13,7 +13,9 @@ from typing import Final
 
 import numpy as np
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
+from quartering._machine.rowwise import rowwise
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.rates import WIDTH, fill, gather, room_for, row_of_lanes
 from quartering.motion.equations.system import Floats, System, kernel_arguments
 from quartering.motion.steady.balance import balance, room_for_one
@@ -21,8 +23,6 @@ from quartering.motion.steady.dense import factor_batch, lu_factor, lu_solve, so
 from quartering.motion.steady.harmonic import MOST_HARMONICS
 from quartering.motion.steady.newton import balance_batch, derivative_batch, gather_motions
 from quartering.motion.steady.truncation import columns_of, widened
-from quartering.rowwise import rowwise
-from quartering.threads import in_threads
 
 FEWEST_OF_ESTIMATE: Final = 24
 """Samples of a cycle: what they misjudge of |q| q, 6/24^3, is far below the share that calls for more harmonics."""

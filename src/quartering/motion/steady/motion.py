@@ -10,6 +10,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.rowwise import rowwise
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.righting.limit import CapsizeLimit
@@ -20,7 +21,6 @@ from quartering.motion.steady.harmonic import checked_harmonics, harmonic_balanc
 from quartering.motion.steady.struble import modified_struble
 from quartering.motion.steady.truncation import followed_up
 from quartering.notebook import ShownInNotebooks
-from quartering.rowwise import rowwise
 
 _PEAK_SAMPLES = 256
 Start = Literal["linear", "rest"]

@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from quartering.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel
 from quartering.motion.equations.rates import WIDTH, enter_inputs, forces, gather, room_for, row_of_lanes, slopes
 from quartering.motion.steady.dense import factor_batch, solve_batch
 

@@ -6,13 +6,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_lanes
 from quartering.motion.equations.steering import feedback, turning
 from quartering.motion.equations.system import FEWEST, Floats, System, kernel_arguments
 from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.motion.steady.newton import balance_batch, gather_motions, linear_response
-from quartering.threads import in_threads
 
 
 @kernel

@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.motion.steady_course.course import Course
 from quartering.motion.steady_course.pressure_and_drag import instant, rooms
 
@@ -57,6 +57,21 @@ class Harmonics(NamedTuple):
     def sizes(self) -> tuple[int, int]:
         """Unknowns of a vertical and of a lateral mode."""
         return self.up.shape[1], self.across.shape[1]
+
+    @property
+    def odd(self) -> NDArray[np.bool_]:
+        """Which unknowns belong to odd multiples of half the encounter: those of a motion of two periods alone."""
+        up, across = (
+            np.concatenate([np.full(1 if o == 0 else 2, o % 2 == 1) for o in orders] or [np.empty(0, dtype=bool)])
+            for orders in (self.vertical, self.lateral)
+        )
+        return np.concatenate([up, up, across, across, across]).astype(np.bool_)
+
+    @property
+    def of_one_period(self) -> Harmonics:
+        """The harmonics of the encounter alone, at as many samples of a period."""
+        vertical, lateral = (tuple(int(o) for o in orders if o % 2 == 0) for orders in (self.vertical, self.lateral))
+        return harmonics(vertical, lateral, round(2 * np.pi / float(self.phase[1] - self.phase[0])))
 
     def parts(self, x: Floats) -> tuple[Floats, ...]:
         """Coefficients of heave, pitch, sway, roll and yaw in one motion (m,) or many (n, m)."""
@@ -123,6 +138,18 @@ def periodic_harmonics(order: int = 5, samples: int = 32) -> Harmonics:
     [0, 2, 4]
     """
     orders = tuple(range(0, 2 * order + 1, 2))
+    return harmonics(orders, orders, samples)
+
+
+def oblique_doubled_harmonics(order: int = 4, samples: int = 32) -> Harmonics:
+    """All multiples of half the encounter in every mode: motions of two periods in an oblique sea.
+
+    Examples
+    --------
+    >>> oblique_doubled_harmonics(2).lateral.tolist()
+    [0, 1, 2, 3, 4]
+    """
+    orders = tuple(range(2 * order + 1))
     return harmonics(orders, orders, samples)
 
 

@@ -26,7 +26,7 @@ from quartering.hydro.coefficients import coefficients
 from quartering.hydro.source.of_ship import source_of
 from quartering.loads.forces import ship_force_phasors
 from quartering.loads.lift import ship_lift_phasors
-from quartering.loads.vertical import vertical_forces
+from quartering.loads.strips.vertical import vertical_forces
 from quartering.loads.waves import encounter_frequency, heading_components, least_encounter_frequency
 from quartering.loads.wetted_hull.floating import floating_tables
 from quartering.loads.wetted_hull.section_tables import SectionTables
@@ -265,14 +265,15 @@ def _radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats
 
 def _products(c: Coefficients, n: int) -> tuple[NDArray[np.int64], NDArray[np.int64], Floats]:
     """Products of the velocities, and of roll with them; those of roll alone are the pressure's."""
-    names = [name for name in c.nonlinear if not _of_roll_alone(name)]
+    names = [name for name in c.nonlinear if not of_roll_alone(name)]
     tables = [term_table({name: float(c.nonlinear[name][i]) for name in names}) for i in range(n)]
     first = tables[0]
     products = np.stack([one.coefficients.reshape(3, -1) for one in tables])
     return first.powers, first.modulus, products
 
 
-def _of_roll_alone(name: str) -> bool:
+def of_roll_alone(name: str) -> bool:
+    """Is a term a product of the heel alone, which the pressure over the wetted hull holds?"""
     powers = parse(name)[1]
     return powers.powers[0] == powers.powers[2] == powers.powers[3] == 0 and powers.modulus in (0, 2)
 

@@ -1,10 +1,11 @@
 """Motions of two wave periods beyond the loss of stability in roll: where they begin, and every one of them by continuation.
 
-A motion of two periods has phi(t + T) = -phi(t) and h(t + T) = h(t), so it holds odd multiples of half the encounter frequency
-in sway, roll and yaw beside the harmonics of the encounter in heave and pitch. It begins where the block of sway, roll and yaw
-of the Jacobian on the symmetric motion is singular, which is a multiplier -1. From there the branch is followed through its
-folds over the height of the wave: a march in time finds one of several stable motions, or lingers near one that has just ceased
-to be.
+In head and following seas a motion of two periods has phi(t + T) = -phi(t) and h(t + T) = h(t), so it holds odd multiples of
+half the encounter frequency in sway, roll and yaw beside the harmonics of the encounter in heave and pitch; in an oblique sea
+every mode holds both. On a motion of one period the Jacobian falls apart into even and odd multiples, and a motion of two
+periods begins where the block of the odd ones is singular, which is a multiplier -1. From there the branch is followed
+through its folds over the height of the wave: a march in time finds one of several stable motions, or lingers near one that
+has just ceased to be.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, harmonics, solved
+from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, solved
 from quartering.motion.steady_course.course import ROLL, Course
 from quartering.motion.steady_course.orbits import climbed
 
@@ -53,6 +54,11 @@ class Doubled:
         """Largest roll of each motion (k,) [rad]."""
         return largest_roll(self.basis, self.x)
 
+    @property
+    def ends_small(self) -> bool:
+        """Does it come back to a motion of one period?"""
+        return bool(doubled_roll(self.basis, self.x[-1])[0] < 0.05)
+
     def at(self, amplitude: float) -> Floats:
         """Motions (j, m) of the branch in one wave, in the order of the branch."""
         beyond = self.amplitude - amplitude
@@ -61,7 +67,7 @@ class Doubled:
             t = beyond[k] / (beyond[k] - beyond[k + 1]) if beyond[k] != beyond[k + 1] else 0.0
             guess = (1 - t) * self.x[k] + t * self.x[k + 1]
             x, outcome = solved(self.course.at_amplitude(np.array([amplitude])), self.basis, guess[None])
-            new = outcome[0] == FOUND and largest_roll(self.basis, x)[0] > 1e-4
+            new = outcome[0] == FOUND and doubled_roll(self.basis, x)[0] > 1e-4
             if new and not any(np.abs(x[0] - one).max() < 1e-6 for one in found):
                 found.append(x[0])
         return np.array(found).reshape(-1, self.x.shape[1])
@@ -70,7 +76,8 @@ class Doubled:
 def largest_roll(basis: Harmonics, x: Floats) -> Floats:
     """Largest roll (k,) of motions (k, m) [rad]."""
     roll = basis.parts(np.atleast_2d(x))[ROLL]
-    phase = np.linspace(0.0, 2 * np.pi, 181)
+    mixed = {int(o) % 2 for o in basis.lateral} == {0, 1}
+    phase = np.linspace(0.0, 4 * np.pi if mixed else 2 * np.pi, 361 if mixed else 181)
     values = np.zeros((roll.shape[0], phase.size))
     at = 0
     for order in basis.lateral:
@@ -84,62 +91,70 @@ def largest_roll(basis: Harmonics, x: Floats) -> Floats:
     return np.asarray(np.abs(values).max(axis=1))
 
 
+def doubled_roll(basis: Harmonics, x: Floats) -> Floats:
+    """Size (k,) of the roll of two periods in motions (k, m): root of the sum of squares of its odd coefficients [rad]."""
+    rolls = basis.parts(np.where(basis.odd, np.atleast_2d(x), 0.0))[ROLL]
+    return np.asarray(np.sqrt((rolls**2).sum(axis=1)))
+
+
 def onsets(course: Course, amplitudes: Floats, basis: Harmonics | None = None) -> list[tuple[float, Floats, Floats]]:
     """Wave amplitudes at which motions of two periods begin, of one condition.
 
     course: one condition
     amplitudes (n,): rising, between which a change of the determinant's sign is looked for [m]
     basis: of two periods
-    Returns coefficients of two periods
+    Returns amplitude, motion of one period (m,) and direction (m,), coefficients of two periods
     """
     basis = doubled_harmonics() if basis is None else basis
-    orbits = climbed(course, amplitudes, _symmetric_part(basis))
-    ladder = orbits.course
-    whole = np.pad(orbits.x, ((0, 0), (0, 3 * basis.sizes[1])))
+    orbits = climbed(course, amplitudes, basis.of_one_period)
+    ladder, odd = orbits.course, basis.odd
+    whole = np.zeros((amplitudes.size, odd.size))
+    whole[:, ~odd] = orbits.x
     signs = np.array([_sign(ladder, i, basis, whole[i]) if orbits.found[i] else 0.0 for i in range(amplitudes.size)])
     begun = []
     for i in np.flatnonzero(signs[:-1] * signs[1:] < 0):
         a = _root(course, basis, (amplitudes[i], amplitudes[i + 1]), (whole[i], whole[i + 1]))
-        x = _symmetric_at(course, basis, a, whole[i])
+        x = _one_period_at(course, basis, a, whole[i])
         if x is None:
             continue
-        block = _lateral_block(course.at_amplitude(np.array([a])), 0, basis, x)
+        block = _odd_block(course.at_amplitude(np.array([a])), 0, basis, x)
         direction = np.zeros(x.size)
-        direction[2 * basis.sizes[0] :] = np.linalg.svd(block)[2][-1]
+        direction[odd] = np.linalg.svd(block)[2][-1]
         begun.append((a, x, direction))
     return begun
 
 
-def _symmetric_part(basis: Harmonics) -> Harmonics:
-    return harmonics(tuple(int(o) for o in basis.vertical), (), basis.phase.size)
-
-
-def _lateral_block(course: Course, i: int, basis: Harmonics, x: Floats) -> Floats:
-    first = 2 * basis.sizes[0]
-    return balance(course, i, basis, x)[1][first:, first:]
+def _odd_block(course: Course, i: int, basis: Harmonics, x: Floats) -> Floats:
+    odd = basis.odd
+    return balance(course, i, basis, x)[1][np.ix_(odd, odd)]
 
 
 def _sign(course: Course, i: int, basis: Harmonics, x: Floats) -> float:
-    return float(np.linalg.slogdet(_lateral_block(course, i, basis, x))[0])
+    return float(np.linalg.slogdet(_odd_block(course, i, basis, x))[0])
 
 
-def _symmetric_at(course: Course, basis: Harmonics, amplitude: float, guess: Floats) -> Floats | None:
-    part = 2 * basis.sizes[0]
-    x, outcome = solved(course.at_amplitude(np.array([amplitude])), _symmetric_part(basis), guess[None, :part])
-    return np.pad(x[0], (0, guess.size - part)) if outcome[0] == FOUND else None
+def _one_period_at(course: Course, basis: Harmonics, amplitude: float, guess: Floats) -> Floats | None:
+    """The motion of one period in a wave, as coefficients of two."""
+    odd = basis.odd
+    x, outcome = solved(course.at_amplitude(np.array([amplitude])), basis.of_one_period, guess[None, ~odd])
+    if outcome[0] != FOUND:
+        return None
+    whole = np.zeros(odd.size)
+    whole[~odd] = x[0]
+    return whole
 
 
 def _root(course: Course, basis: Harmonics, between: tuple[float, float], ends: tuple[Floats, Floats]) -> float:
-    """Amplitude at which the lateral block is singular, by its determinant over that at one end."""
+    """Amplitude at which the odd block is singular, by its determinant over that at one end."""
     low, high = between
-    reference = np.linalg.slogdet(_lateral_block(course.at_amplitude(np.array([low])), 0, basis, ends[0]))[1]
+    reference = np.linalg.slogdet(_odd_block(course.at_amplitude(np.array([low])), 0, basis, ends[0]))[1]
 
     def determinant(a: float) -> float:
         t = (a - low) / (high - low)
-        x = _symmetric_at(course, basis, a, (1 - t) * ends[0] + t * ends[1])
+        x = _one_period_at(course, basis, a, (1 - t) * ends[0] + t * ends[1])
         if x is None:
             return float("nan")
-        sign, size = np.linalg.slogdet(_lateral_block(course.at_amplitude(np.array([a])), 0, basis, x))
+        sign, size = np.linalg.slogdet(_odd_block(course.at_amplitude(np.array([a])), 0, basis, x))
         return float(sign * np.exp(np.clip(size - reference, -60.0, 60.0)))
 
     return float(brentq(determinant, low, high, xtol=1e-7 * high, rtol=1e-10))
@@ -164,7 +179,7 @@ def doubled_branch(
     path = _Path(course, basis, top)
     a, x, direction = onset
     points = [np.append(x, a)]
-    roll = largest_roll(basis, direction)[0]
+    roll = doubled_roll(basis, direction)[0]
     tangent = np.append(direction, 0.0) / path.sizes
     tangent /= np.linalg.norm(tangent)
     by = _ONSET / max(roll, 1e-12)
@@ -182,9 +197,7 @@ def doubled_branch(
         if turned @ tangent < 0.8:
             step *= 0.5
             continue
-        if (
-            basis.parts(found[:-1])[ROLL] @ basis.parts(points[-1][:-1])[ROLL] < 0.0
-        ):  # back through the symmetric motion
+        if _odd_roll(basis, found) @ _odd_roll(basis, points[-1]) < 0.0:  # back through the motion of one period
             break
         points.append(found)
         tangent, step = turned, min(_LONGEST, 1.4 * step)
@@ -192,6 +205,10 @@ def doubled_branch(
             break
     made = np.array(points)
     return Doubled(course, basis, made[:, -1], made[:, :-1])
+
+
+def _odd_roll(basis: Harmonics, point: Floats) -> Floats:
+    return basis.parts(np.where(basis.odd, point[:-1], 0.0))[ROLL]
 
 
 class _Path:
@@ -239,21 +256,24 @@ class _Path:
         return np.asarray(found / np.linalg.norm(found))
 
 
-def doubled_motions(course: Course, amplitude: float, top: float, rungs: int = 12) -> tuple[Floats, list[Doubled]]:
+def doubled_motions(
+    course: Course, amplitude: float, top: float, rungs: int = 12, basis: Harmonics | None = None
+) -> tuple[Floats, list[Doubled]]:
     """All motions of two periods in one wave, on branches that begin in waves up to a given amplitude.
 
     course: one condition
     amplitude: of the wave [m]
     top: amplitude up to which onsets are looked for, and branches followed [m]
-    rungs: heights between nothing and the top at which the symmetric motion is looked at
+    rungs: heights between nothing and the top at which the motion of one period is looked at
+    basis: of two periods; None: those of head and following seas
     Returns x (j, m): coefficients of each motion, least roll first
     """
-    basis = doubled_harmonics()
+    basis = doubled_harmonics() if basis is None else basis
     begun = onsets(course, top * np.append(0.01, np.arange(1, rungs + 1)) / rungs, basis)
     branches: list[Doubled] = []
     found: list[Floats] = []
     for onset in begun:
-        if any(abs(one.amplitude[-1] - onset[0]) < 0.02 * top and one.roll[-1] < 0.05 for one in branches):
+        if any(abs(one.amplitude[-1] - onset[0]) < 0.02 * top and one.ends_small for one in branches):
             continue  # the other end of a branch already followed
         branches.append(doubled_branch(course, onset, 1.02 * top, basis))
         for x in branches[-1].at(amplitude):

@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.motion.steady_course.balance import Harmonics, columns
 from quartering.motion.steady_course.course import Course
 from quartering.motion.steady_course.pressure_and_drag import instant, rooms

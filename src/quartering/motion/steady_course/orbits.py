@@ -7,7 +7,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
 from quartering.motion.status import Status
 from quartering.motion.steady_course.balance import (
     FOUND,

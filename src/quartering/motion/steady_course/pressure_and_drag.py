@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from quartering.compiled import inlined, inner
+from quartering._machine.compiled import inlined, inner
 from quartering.loads.wetted_hull.section_tables import table_load
 
 # Order of the modes: heave, pitch, sway, roll, yaw. A state is (h, theta, v, phi, r) and the rate p of roll beside it; the

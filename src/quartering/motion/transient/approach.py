@@ -12,11 +12,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.basis import waves_at
 from quartering.motion.equations.rates import enter_inputs, forces, gather, room_for, row_of_lanes
 from quartering.motion.equations.system import Floats, System
-from quartering.threads import in_threads
 
 RAISED_IN: Final = 3
 """Steps in which a wave is raised."""

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
+from quartering._machine.threads import in_threads
 from quartering.conventions import STATE, InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.told import number, numbers
@@ -17,7 +18,6 @@ from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
 from quartering.options import quoted
-from quartering.threads import in_threads
 
 if TYPE_CHECKING:
     import xarray as xr

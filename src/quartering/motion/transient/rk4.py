@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.compiled import batch_kernel
+from quartering._machine.compiled import batch_kernel
 from quartering.motion.equations.program import Program
 from quartering.motion.equations.rates import (
     WIDTH,
@@ -95,7 +95,7 @@ def _rates(equations, lanes, c, s, columns, sums, rate):
 
 
 @batch_kernel
-def _hold(series, lanes):
+def hold(series, lanes):
     """Known inputs and the water at the strips as they are at one time (e + z, W), in place of a wave's."""
     inputs = lanes.inputs.shape[0]
     for e in range(inputs):
@@ -133,7 +133,7 @@ def step_sum(equations, h, excitation, series, waves, y, room):
             for l in range(WIDTH):
                 rate[k, l] = excitation[at, k, l] if k < 3 else 0.0
         if series.shape[1] > 0:
-            _hold(series[at], lanes)
+            hold(series[at], lanes)
         enter_inputs(program, lanes, waves[at], columns)
         _rates(equations, lanes, waves[at, 1], waves[at, 2], columns, sums, rate)
         if j == 0:

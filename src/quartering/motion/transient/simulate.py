@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
 
-from quartering.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.autopilot import Autopilot

@@ -13,7 +13,7 @@ from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.balance import balance_of
 from quartering.motion.steady.subharmonic import ascending, columns, orders_of, rearranged, slowed
 from quartering.stability.assessment import assess
-from quartering.stability.magnus import FINEST
+from quartering.stability.variational.magnus import FINEST
 from quartering.study.branches.events import FOLD, NEIMARK_SACKER, PERIOD_DOUBLING
 
 STEP = 1e-4

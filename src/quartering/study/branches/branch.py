@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from quartering._machine.threads import small_matrices
 from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition, count
@@ -24,7 +25,6 @@ from quartering.stability.precompile import announce_compilation
 from quartering.study.branches.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.branches.family import Limits, family, parameter_attributes
 from quartering.study.dataset import amplitudes_named
-from quartering.threads import small_matrices
 
 _MOST_BRANCHES = 12
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, fields
 
+from quartering._machine.threads import small_matrices
 from quartering.doors import takes
 from quartering.motion.branches.search import periodic_motions
 from quartering.motion.equations.system import Model
 from quartering.motion.steady.motion import Motion
 from quartering.stability.verdict import Verdict, stability
-from quartering.threads import small_matrices
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

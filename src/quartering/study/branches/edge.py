@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from quartering._machine.threads import alone, small_matrices, spread
 from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.ship import Ship
@@ -26,7 +27,6 @@ from quartering.study.branches.bifurcation_functions import STEP, Boundary
 from quartering.study.branches.branch import lines_of, references_of, steepest_of
 from quartering.study.branches.family import Limits, Parameters, along, parameter_attributes, parameters
 from quartering.study.dataset import attributes
-from quartering.threads import alone, small_matrices, spread
 
 _SCAN = 5
 _SAME = 0.02

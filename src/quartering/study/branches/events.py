@@ -10,7 +10,7 @@ from quartering.motion.branches.arclength import corrected
 from quartering.motion.branches.branch import Curve
 from quartering.motion.equations.system import Floats
 from quartering.stability.assessment import Assessment, assess
-from quartering.stability.magnus import FINEST
+from quartering.stability.variational.magnus import FINEST
 
 SYMMETRY_BREAKING, PERIOD_DOUBLING = "symmetry-breaking", "period-doubling"
 FOLD, NEIMARK_SACKER = "fold", "neimark-sacker"

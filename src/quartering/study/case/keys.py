@@ -9,6 +9,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 from quartering.loads.forces import Form
 from quartering.motion.steady.harmonic import MOST_HARMONICS
 from quartering.options import OPTIONS, choice_axes, line_of, loading_axes
+from quartering.study.seas.grid import Judge, Named
 
 
 def _no_switch(given: Any) -> Any:
@@ -43,6 +44,25 @@ else:  # the axes are those of the table of options
     )
 
 
+class SeaAxes(_Strict):
+    """Irregular seas, in place of regular waves; every combination of height and period is computed."""
+
+    hs: Values = Field(description="significant wave heights [m]")
+    tp: Values | None = Field(default=None, description="periods of the peak [s]; or give tz")
+    tz: Values | None = Field(default=None, description="mean zero-crossing periods [s]; or give tp")
+    spectrum: Named = Field(default="jonswap", description="of the seas")
+    gamma: float = Field(default=3.3, description="peak enhancement of jonswap, 1 to 20")
+    spreading: float | str = Field(
+        default="none", description="s of cos^2s of half the angle, cos2, or none for long-crested seas"
+    )
+    judge: Judge = Field(default="largest", description="guidance by the largest motion of three hours, or by failures")
+    threshold: float | None = Field(
+        default=None, description="factor on that motion, by default 2, or rate of failures, 1e-6 [1/s]"
+    )
+    hours: float = Field(default=0.0, description="to simulate at most where the closure does not decide [h]")
+    seed: int = Field(default=0, description="of simulations")
+
+
 class Case(_Strict):
     """A study: a ship and every combination of conditions and loadings."""
 
@@ -63,6 +83,7 @@ class Case(_Strict):
         default=None,
         description="wave height over wave length, 0.02, 2 % or 1/50, for all lengths alike; or give wave_height",
     )
+    sea: SeaAxes | None = Field(default=None, description="irregular seas, in place of wave_length and wave_height")
     loading: LoadingAxes = Field(default=LoadingAxes(), description="values of the loading to vary")
     factors: dict[str, Values] = Field(default={}, description="factors on coefficients by name, such as K_p")
     values: dict[str, Values] = Field(default={}, description="values of coefficients by name, in SI about G")

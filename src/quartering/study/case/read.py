@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel, ValidationError
 
+from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
 from quartering.hull.changes import COEFFICIENTS, changed
 from quartering.hull.file.read import ship
@@ -21,10 +22,11 @@ from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.ship import Ship
 from quartering.names import checked_values
 from quartering.options import OPTIONS, Option, Refused, quoted
-from quartering.study.case.keys import Case, LoadingAxes, Values
+from quartering.study.case.keys import Case, LoadingAxes, SeaAxes, Values
 from quartering.study.case.values import values_of
-from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid, axis, grid
+from quartering.study.grid import CONDITION_AXES, SEA_AXES, STEEPNESS, Grid, axis, grid
 from quartering.study.loadings import CHOICE_AXES
+from quartering.study.seas.grid import sea_grid
 
 
 @dataclass(frozen=True)
@@ -71,13 +73,32 @@ def case_grid(path: str | Path) -> Grid:
                 checked_values(own.name, {name: float(column[0])})
             except InputError as error:
                 raise place.says((key, name), str(error)) from None
+    asked: dict[str, Any] = {**axes, "form": case.form, "factors": factors, "values": values, **loading}
+    sea = None if case.sea is None else _sea(case, own, place, asked)
     try:
-        made = grid(own, **axes, harmonics=case.harmonics, form=case.form, factors=factors, values=values, **loading)
+        made = grid(own, **asked, harmonics=case.harmonics) if sea is None else sea_grid(own, **asked, **sea)
     except InputError as error:
         raise place.says(_blamed(str(error), place), str(error)) from None
-    return Grid(made.ship, made.axes, made.loadings, made.harmonics, made.form, text)
+    return replace(made, text=text)
 
 
+def _sea(case: Case, own: Ship, place: _Place, given: Mapping[str, Any]) -> dict[str, Any]:
+    """What a case says of its irregular seas, as `sea_grid` takes it."""
+    for name in (*CONDITION_AXES[2:], "wave_period", STEEPNESS):
+        if name in given:
+            raise place.says(
+                (name,), f"{name} is of regular waves and sea of irregular ones; leave out the one or the other"
+            )
+    if case.harmonics != 1:
+        raise place.says(("harmonics",), "harmonics are of motions in regular waves; leave them out beside sea")
+    sea = dict(case.sea or ())
+    for name in SEA_AXES:
+        if sea[name] is not None:
+            sea[name] = _values(place, ("sea", name), sea[name], ARGUMENTS[name], own)
+    return sea | {"spreading": None if sea["spreading"] == "none" else sea["spreading"]}
+
+
+_GROUPS: Final[Mapping[str, type[BaseModel]]] = {"loading": LoadingAxes, "sea": SeaAxes}
 _COEFFICIENT = Option("coefficient", "ratio", "factor on a coefficient, or its value")
 
 
@@ -111,18 +132,20 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     keys: tuple[str, ...] = tuple(
         part
         for part in path
-        if part in _allowed_everywhere() or part in content or part in (content.get("loading") or {})
+        if part in _allowed_everywhere()
+        or part in content
+        or any(part in (content.get(group) or {}) for group in _GROUPS)
     )
     if path == ("coefficients",):
         raise place.says(path, COEFFICIENTS)
     if problem["type"] == "extra_forbidden":
-        known = _keys(LoadingAxes if path[0] == "loading" else Case)
+        known = _keys(_GROUPS.get(path[0], Case))
         nearest = get_close_matches(path[-1], known, n=1, cutoff=0.0)[0]
         return place.says(path, f"{path[-1]} is unknown; did you mean {nearest}? Keys allowed here: {', '.join(known)}")
     if problem["type"] == "missing":
         return place.says(path[:-1], f"key `{path[-1]}` is missing; write it like the one of `quartering new`")
     if problem["type"] == "literal_error":
-        return place.says(keys, f"{path[0]}: {quoted(problem['input'])} is given; {nearest_word(problem)}")
+        return place.says(keys, f"{path[-1]}: {quoted(problem['input'])} is given; {nearest_word(problem)}")
     key, own = ", ".join(keys) or "case", user_words(problem)
     if own is not None:
         return place.says(keys, f"{key}: {quoted(problem['input'])} is given; {own}")
@@ -134,7 +157,7 @@ def _keys(of: type[BaseModel]) -> list[str]:
 
 
 def _allowed_everywhere() -> set[str]:
-    return {*_keys(Case), *_keys(LoadingAxes)}
+    return {*_keys(Case), *(key for group in _GROUPS.values() for key in _keys(group))}
 
 
 def _values(place: _Place, path: tuple[str, ...], given: Values, one: Option, own: Ship) -> NDArray[np.float64]:

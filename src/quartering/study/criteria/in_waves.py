@@ -19,7 +19,7 @@ from quartering.conventions import RangeWarning
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
 from quartering.study.criteria.particulars import Particulars
-from quartering.study.gm_in_waves import gm_in_waves, righting_arm
+from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
 
 Floats = NDArray[np.float64]
 

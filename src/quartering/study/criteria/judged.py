@@ -25,7 +25,7 @@ def criteria(
     ship : Ship
     speed : float           service speed [m/s]; None: what needs it is not judged
     roll_period : float     natural roll period [s]; None: the model's own at this GM
-    propulsion : Propulsion resistance and thrust; None: surf-riding is judged at level 1 alone
+    propulsion : Propulsion resistance and thrust; None: the ship's own, if it was told (option ``propulsion``)
 
     Returns
     -------

@@ -62,7 +62,7 @@ def limiting_kg(
     ship : Ship
     draughts : sequence of float    on even keel [m]; None: the ship's own
     speed : float                   service speed [m/s]; None: what needs it is not judged
-    propulsion : Propulsion         for surf-riding at level 2
+    propulsion : Propulsion         for surf-riding at level 2; None: the ship's own, if it was told
     levels : sequence of str        such as "pure_loss.level1"; None: all ten
 
     Returns

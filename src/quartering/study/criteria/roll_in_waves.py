@@ -14,7 +14,7 @@ from quartering.motion.steady_course.balance import doubled_harmonics, symmetric
 from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.orbits import climbed
 from quartering.stability.parametric import roll_growth
-from quartering.study.parametric_map import stable_rolls
+from quartering.study.six_modes.parametric_map import stable_rolls
 
 Floats = NDArray[np.float64]
 

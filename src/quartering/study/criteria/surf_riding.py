@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.hull.lines.immersed import strips
 from quartering.hull.propulsion import Propulsion
+from quartering.hydro.propulsion import drive_of
 from quartering.motion.surf_riding import melnikov_quadratic
 from quartering.study.criteria.constants import limit
 from quartering.study.criteria.particulars import Particulars
@@ -34,12 +35,15 @@ def level1(p: Particulars) -> Judgement:
     )  # fmt: skip
 
 
+_NEEDS = "needs propulsion: {diameter: .., k0: .., k1: .., r2: ..}, or propulsion: estimated"
+
+
 def level2(p: Particulars, propulsion: Propulsion | None) -> Judgement:
     """C: share of waves, over all sea states, whose second threshold of surf-riding lies below the service speed."""
-    missing = "needs propulsion: resistance and thrust" if propulsion is None else "needs the service speed"
-    if propulsion is None or math.isnan(p.speed):
-        return not_judged("surf_riding", 2, ("c",), missing)
-    caught = caught_by(p, propulsion)
+    drive = drive_of(p.ship, propulsion)
+    if drive is None or math.isnan(p.speed):
+        return not_judged("surf_riding", 2, ("c",), _NEEDS if drive is None else "needs the service speed")
+    caught = caught_by(p, drive.propulsion)
     table, cell = scatter(), _RATIO_STEP * _STEEPNESS_STEP
     total = 0.0
     for i, j in np.argwhere(table.weight > 0):
@@ -48,7 +52,7 @@ def level2(p: Particulars, propulsion: Propulsion | None) -> Judgement:
     most = limit("surf_riding.limit")
     return Judgement(
         "surf_riding", 2, (Quantity("c", total, "1", f"up to {most:g}"),), total > most, f"C {total:.3g}; up to {most:g}",
-        notes=("added mass in surge 0.1 of the mass, resistance and thrust as given",),
+        notes=("added mass in surge 0.1 of the mass", f"resistance and thrust, {drive.source}"),
     )  # fmt: skip
 
 

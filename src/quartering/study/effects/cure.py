@@ -13,7 +13,7 @@ from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition, number
 from quartering.loads.forces import Form
-from quartering.loads.strip_forces import checked_form
+from quartering.loads.strips.strip_forces import checked_form
 from quartering.loads.waves import Wave
 from quartering.motion.equations.system import Floats
 from quartering.names import term

@@ -9,7 +9,7 @@ from typing import Final, NamedTuple
 from quartering.conventions import InputError, RangeWarning
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.study.condition import Examined, examine
+from quartering.study.condition.examine import Examined, examine
 from quartering.study.loadings import KEEL_AXES, loaded
 from quartering.units import quantity
 

@@ -24,8 +24,8 @@ from quartering.motion.steady.harmonic import harmonic_balance, orders_for
 from quartering.names import unit
 from quartering.stability.assessment import assess
 from quartering.stability.derivative import change_of_stability
-from quartering.stability.floquet import fastest_rate
-from quartering.stability.variation import variational_harmonics
+from quartering.stability.variational.floquet import fastest_rate
+from quartering.stability.variational.variation import variational_harmonics
 from quartering.study.loading_systems import systems
 from quartering.study.loadings import loaded
 

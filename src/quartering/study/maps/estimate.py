@@ -6,19 +6,17 @@ import shutil
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from quartering._machine.threads import alone, workers
 from quartering.conventions import InputError
 from quartering.stability.precompile import announce_compilation
-from quartering.study.conditions import FLAGS, RESULTS, evaluate_block
 from quartering.study.grid import Grid
-from quartering.study.resonance import missed_resonance
-from quartering.threads import alone, workers
+from quartering.study.maps.kinds import kind_of
 
-BYTES = sum(int(np.prod(extra)) * (1 if name in FLAGS else 8) for name, extra in RESULTS.items())
-"""Disk and result memory of one condition."""
 LONGEST = 3600.0
 """Seconds a run may be expected to take without being confirmed."""
 LARGEST = 10e9
@@ -81,8 +79,8 @@ def estimate(grid: Grid) -> Estimate:
         conditions=grid.count,
         blocks=len(grid.blocks),
         seconds=each * grid.count / min(workers(), len(grid.blocks)),
-        disk=float(BYTES * grid.count + 8000 * len(grid.blocks)),
-        missed=missed_resonance(grid),
+        disk=float(kind_of(grid).size * grid.count + 8000 * len(grid.blocks)),
+        missed=kind_of(grid).missed(grid),
     )
 
 
@@ -104,12 +102,13 @@ def _seconds_each(grid: Grid, most: int) -> float:
     """Time of one condition on one core, by up to `most` from all over the grid: the best of a few tries, compiled before."""
     announce_compilation()
     sample = _sampled(grid, most)
-    alone(lambda i: evaluate_block(sample, i), 0)
+    evaluate = partial(kind_of(grid).evaluate, sample)
+    alone(evaluate, 0)
     taken = []
     for _ in range(_TRIES):
         begin = time.perf_counter()
         for i in range(len(sample.blocks)):
-            alone(lambda j: evaluate_block(sample, j), i)
+            alone(evaluate, i)
         taken.append(time.perf_counter() - begin)
     return min(taken) / sample.count
 
@@ -144,7 +143,7 @@ def _sampled(grid: Grid, most: int) -> Grid:
         kept = _thinned(grid.loading_count, 3)
         loadings = {name: column[kept] for name, column in loadings.items()}
     left = most // max(1, min(grid.loading_count, 3))
-    for name, few in ((grid.sea, 10), ("speed", 3), ("wave_length", 4), ("heading", 6)):
+    for name, few in zip(tuple(grid.axes)[::-1], (10, 4, 6, 3), strict=True):
         kept = _thinned(axes[name].size, min(few, max(1, left)))
         axes[name] = axes[name][kept]
         left //= max(1, len(kept))

@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.threads import alone, spread
 from quartering.conventions import InputError
 from quartering.stability.precompile import announce_compilation
-from quartering.study.conditions import evaluate_block
 from quartering.study.grid import Grid
-from quartering.threads import alone, spread
+from quartering.study.maps.kinds import kind_of
 
 Found = dict[str, NDArray[np.generic]]
 Counts = dict[str, int]
@@ -51,7 +51,7 @@ def _in_threads(
     grid: Grid, indices: Sequence[int], keep: Callable[[int, Found], Counts]
 ) -> Iterator[tuple[int, Counts]]:
     announce_compilation()
-    for i, counts in spread(lambda index: keep(index, evaluate_block(grid, index)), indices):
+    for i, counts in spread(lambda index: keep(index, kind_of(grid).evaluate(grid, index)), indices):
         yield indices[i], counts
 
 
@@ -119,7 +119,8 @@ def _unpacked(payload: bytes) -> Grid:
 
 def _one_block(payload: bytes, index: int) -> Found:
     """One block on a worker, which uses one core."""
-    return alone(lambda i: evaluate_block(_unpacked(payload), i), index)
+    grid = _unpacked(payload)
+    return alone(lambda i: kind_of(grid).evaluate(grid, i), index)
 
 
 def check_cluster(cluster: str | None) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from typing import Literal, get_args
 
 import numpy as np
 import xarray as xr
@@ -19,8 +20,11 @@ from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
 from quartering.study.grid import axis
 from quartering.study.maps.extension import carried_on
+from quartering.study.six_modes.conditions import STEADY_MOTION, evaluate_six
 
 Floats = NDArray[np.float64]
+Modes = Literal["three", "six"]
+"""Sway, roll and yaw, or heave and pitch too."""
 MOST_CONDITIONS = 1_000_000
 """Conditions a map that is extended may have: about 1 GB of results."""
 
@@ -35,6 +39,7 @@ def polar(
     harmonics: int = 1,
     form: Form = "stf",
     extend: bool | str = False,
+    modes: Modes = "three",
     progress: Callable[[int, int], None] | None = None,
 ) -> xr.Dataset:
     """Response and stability over headings and speeds, for one wave or a list of waves.
@@ -49,6 +54,8 @@ def polar(
     form : str                         of the diffraction force
     extend : bool, or "yes" or "no"    where the largest roll stands on an edge of the map, carry the map on past it, in steps
                                        of its last interval, until the largest stands inside (see `edges_of_largest`)
+    modes : str                        "three": sway, roll and yaw; "six": heave and pitch too, in the pressure over the
+                                       whole wetted hull, so that head and following seas have answers
     progress : function(done, total), optional
 
     Returns
@@ -62,7 +69,8 @@ def polar(
 
     Notes
     -----
-    Headings from 180 to 360 mirror those from 0 to 180.  Source: [H71] Figs. 5-10, 20-21.
+    Headings from 180 to 360 mirror those from 0 to 180.  In six modes what the paper's first order gives is NaN, and the
+    largest roll is that of a stable motion, of two wave periods where small roll grows.  Source: [H71] Figs. 5-10, 20-21.
 
     Examples
     --------
@@ -72,6 +80,10 @@ def polar(
     ((1, 3, 1), 0.0)
     """
     checked_harmonics(harmonics)
+    if modes not in get_args(Modes):
+        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
+    if modes == "six" and (harmonics != 1 or form != "stf"):
+        raise InputError("modes = six has harmonics and diffraction of its own; leave harmonics and form out")
     waves = [wave] if isinstance(wave, Wave) else wave
     if not isinstance(waves, (list, tuple)) or not all(isinstance(one, Wave) for one in waves):
         raise InputError(
@@ -89,12 +101,12 @@ def polar(
         "wave_length": lengths,
     }
     height = np.array([one.height for one in waves])
-    ds = _mapped(ship, axes, height, harmonics, form, progress)
+    ds = _mapped(ship, axes, height, harmonics, form, modes, progress)
     if height_of is None:
         return ds
 
     def further(wanted: Mapping[str, Floats]) -> xr.Dataset:
-        return _mapped(ship, wanted, height_of(wanted["wave_length"]), harmonics, form, None)
+        return _mapped(ship, wanted, height_of(wanted["wave_length"]), harmonics, form, modes, None)
 
     return carried_on(ds, further, MOST_CONDITIONS)
 
@@ -119,16 +131,21 @@ def _mapped(
     heights: Floats,
     harmonics: int,
     form: Form,
+    modes: Modes,
     progress: Callable[[int, int], None] | None,
 ) -> xr.Dataset:
     """Every combination of speeds, headings and waves."""
     speed, heading, lengths = (axes[name] for name in ("speed", "heading", "wave_length"))
     u, mu, length = (a.ravel() for a in np.meshgrid(speed, heading, lengths, indexing="ij"))
     height = np.tile(heights, speed.size * heading.size)[:, None]
-    found = evaluate(ship, u, mu, length, height, harmonics=harmonics, form=form, progress=progress)
+    if modes == "six":
+        found = evaluate_six(ship, u, mu, length, height[:, 0], progress=progress)
+    else:
+        found = evaluate(ship, u, mu, length, height, harmonics=harmonics, form=form, progress=progress)
     shape = (speed.size, heading.size, lengths.size)
     results = {name: found[name].reshape(*shape, *s) for name, s in RESULTS.items()}
     results["encounter_frequency"] = found["encounter_frequency"].reshape(shape)
     dims = ("speed", "heading", "wave_length")
     coordinates = {name: ((name,), axes[name]) for name in dims} | {"wave_height": (("wave_length",), heights)}
-    return labelled(ship, results, coordinates, dims, dims, form=form, harmonics=harmonics)
+    ds = labelled(ship, results, coordinates, dims, dims, form=form, harmonics=harmonics)
+    return ds if modes == "three" else ds.assign_attrs(steady_motion=STEADY_MOTION, modes="six")

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
 from quartering.study.maps.estimate import duration
+from quartering.study.seas.advice import Advice
 
 
 class Failures(NamedTuple):
@@ -48,11 +49,24 @@ def progress_line(done: int, total: int, begun: int, seconds: float, counts: Map
     """
     rate = (done - begun) / seconds if seconds > 0 else 0.0
     left = f", {duration((total - done) / rate)} left" if rate > 0 and done < total else ""
+    return f"{done:,} of {total:,} ({100 * done / max(total, 1):.0f} %), {rate:,.0f} a second{left}: {_so_far(counts)}"
+
+
+def _so_far(counts: Mapping[str, int]) -> str:
+    """What was found so far: verdicts in regular waves, advice in irregular seas."""
+    if any(key.startswith("recommended ") for key in counts):
+        return ", ".join(f"{number:,} {words}" for words, number in advice_counted(counts).items())
     stable, unstable, failed = outcome(counts)
-    return (
-        f"{done:,} of {total:,} ({100 * done / max(total, 1):.0f} %), {rate:,.0f} a second{left}:"
-        f" {stable:,} stable, {unstable:,} unstable, {failed:,} failed"
-    )
+    return f"{stable:,} stable, {unstable:,} unstable, {failed:,} failed"
+
+
+def advice_counted(counts: Mapping[str, int]) -> dict[str, int]:
+    """Numbers of conditions in irregular seas by what guidance says.
+
+    >>> advice_counted({"recommended 0": 5, "recommended 2": 1, "status 0": 6})
+    {'recommended': 5, 'not recommended': 0, 'undecided': 1, 'not valid': 0}
+    """
+    return {one.label: counts.get(f"recommended {int(one)}", 0) for one in Advice}
 
 
 def summary(counts: Mapping[str, int], seconds: float) -> dict[str, Any]:

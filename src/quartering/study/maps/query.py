@@ -245,5 +245,7 @@ def _measured(result: xr.Dataset, by: str) -> xr.DataArray:
 
 def _check_result(result: xr.Dataset) -> None:
     """Refuse a dataset of something else."""
+    if "recommended" in result:
+        raise InputError("this is a map over irregular seas, which has advice and no verdicts; take `quartering show`")
     if not {"roll_peak", "exponent", "verdict"} <= set(result.data_vars):
         raise InputError("this is not the result of a sweep or a polar map: roll_peak, exponent or verdict is missing")

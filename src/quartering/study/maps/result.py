@@ -13,9 +13,8 @@ from xarray.backends import BackendArray
 from xarray.core import indexing
 
 from quartering.conventions import InputError
-from quartering.study.conditions import FLAGS, RESULTS, UNKNOWN
-from quartering.study.dataset import described
-from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid
+from quartering.study.grid import STEEPNESS, Grid
+from quartering.study.maps.kinds import StudyKind, kind_of, kind_of_case
 from quartering.study.maps.store import Store, read_block, read_store
 
 
@@ -36,15 +35,16 @@ def open_result(folder: str | Path, *, partial: bool = False) -> xr.Dataset:
             " again, only those are computed (or open it with partial=True)"
         )
     case = store.content["case"]
-    axes = {name: np.array(case[name], dtype=float) for name in (*CONDITION_AXES, STEEPNESS) if name in case}
+    kind = kind_of_case(case)
+    axes = {name: np.array(case[name], dtype=float) for name in kind.axes if name in case}
     loadings = {name: np.array(values, dtype=float) for name, values in case["loadings"].items()}
     shape = tuple(values.size for values in axes.values())
     several = next(iter(loadings.values())).size if loadings else 0
     results: dict[str, Any] = {
-        name: _lazy(store, name, several, (*shape, *extra), missing) for name, extra in RESULTS.items()
+        name: _lazy(store, name, kind, several, (*shape, *extra), missing) for name, extra in kind.results.items()
     }
-    results["encounter_frequency"] = _frequencies(store, shape[:3], missing)
-    return described(store.content["attributes"], results, *coordinates_of(axes, loadings), CONDITION_AXES[:3])
+    results |= {name: _of_points(store, name, shape[:3], missing) for name in kind.of_points}
+    return kind.labelled(store.content["attributes"], results, *coordinates_of(axes, loadings))
 
 
 def in_memory(
@@ -52,21 +52,23 @@ def in_memory(
 ) -> xr.Dataset:
     """The dataset of a grid whose blocks are all at hand.
 
-    found: of `evaluate_block`, by index
-    heading: attributes, see `heading_of`
+    found: results of each block, by index
+    heading: attributes of the whole
     """
+    kind = kind_of(grid)
     loadings, points, shape = grid.loading_count, grid.point_count, grid.shape[-4:]
     results: dict[str, NDArray[np.generic]] = {}
-    for name, extra in RESULTS.items():
-        whole = np.empty((loadings, points, shape[3], *extra), np.int8 if name in FLAGS else np.float64)
+    for name, extra in kind.results.items():
+        whole = np.empty((loadings, points, shape[3], *extra), kind.dtype(name))
         for i, block in enumerate(grid.blocks):
             whole[block.loadings, block.points] = found[i][name]
         results[name] = whole.reshape(*grid.shape, *extra)
-    omega = np.empty(points)
-    for i, block in enumerate(grid.blocks):
-        omega[block.points] = found[i]["encounter_frequency"]
-    results["encounter_frequency"] = omega.reshape(shape[:3])
-    return described(heading, results, *coordinates_of(grid.axes, grid.loadings), CONDITION_AXES[:3])
+    for name in kind.of_points:
+        values = np.empty(points)
+        for i, block in enumerate(grid.blocks):
+            values[block.points] = found[i][name]
+        results[name] = values.reshape(shape[:3])
+    return kind.labelled(heading, results, *coordinates_of(grid.axes, grid.loadings))
 
 
 def coordinates_of(
@@ -88,29 +90,32 @@ def coordinates_of(
     return coordinates, (("loading",) if loadings else ()) + tuple(axes)
 
 
-def _lazy(store: Store, name: str, loadings: int, shape: tuple[int, ...], missing: set[int]) -> Any:
+def _lazy(store: Store, name: str, kind: StudyKind, loadings: int, shape: tuple[int, ...], missing: set[int]) -> Any:
     whole = shape if loadings == 0 else (loadings, *shape)
-    return indexing.LazilyIndexedArray(_Blocks(store, name, whole, loadings > 0, missing))
+    return indexing.LazilyIndexedArray(_Blocks(store, name, kind, whole, loadings > 0, missing))
 
 
-def _frequencies(store: Store, shape: tuple[int, ...], missing: set[int]) -> NDArray[np.float64]:
-    """Encounter frequencies of all points; those of missing blocks are NaN."""
-    omega = np.full(int(np.prod(shape)), np.nan)
+def _of_points(store: Store, name: str, shape: tuple[int, ...], missing: set[int]) -> NDArray[np.float64]:
+    """A result of all points; that of missing blocks is NaN."""
+    values = np.full(int(np.prod(shape)), np.nan)
     done: set[tuple[int, int]] = set()
     for i, (_, _, start, stop) in enumerate(store.content["blocks"]):
         if i not in missing and (start, stop) not in done:
-            omega[start:stop] = read_block(store, i, "encounter_frequency")
+            values[start:stop] = read_block(store, i, name)
             done.add((start, stop))
-    return omega.reshape(shape)
+    return values.reshape(shape)
 
 
 class _Blocks(BackendArray):
     """One variable over all blocks of a store, read when it is indexed."""
 
-    def __init__(self, store: Store, name: str, shape: tuple[int, ...], with_loading: bool, missing: set[int]) -> None:
+    def __init__(
+        self, store: Store, name: str, kind: StudyKind, shape: tuple[int, ...], with_loading: bool, missing: set[int]
+    ) -> None:
+        self.unknown = kind.flags.get(name, np.nan)
         self.store, self.name, self.with_loading, self.missing = store, name, with_loading, missing
         self.shape = shape
-        self.dtype = np.dtype(np.int8 if name in FLAGS else np.float64)
+        self.dtype = np.dtype(kind.dtype(name))
 
     def __getitem__(self, key: Any) -> Any:
         return indexing.explicit_indexing_adapter(key, self.shape, indexing.IndexingSupport.OUTER, self._read)
@@ -123,7 +128,7 @@ class _Blocks(BackendArray):
         u, mu, length, *rest = wanted[1:] if self.with_loading else wanted
         sizes = self.shape[1:4] if self.with_loading else self.shape[:3]
         points = np.ravel_multi_index(np.ix_(u, mu, length), sizes).ravel()
-        out = np.full((loadings.size, points.size, *(r.size for r in rest)), UNKNOWN.get(self.name, np.nan), self.dtype)
+        out = np.full((loadings.size, points.size, *(r.size for r in rest)), self.unknown, self.dtype)
         for i, (l0, l1, p0, p1) in enumerate(self.store.content["blocks"]):
             inside = np.flatnonzero((loadings >= l0) & (loadings < l1)), np.flatnonzero((points >= p0) & (points < p1))
             if i in self.missing or not (inside[0].size and inside[1].size):

@@ -12,12 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.digest import fingerprint, source_digest
+from quartering._machine.publish import publish
 from quartering.conventions import InputError
-from quartering.digest import fingerprint, source_digest
-from quartering.publish import publish
-from quartering.study.dataset import heading_of, plain_attributes
+from quartering.study.dataset import plain_attributes
 from quartering.study.grid import Grid
 from quartering.study.maps.block_file import Arrays, belongs, block_file, counted, part_of
+from quartering.study.maps.kinds import StudyKind, kind_of
 from quartering.study.maps.seal import DamagedError, is_sound, read_index, read_variable
 
 LAYOUT = 3
@@ -155,7 +156,7 @@ def write_block(store: Store, index: int, found: Arrays, grid: Grid) -> dict[str
     found: from `evaluate_block`
     Returns what it counts, see `counted`
     """
-    counts = counted(found)
+    counts = counted(found, kind_of(grid))
     data = block_file(index, found, grid, counts)
     try:
         publish(store.block(index), data)
@@ -206,13 +207,13 @@ def _manifest(grid: Grid) -> dict[str, Any]:
     content = {
         "layout": LAYOUT,
         "version": version("quartering"),
-        "code": code_digest(),
+        "code": code_digest(kind_of(grid)),
         "hash": fingerprint(grid.described),
         "case": grid.described,
         "text": grid.text,
         "block_size": grid.block_size,
         "blocks": [part_of(block) for block in grid.blocks],
-        "attributes": plain_attributes(heading_of(grid.ship, form=grid.form, harmonics=grid.harmonics)),
+        "attributes": plain_attributes(kind_of(grid).heading(grid)),
     }
     return content | {"checksum": _checksum(json.loads(json.dumps(content)))}
 
@@ -240,13 +241,12 @@ def _same_case(store: Store, grid: Grid) -> Store:
     return store
 
 
-def code_digest() -> str:
+def code_digest(kind: StudyKind) -> str:
     """Digest of the source files that decide the numbers.
 
     Returns 16 hexadecimal digits, equal for equal installations
     """
-    own = (f"study/{name}.py" for name in ("conditions", "beside", "shared", "grid", "loadings", "case/values"))
-    return source_digest("hull", "hydro", "loads", "motion", "stability", *own)
+    return source_digest("hull", "hydro", "loads", "motion", "stability", *kind.code)
 
 
 def _changes(old: Mapping[str, Any], new: Mapping[str, Any], keys: list[str]) -> str:

@@ -14,17 +14,13 @@ from numpy.typing import ArrayLike
 from quartering.conventions import DamageWarning
 from quartering.doors import takes
 from quartering.hull.option_types import StudyAxes
-from quartering.hull.righting.arm import fitted_to
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.loads.validity import warn_of_conditions, warn_outside_database
-from quartering.motion.status import Status
-from quartering.study.conditions import warn_outside_range
-from quartering.study.dataset import heading_of
 from quartering.study.grid import Grid, grid
 from quartering.study.maps.block_file import counted
 from quartering.study.maps.estimate import timed_block_size
 from quartering.study.maps.executor import check_cluster, computed, reached
+from quartering.study.maps.kinds import kind_of
 from quartering.study.maps.result import in_memory, open_result
 from quartering.study.maps.store import Store, begun_block_size, block_counts, open_store, write_block
 
@@ -103,9 +99,7 @@ def sweep(
             progress(done, wanted.count)
 
     if store is not None:
-        counts = fill(wanted, store, cluster=cluster, told=told)
-        _warn(wanted, counts)
-        return open_result(store)
+        return filled(wanted, store, cluster=cluster, told=told)
     return evaluated(wanted, cluster=cluster, told=told)
 
 
@@ -120,10 +114,11 @@ def evaluated(
     Returns as from `sweep`
     """
     found: dict[int, Any] = {}
+    kind = kind_of(wanted)
 
     def keep(index: int, block: dict[str, Any]) -> dict[str, int]:
         found[index] = block
-        return counted(block)
+        return counted(block, kind)
 
     total: Counter[str] = Counter()
     with reached(cluster) as client:
@@ -131,8 +126,16 @@ def evaluated(
             total.update(counts_of_block)
             if told is not None:
                 told(conditions_of(total), total)
-    _warn(wanted, total)
-    return in_memory(wanted, found, heading_of(wanted.ship, form=wanted.form, harmonics=wanted.harmonics))
+    kind.warn(wanted, total)
+    return in_memory(wanted, found, kind.heading(wanted))
+
+
+def filled(
+    wanted: Grid, folder: str | Path, *, cluster: str | None, told: Callable[[int, Counter[str]], None]
+) -> xr.Dataset:
+    """The result in a store, computed as far as it is missing."""
+    kind_of(wanted).warn(wanted, fill(wanted, folder, cluster=cluster, told=told))
+    return open_result(folder)
 
 
 def fill(
@@ -220,9 +223,3 @@ def conditions_of(counts: Counter[str]) -> int:
     4
     """
     return sum(number for key, number in counts.items() if key.startswith("status "))
-
-
-def _warn(wanted: Grid, counts: Counter[str]) -> None:
-    warn_of_conditions(wanted.ship, wanted.axes["speed"], wanted.axes["wave_length"])
-    warn_outside_database(wanted.ship, counts[f"status {int(Status.OUTSIDE_DATABASE)}"], wanted.count)
-    warn_outside_range(wanted.ship.name, counts["beyond"], fitted_to(wanted.ship))

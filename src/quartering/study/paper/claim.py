@@ -9,14 +9,43 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from quartering.hull.file.read import ship
 from quartering.hull.ship import Ship
 from quartering.study.maps.sweep import sweep
 from quartering.study.paper.conditions import speed_of, wave_of
+from quartering.study.paper.model import PAPER_SHIP, paper_ship
 
 Answer = Literal["holds", "holds in part", "does not hold"]
 HEADINGS: Final = np.arange(5.0, 176.0, 5.0)
 MODERATE, STEEP, VERY_STEEP = 50, 30, 20
 """Wave length over wave height."""
+
+
+class Ships(NamedTuple):
+    """Built-in ships with one set of equations.
+
+    Parameters
+    ----------
+    words : str                what it is called on the page
+    named : function          a ship by its name
+    with_cubics : function    the same for claims that name or change coefficients of the cubic drag
+    """
+
+    words: str
+    named: Callable[[str], Ship]
+    with_cubics: Callable[[str], Ship]
+
+    def one(self, name: str = PAPER_SHIP) -> Ship:
+        """A built-in ship."""
+        return self.named(name)
+
+    def cubic(self, name: str = PAPER_SHIP) -> Ship:
+        """A built-in ship whose drag is in powers of velocities."""
+        return self.with_cubics(name)
+
+
+OVER_GROUND: Final = Ships("over ground, as the paper", paper_ship, paper_ship)
+THROUGH_WATER: Final = Ships("through the water", ship, lambda name: ship(name).with_(drag="cubic"))
 
 
 class Finding(NamedTuple):
@@ -39,12 +68,14 @@ class Claim(NamedTuple):
     ----------
     text : str           the statement, in our words
     where : str          in the paper
-    measure : function   computes the evidence
+    measure : function   computes the evidence for one set of equations
+    moving : bool        whether what it says may be another thing through the water
     """
 
     text: str
     where: str
-    measure: Callable[[], Finding]
+    measure: Callable[[Ships], Finding]
+    moving: bool = True
 
 
 def graded(holds: bool, in_part: bool, evidence: str) -> Finding:

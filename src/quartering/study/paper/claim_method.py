@@ -9,17 +9,16 @@ from quartering.motion.of_ship import equations
 from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.motion.steady.motion import steady_motion
 from quartering.motion.transient.simulate import simulate
-from quartering.study.paper.claim import MODERATE, STEEP, Finding, graded
+from quartering.study.paper.claim import MODERATE, STEEP, Finding, Ships, graded
 from quartering.study.paper.conditions import speed_of, wave_of
 from quartering.study.paper.duffing_formulas import duffing_amplitudes, duffing_model
-from quartering.study.paper.model import paper_ship
 
 _PERIODS = 40
 
 
-def approximation_agrees_with_integration() -> Finding:
+def approximation_agrees_with_integration(ships: Ships) -> Finding:
     """Fig. 11: largest roll over a cycle by the modified Struble method and by integration until it repeats."""
-    one, worst, words = paper_ship(), [], []
+    one, worst, words = ships.one(), [], []
     for steepness in (MODERATE, STEEP):
         apart = []
         for heading in (30.0, 50.0, 60.0, 70.0, 90.0, 120.0, 150.0):
@@ -40,9 +39,9 @@ def _settled_peak(model: Model, state0: np.ndarray) -> float:
     return float(np.radians(np.abs(last).max()))
 
 
-def third_harmonic_is_small() -> Finding:
+def third_harmonic_is_small(ships: Ships) -> Finding:
     """Third over first harmonic of roll, by nine harmonics."""
-    one, words, worst = paper_ship(), [], 0.0
+    one, words, worst = ships.one(), [], 0.0
     for steepness in (MODERATE, STEEP):
         shares = []
         for heading in np.arange(10.0, 171.0, 10.0):
@@ -61,7 +60,7 @@ _BELOW, _LARGE = (0.5, 0.6, 0.7), (1.0, 1.1, 1.3, 1.5)
 """Frequencies below resonance, and those at which the motion that resonance makes large is looked at."""
 
 
-def modified_method_beats_the_plain() -> Finding:
+def modified_method_beats_the_plain(_: Ships) -> Finding:
     """Appendix C and Fig. 23: fundamental by (C-3) and (C-4) against many harmonics in balance."""
     plain, modified = (_errors(formula, (*_BELOW, 0.8, 0.9, *_LARGE)) for formula in ("C-3", "C-4"))
     words = (
@@ -71,7 +70,7 @@ def modified_method_beats_the_plain() -> Finding:
     return graded(bool((modified < plain).all()), bool((modified < plain).mean() > 0.5), words)
 
 
-def c5_is_a_rival_of_c4() -> Finding:
+def c5_is_a_rival_of_c4(_: Ships) -> Finding:
     """Are both approximations of one amplitude? The fundamental and the peak differ by the third harmonic."""
     fundamental, peak = _errors("C-5", _BELOW), _errors("C-5", _BELOW, peak=True)
     halved = _errors("C-5", _BELOW, _BETA / 2, peak=True)

@@ -20,21 +20,22 @@ from quartering.study.paper.claim import (
     STEEP,
     VERY_STEEP,
     Finding,
+    Ships,
     graded,
     over_headings,
 )
 from quartering.study.paper.conditions import speed_of, wave_of
 from quartering.study.paper.duffing_formulas import duffing_model
-from quartering.study.paper.mechanism import onset, roll_alone
-from quartering.study.paper.model import modified_model, paper_ship, table_ratios
+from quartering.study.paper.mechanism import Onset, onset, roll_alone
+from quartering.study.paper.model import modified_model, table_ratios
 
 FED = -60.0
 """Factor on K_prr that makes yaw feed roll: an invented value, for a motion that is surely unstable."""
 
 
-def uncoupled_roll_is_never_unstable() -> Finding:
+def uncoupled_roll_is_never_unstable(ships: Ships) -> Finding:
     """Roll alone; and the middle motion of three where it folds."""
-    one = paper_ship()
+    one = ships.cubic()
     rates = [
         float(roll_alone(one, wave_of(one, 1.0, 1 / s), speed_of(one), HEADINGS)["exponent"].max())
         for s in (MODERATE, STEEP, VERY_STEEP)
@@ -50,38 +51,51 @@ def uncoupled_roll_is_never_unstable() -> Finding:
     return graded(max(rates) < 0 and not folds, max(rates) < 0, words)
 
 
-def modified_model_is_unstable_in_quartering_seas() -> Finding:
+def modified_model_is_unstable_in_quartering_seas(ships: Ships) -> Finding:
     """Table I as ratios: is a motion at 10 to 77.5 deg unstable?"""
-    one, strengths = paper_ship(), []
+    one, strengths, headings = ships.cubic(), [], []
     original = [float(over_headings(one, s)["exponent"].max()) for s in (MODERATE, STEEP, VERY_STEEP)]
     for s in (MODERATE, STEEP, VERY_STEEP):
         found = onset(one, table_ratios(), wave_of(one, 1.0, 1 / s), speed_of(one), np.arange(10.0, 80.0, 2.5))
         strengths.append(found.strength)
+        headings.append(found.heading)
     times = ", ".join(
-        f"{strength:.2f} times at 1/{s}" for strength, s in zip(strengths, (MODERATE, STEEP, VERY_STEEP), strict=True)
+        f"{strength:.2f} times at 1/{s}" if np.isfinite(strength) else f"more than 10 times at 1/{s}"
+        for strength, s in zip(strengths, (MODERATE, STEEP, VERY_STEEP), strict=True)
     )
-    words = f"the change must be made {times} (H/lambda), at 65 deg or more; the original is stable, {max(original):+.4f} 1/s"
+    words = (
+        f"the change must be made {times} (H/lambda), at {np.nanmin(headings):.0f} deg or more; the original is stable, "
+        f"{max(original):+.4f} 1/s"
+    )
     enough = [strength <= 1 for strength in strengths]
     return graded(all(enough) and max(original) < 0, any(enough), words)
 
 
-def instability_near_fifteen_degrees() -> Finding:
+def instability_near_fifteen_degrees(ships: Ships) -> Finding:
     """Figs. 12-13: the modified model at 15 deg."""
-    one = paper_ship()
+    one = ships.cubic()
     table = onset(one, table_ratios(), wave_of(one, 1.0, 1 / STEEP), speed_of(one), [15.0], most=40.0)
     fed = onset(one, {"K_prr": 0.0}, wave_of(one, 1.0, 1 / STEEP), speed_of(one), [15.0], most=200.0)
-    words = (
-        f"Table I must be taken {table.strength:.0f} times and then the ship loses its course, not roll; K_prr alone must be "
-        f"turned round and {fed.strength - 1:.0f} times as large (kind: {fed.kind})"
+    words = f"{_taken(table)}; " + (
+        f"K_prr alone must be turned round and {fed.strength - 1:.0f} times as large (kind: {fed.kind})"
+        if np.isfinite(fed.strength)
+        else "K_prr alone, turned round and up to 199 times as large, makes nothing unstable"
     )
     return graded(table.strength <= 1 and table.kind == "roll", False, words)
 
 
-def linear_theory_does_not_see_it() -> Finding:
+def _taken(table: Onset) -> str:
+    if not np.isfinite(table.strength):
+        return "Table I, taken up to 40 times, makes nothing unstable"
+    mode = "loses its course, not roll" if table.kind != "roll" else "is unstable in roll"
+    return f"Table I must be taken {table.strength:.0f} times and then the ship {mode}"
+
+
+def linear_theory_does_not_see_it(ships: Ships) -> Finding:
     """Motions unstable by Floquet whose linear motion dies out."""
     unseen = total = 0
     worst = -np.inf
-    for one in (paper_ship().with_(factors={"K_prr": FED}), modified_model()):
+    for one in (ships.cubic().with_(factors={"K_prr": FED}), modified_model(ships.cubic())):
         ds = over_headings(one, VERY_STEEP)
         unstable = ds["verdict"].values > Kind.STABLE
         total += int(unstable.sum())
@@ -91,11 +105,11 @@ def linear_theory_does_not_see_it() -> Finding:
     return graded(unseen == total > 0, unseen > 0, words)
 
 
-def three_ways_agree() -> Finding:
+def three_ways_agree(ships: Ships) -> Finding:
     """Figs. 12-13: index, variational equations and integration of the full equations, in a stable and an unstable case."""
     words, worst, signs = [], 0.0, True
     for factor in (1.0, FED):
-        one = paper_ship().with_(factors={"K_prr": factor})
+        one = ships.cubic().with_(factors={"K_prr": factor})
         model = equations(one, wave_of(one, 1.0, 1 / STEEP), speed_of(one), 30.0)
         motion = steady_motion(model, 9, start="rest")
         verdict = stability(model, motion)
@@ -122,15 +136,15 @@ def _growth(model: Model, motion: Motion) -> float:
     return float(np.polyfit(times[late], np.log(np.hypot(angle[late], rate[late] / n2)), 1)[0])
 
 
-def k2_tells_stable_from_unstable() -> Finding:
+def k2_tells_stable_from_unstable(ships: Ships) -> Finding:
     """Its sign against Floquet multipliers, over headings, wave lengths and models between the original and an unstable one."""
-    one = paper_ship()
+    one = ships.cubic()
     unstable = seen = false = total = 0
     for changed in (
         one,
         one.with_(factors={"K_prr": FED / 2}),
         one.with_(factors={"K_prr": FED}),
-        modified_model(),
+        modified_model(ships.cubic()),
     ):
         for s in (MODERATE, STEEP):
             for ratio in (0.75, 1.0, 1.5):
@@ -147,9 +161,9 @@ def k2_tells_stable_from_unstable() -> Finding:
     return graded(seen == unstable and false == 0, seen > unstable / 2, words)
 
 
-def roll_alone_decides() -> Finding:
+def roll_alone_decides(ships: Ships) -> Finding:
     """Stability is read from the roll mode; the measured S-175 shows the other two."""
-    one = paper_ship("s175").with_(measured="son-nomoto-1982", draught=8.5, gm=0.3)
+    one = ships.one("s175").with_(measured="son-nomoto-1982", draught=8.5, gm=0.3)
     length = one.hull.length
     ds = sweep(one, [speed_of(one, 0.2), speed_of(one)], HEADINGS, [0.75 * length, length], length / 50, harmonics=3)
     course = ds["verdict"].values == Kind.COURSE
@@ -161,15 +175,15 @@ def roll_alone_decides() -> Finding:
     return graded(not course.any(), not quiet.any(), words)
 
 
-def short_index_is_enough() -> Finding:
+def short_index_is_enough(ships: Ships) -> Finding:
     """K2 from I1, I2, I3 with the printed 0.3, 0.1, 0.1 against K2 with every average."""
-    ships = {
-        "as estimated": paper_ship(),
-        f"K_prr x {FED:g}": paper_ship().with_(factors={"K_prr": FED}),
-        "Table I": modified_model(),
+    models = {
+        "as estimated": ships.one(),
+        f"K_prr x {FED:g}": ships.cubic().with_(factors={"K_prr": FED}),
+        "Table I": modified_model(ships.cubic()),
     }
     words, worst, best, signs = [], 0.0, np.inf, True
-    for label, one in ships.items():
+    for label, one in models.items():
         ds = over_headings(one, STEEP)
         ok = np.isfinite(ds["k2"].values)
         full, short, own = (ds[name].values[ok] for name in ("k2", "k2_paper", "k2_rho"))
@@ -182,9 +196,9 @@ def short_index_is_enough() -> Finding:
     return graded(worst < 0.1, best < 0.1, evidence)
 
 
-def k_ppp_matters_most() -> Finding:
+def k_ppp_matters_most(ships: Ships) -> Finding:
     """Fig. 22: K2 against the percentage change of each coefficient."""
-    one, words, ranks = paper_ship(), [], []
+    one, words, ranks = ships.cubic(), [], []
     for heading in (30.0, 60.0):
         ds = sensitivity(one, wave_of(one, 1.0, 1 / STEEP), speed_of(one), heading)
         effect = {str(name): abs(float(ds["k2"].sel(parameter=name))) for name in ds["parameter"].values}
@@ -198,9 +212,9 @@ def k_ppp_matters_most() -> Finding:
     return graded(max(ranks) == 1, min(ranks) == 1, "; ".join(words))
 
 
-def halving_k_ppp_destabilises() -> Finding:
+def halving_k_ppp_destabilises(ships: Ships) -> Finding:
     """Fig. 22 and the text on it."""
-    one = paper_ship()
+    one = ships.cubic()
     half = one.with_(factors={"K_ppp": 0.5})
     rate, change = -np.inf, 0.0
     for s in (MODERATE, STEEP, VERY_STEEP):
@@ -214,9 +228,9 @@ def halving_k_ppp_destabilises() -> Finding:
     return graded(rate > 0, change < -0.1, words)
 
 
-def response_and_stability_conflict() -> Finding:
+def response_and_stability_conflict(ships: Ships) -> Finding:
     """Conclusion 4: changes of GM and gyradius that lower roll lower stability as well."""
-    one, words, shares = paper_ship(), [], []
+    one, words, shares = ships.one(), [], []
     before = over_headings(one, MODERATE)
     for name, symbol in (("gm", "GM"), ("gyradius_roll", "k_xx"), ("gyradius_yaw", "k_zz")):
         lower = conflict = 0
@@ -234,9 +248,9 @@ def response_and_stability_conflict() -> Finding:
     )
 
 
-def less_gm_lowers_stability() -> Finding:
+def less_gm_lowers_stability(ships: Ships) -> Finding:
     """Fig. 21."""
-    one = paper_ship()
+    one = ships.one()
     before, after = (
         over_headings(ship, MODERATE)["index"].values for ship in (one, one.with_(gm=0.9 * one.loading.gm))
     )

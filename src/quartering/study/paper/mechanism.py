@@ -133,9 +133,9 @@ def onset(
     if i > 0:
         ((refined, _, _),) = refined_flips(anywhere, strengths[i - 1 : i + 1], [0, 1])
         beyond = (strengths[1] - strengths[0]) * ACCURACY  # the middle of the last step is given: go past its end
-        strengths, i = np.array([refined + beyond]), 0
-        ds = at(strengths)
-        unstable = _unstable(ds, fitted)
+        past = at(np.array([refined + beyond]))
+        if _unstable(past, fitted).any():  # else a window narrower than the accuracy: the one of the steps is given
+            strengths, i, ds, unstable = np.array([refined + beyond]), 0, past, _unstable(past, fitted)
     j = int(np.flatnonzero(unstable[i])[0])
     here = ds.isel(loading=i, heading=j)
     return Onset(float(strengths[i]), float(here["heading"]), Kind(int(here["verdict"])).label, float(here["roll"]))

@@ -13,7 +13,7 @@ from quartering.motion.equations.system import Floats, Model
 from quartering.motion.of_ship import equations
 from quartering.motion.steady.motion import Motion, steady_motion
 from quartering.motion.transient.simulate import simulate
-from quartering.stability.variation import variational_harmonics
+from quartering.stability.variational.variation import variational_harmonics
 
 SETTLING_PERIODS = 60
 """Periods integrated before a motion counts as steady: the slowest disturbance here dies out by e^-10 and more."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Sequence
-from typing import Final, get_args
+from typing import Final, NamedTuple, get_args
 
 from quartering.conventions import RangeWarning
 from quartering.study.paper import claim_method as method
 from quartering.study.paper import claim_response as response
 from quartering.study.paper import claim_stability as stability
-from quartering.study.paper.claim import Answer, Claim, Finding
+from quartering.study.paper.claim import OVER_GROUND, THROUGH_WATER, Answer, Claim, Finding
 
 CLAIMS: Final = (
     Claim(
@@ -33,7 +33,7 @@ CLAIMS: Final = (
         method.approximation_agrees_with_integration,
     ),
     Claim("The third harmonic is small", "(A-8)", method.third_harmonic_is_small),
-    Claim("Uncoupled roll is never unstable", "text on K2", stability.uncoupled_roll_is_never_unstable),
+    Claim("Uncoupled roll is never unstable", "text on K2", stability.uncoupled_roll_is_never_unstable, moving=False),
     Claim(
         "The modified model of Table I is unstable in quartering seas, the original is not",
         "Table I",
@@ -64,14 +64,32 @@ CLAIMS: Final = (
         "The modified method beats Struble's own on Duffing's equation",
         "App. C, Fig. 23",
         method.modified_method_beats_the_plain,
+        moving=False,
     ),
-    Claim("(C-4) and (C-5) are two approximations of one amplitude", "App. C", method.c5_is_a_rival_of_c4),
+    Claim(
+        "(C-4) and (C-5) are two approximations of one amplitude", "App. C", method.c5_is_a_rival_of_c4, moving=False
+    ),
 )
 """Every claim that can be measured, in the order of the paper."""
 
 
-def scoreboard(progress: Callable[[int, int], None] | None = None) -> list[tuple[Claim, Finding]]:
-    """Measure every claim.
+class Entry(NamedTuple):
+    """A claim and what was found of it.
+
+    Parameters
+    ----------
+    claim : Claim
+    over_ground : Finding              with the paper's equations
+    through_water : Finding or None    with the library's; None where the claim is of no ship in moving water
+    """
+
+    claim: Claim
+    over_ground: Finding
+    through_water: Finding | None
+
+
+def scoreboard(progress: Callable[[int, int], None] | None = None) -> list[Entry]:
+    """Measure every claim, with the paper's equations and through the water.
 
     Series 60, CB 0.60, as loaded in the library, Froude number 0.25, waves of the ship's length unless the evidence says
     otherwise; the coefficients are estimates.  Source: [H71], text, figures and conclusions.
@@ -80,34 +98,45 @@ def scoreboard(progress: Callable[[int, int], None] | None = None) -> list[tuple
     with warnings.catch_warnings():  # very steep waves are asked for on purpose
         warnings.simplefilter("ignore", RangeWarning)
         for done, claim in enumerate(CLAIMS, start=1):
-            found.append((claim, claim.measure()))
+            water = claim.measure(THROUGH_WATER) if claim.moving else None
+            found.append(Entry(claim, claim.measure(OVER_GROUND), water))
             if progress is not None:
                 progress(done, len(CLAIMS))
     return found
 
 
-def tally(found: Sequence[tuple[Claim, Finding]]) -> str:
-    """How many claims hold."""
-    answers = [finding.answer for _, finding in found]
-    counts = ", ".join(_counted(answers.count(answer), answer) for answer in get_args(Answer))
-    return f"{len(answers)} claims: {counts}."
+def tally(found: Sequence[Entry]) -> str:
+    """How many claims hold, either way."""
+    water = [entry.through_water for entry in found if entry.through_water is not None]
+    return (
+        f"{len(found)} claims {OVER_GROUND.words}: {_counts([entry.over_ground for entry in found])}. "
+        f"{len(water)} of them {THROUGH_WATER.words}: {_counts(water)}."
+    )
+
+
+def _counts(found: Sequence[Finding]) -> str:
+    answers = [finding.answer for finding in found]
+    return ", ".join(_counted(answers.count(answer), answer) for answer in get_args(Answer))
 
 
 def _counted(count: int, answer: str) -> str:
     return f"{count} {answer if count == 1 else answer.replace('does', 'do').replace('holds', 'hold')}"
 
 
-def scoreboard_page(found: Sequence[tuple[Claim, Finding]]) -> str:
-    """The page of the scoreboard.
-
-    Returns Markdown
-    """
-    rows = [f"| {claim.text} | {claim.where} | {finding.answer} | {finding.evidence} |" for claim, finding in found]
+def scoreboard_page(found: Sequence[Entry]) -> str:
+    """The page of the scoreboard, in Markdown."""
     return (
-        f"{_HEAD}\n\n{tally(found)}\n\n| claim | where | answer | evidence |\n|---|---|---|---|\n"
-        + "\n".join(rows)
+        f"{_HEAD}\n\n{tally(found)}\n\n| claim | where | over ground | evidence | through the water | evidence |\n"
+        + "|---|---|---|---|---|---|\n"
+        + "\n".join(map(row_of, found))
         + _FOOT
     )
+
+
+def row_of(entry: Entry) -> str:
+    """A claim's row of the page."""
+    cells = [entry.claim.text, entry.claim.where, *entry.over_ground, *(entry.through_water or ("", ""))]
+    return f"| {' | '.join(cells)} |"
 
 
 _HEAD = """# Scoreboard: the claims of the paper
@@ -116,9 +145,11 @@ Each claim of the 1971 paper, measured on a hull. This page is written by `quart
 docs/scoreboard.md`, never by hand, and a test computes every line anew. Series 60, CB 0.60, as loaded in the library, Fn 0.25,
 waves of the ship's length, unless the line says otherwise. The claims are in our words. The coefficients are
 [estimates](what_is_estimated.md) (no set measured on this hull is published), so "does not hold" means: not for these.
-S = -K2/(2 n2) is the stability index. Equations are the paper's own (`qt.paper_ship`: velocities over ground, cubic
-drag, the fitted righting polynomial, strips without ends); what holds through the water, as the library takes it by default,
-stands beside them on a [page of its own](moving_water.md)."""
+S = -K2/(2 n2) is the stability index. Each claim is measured twice. *Over ground*: the paper's own equations (`qt.paper_ship`:
+velocities over ground, cubic drag, the fitted righting polynomial, strips without ends). *Through the water*: as the library
+takes a ship by default, drag by strips on the velocity through the [moving water](moving_water.md), the hull's own righting
+curve, three-dimensional ends; where a claim names or changes a cubic coefficient, the drag in powers of that velocity
+(`drag="cubic"`). Two kinds of claims have one answer: those on Duffing's equation, and that on roll with sway and yaw held."""
 
 _FOOT = """
 

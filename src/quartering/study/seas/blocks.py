@@ -10,7 +10,7 @@ import io
 import math
 import time
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final, NamedTuple
@@ -18,13 +18,13 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.publish import publish
+from quartering._machine.threads import spread
 from quartering.conventions import InputError
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.sea.march import NONE, RUN_UP, SUMS, march
 from quartering.motion.sea.synthesis import Record, series_of
 from quartering.motion.transient.rk4 import Alike
-from quartering.publish import publish
-from quartering.threads import spread
 
 Floats = NDArray[np.float64]
 Single = NDArray[np.float32]
@@ -175,11 +175,11 @@ ROLL_SQUARED: Final = 4
 """Which of the sums is roll squared."""
 
 
-def run_blocks(plan: Plan, hours: float, until: float | None, file: Path | None, key: str) -> Tally:
+def run_blocks(plan: Plan, hours: float, enough: Callable[[Tally], bool] | None, file: Path | None, key: str) -> Tally:
     """Run the blocks of a condition.
 
     hours: to run at the least, in whole rows
-    until: relative standard error of roll at which it may stop before
+    enough: asked before each row: may it stop before?
     file: where finished rows are kept, and gone on from; None: nowhere
     key: of the condition, which the file must be of
     """
@@ -189,7 +189,7 @@ def run_blocks(plan: Plan, hours: float, until: float | None, file: Path | None,
     written = time.monotonic()
     try:
         for row in _in_order(plan, tally.state[0] // WIDTH, rows):
-            if until is not None and _enough(tally, until):
+            if enough is not None and enough(tally):
                 break
             tally.add(row)
             if file is not None and time.monotonic() - written > _BETWEEN_WRITES:
@@ -201,8 +201,9 @@ def run_blocks(plan: Plan, hours: float, until: float | None, file: Path | None,
     return tally
 
 
-def _enough(tally: Tally, until: float) -> bool:
-    return tally.blocks.counted >= FEWEST and tally.error_of_roll <= until
+def error_below(tally: Tally, share: float) -> bool:
+    """Is the standard error of roll, measured between blocks, below a share of it?"""
+    return tally.blocks.counted >= FEWEST and tally.error_of_roll <= share
 
 
 def _in_order(plan: Plan, first: int, rows: int) -> Iterator[Row]:

@@ -11,6 +11,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.threads import spread
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
@@ -28,7 +29,6 @@ from quartering.options import quoted
 from quartering.stability.sea import sea_stability
 from quartering.study.seas.dataset import sea_dataset
 from quartering.study.seas.moments import Moments, moments_of, products
-from quartering.threads import spread
 
 Floats = NDArray[np.float64]
 Method = Literal["linear", "closure"]
@@ -54,6 +54,7 @@ class SeaStatus(IntEnum):
     NOT_CONVERGED = 2
     SURF_RIDING = 3
     PAST_CAPSIZE_LIMIT = 4
+    BREAKS = 5
 
 
 class Answer(NamedTuple):
@@ -156,12 +157,12 @@ def sea_response(
     ready = None if by_linear is None else products(by_linear, equations.frequency, U, at)
 
     def answer(one: Sea) -> Answer:
-        return _answer(equations, one, at, by_linear, ready, roll_frequency)
+        return answer_of(equations, one, at, by_linear, ready, roll_frequency)
 
     answers: list[Any] = [None] * len(turned)
     for i, found in spread(answer, turned):
         answers[i] = found
-    status = [_status(found, ship, hours) for found in answers]
+    status = [status_of(found, ship, hours) for found in answers]
     _warn(seas, answers, status)
     given = {
         "method": method,
@@ -230,7 +231,7 @@ def shares_of(cells: Cells, sea: Sea, roll_frequency: float) -> tuple[float, flo
     return float(energy[omega < 0].sum()) / total, float(energy[near].sum()) / total, 1.0 - total / sea.moment(0)
 
 
-def _answer(
+def answer_of(
     equations: SeaEquations,
     sea: Sea,
     at: tuple[float, float],
@@ -238,6 +239,11 @@ def _answer(
     ready: Floats | None,
     roll_frequency: float,
 ) -> Answer:
+    """The response to one sea: by the linear phasors where they are given, else by the closure.
+
+    at: point of the lateral acceleration from G, forward and down [m]
+    by_linear, ready: phasors of the linear equations in all cells, and their `products`
+    """
     energy = equations.cells.energy(sea)
     shares = shares_of(equations.cells, sea, roll_frequency)
     if by_linear is not None and ready is not None:
@@ -259,7 +265,8 @@ def _answer(
     )  # fmt: skip
 
 
-def _status(found: Answer, ship: Ship | Model, hours: float) -> SeaStatus:
+def status_of(found: Answer, ship: Ship | Model, hours: float) -> SeaStatus:
+    """Whether an answer counts, and why not."""
     if not found.converged:
         return SeaStatus.NOT_CONVERGED
     if found.shares[1] > MOST_NEAR:

@@ -6,6 +6,7 @@ import math
 import os
 import warnings
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Final, overload
 
@@ -13,8 +14,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.digest import fingerprint, source_digest
 from quartering.conventions import InputError, RangeWarning
-from quartering.digest import fingerprint, source_digest
 from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
@@ -30,7 +31,7 @@ from quartering.motion.sea.synthesis import record_of
 from quartering.motion.transient.irregular import irregular as irregular_by_components
 from quartering.motion.transient.rk4 import alike
 from quartering.options import quoted
-from quartering.study.seas.blocks import BLOCK, Plan, Tally, run_blocks
+from quartering.study.seas.blocks import BLOCK, Plan, Tally, error_below, run_blocks
 from quartering.study.seas.moments import moments_of, products
 from quartering.study.seas.response import (
     LEAST_DAMPING,
@@ -92,6 +93,7 @@ class Ready:
     shares: tuple[float, float, float]
     roll_frequency: float
     damping: float
+    channels: NDArray[np.complex128]
 
 
 @overload
@@ -226,21 +228,12 @@ def _in_a_sea(
     memory: bool = True,
     store: str | os.PathLike[str] | None = None,
 ) -> xr.Dataset:
-    of = ship if isinstance(ship, Ship) else None
-    roll, reason = _roll_limit(ship, limit)
-    asked = Asked(
-        ship=ship,
-        sea=sea if heading is None else sea.turned_to(number(of, "heading", heading)),
-        speed=number(of, "speed", speed),
-        place=place_of(ship, place),
-        limits=(roll, _felt_limit(ship, place, acceleration_limit)),
-        reason=reason,
+    asked = asked_of(ship, sea, speed, heading, seed, memory, force, form, limit=limit, place=place)
+    asked = replace(
+        asked,
+        limits=(asked.limits[0], felt_limit_of(ship, place, acceleration_limit)),
         step=None if step is None else number(None, "step", step),
         strips=None if strips is None else count("strips", strips, 1, 6),
-        memory=_yes_or_no("memory", memory),
-        seed=count("seed", seed, 0, 6),
-        form=form,
-        force=force,
     )
     duration = number(None, "simulated_hours", hours)
     wanted = None if until is None else number(None, "until", until)
@@ -248,10 +241,45 @@ def _in_a_sea(
     key = fingerprint(
         [source_digest("hull", "hydro", "loads", "motion"), ready.plan.condition, asked.seed, asked.limits, place]
     )
-    tally = run_blocks(ready.plan, duration, wanted, None if store is None else _file(store), key)
-    result = simulated_dataset(tally, _known(asked, ready))
+    enough = None if wanted is None else partial(error_below, share=wanted)
+    tally = run_blocks(ready.plan, duration, enough, None if store is None else _file(store), key)
+    result = simulated_dataset(tally, known_of(asked, ready))
     _warn(asked, ready, tally, result)
     return result
+
+
+def asked_of(
+    ship: Ship | Model,
+    sea: Sea,
+    speed: float | str,
+    heading: float | str | None,
+    seed: int,
+    memory: bool,
+    force: Force | None,
+    form: Form,
+    *,
+    limit: float | str | None = None,
+    place: Any = None,
+) -> Asked:
+    """What is asked, checked: arguments as of `irregular`."""
+    if not isinstance(sea, Sea):
+        raise InputError(f"sea = {quoted(sea)} is no Sea; give one, such as quartering.Sea(hs=6, tp=11)")
+    of = ship if isinstance(ship, Ship) else None
+    roll, reason = roll_limit_of(ship, limit)
+    return Asked(
+        ship=ship,
+        sea=sea if heading is None else sea.turned_to(number(of, "heading", heading)),
+        speed=number(of, "speed", speed),
+        place=place_of(ship, place),
+        limits=(roll, felt_limit_of(ship, place, None)),
+        reason=reason,
+        step=None,
+        strips=None,
+        memory=_yes_or_no("memory", memory),
+        seed=count("seed", seed, 0, 6),
+        form=form,
+        force=force,
+    )
 
 
 def _yes_or_no(name: str, given: Any) -> bool:
@@ -270,7 +298,7 @@ def _file(store: Any) -> Path:
     return file
 
 
-def _roll_limit(ship: Ship | Model, limit: float | str | None) -> tuple[float, str]:
+def roll_limit_of(ship: Ship | Model, limit: float | str | None) -> tuple[float, str]:
     """Roll of a failure [rad], and why that."""
     if limit is not None:
         return number(None, "limit", limit), "given"
@@ -280,7 +308,7 @@ def _roll_limit(ship: Ship | Model, limit: float | str | None) -> tuple[float, s
     return math.radians(FAILURE_ROLL), f"{FAILURE_ROLL:g} deg"
 
 
-def _felt_limit(ship: Ship | Model, place: Any, given: float | None) -> float:
+def felt_limit_of(ship: Ship | Model, place: Any, given: float | None) -> float:
     """Lateral acceleration of a failure [m/s2]; infinite where no place is known."""
     if given is not None:
         return number(None, "felt_limit", given)
@@ -323,7 +351,8 @@ def planned(asked: Asked) -> Ready:
     shares = shares_of(cells, asked.sea, frequency)
     arm = math.degrees(angle_of_largest_arm(everything))
     return Ready(
-        plan, cells, equations.terms.drag.size, memory, errors, first * step, wanted, arm, shares, frequency, damping
+        plan, cells, equations.terms.drag.size, memory, errors, first * step, wanted, arm, shares, frequency, damping,
+        frozen.channels,
     )  # fmt: skip
 
 
@@ -389,7 +418,7 @@ def _condition(asked: Asked, step: float, first: int, strips: int) -> int:
     return int(fingerprint(parts)[:16], 16)
 
 
-def _known(asked: Asked, ready: Ready) -> dict[str, Any]:
+def known_of(asked: Asked, ready: Ready) -> dict[str, Any]:
     """What is to be said of a simulation beside its numbers."""
     felt, (x, z) = asked.limits[1], asked.place
     record = ready.plan.record

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
     from quartering.loads.waves import Wave
+    from quartering.study.maps.polar import Modes
 
 MOST_CONDITIONS = 1_000_000
 """Largest map: about 1 GB of results."""
@@ -69,6 +70,7 @@ def mapped(
     harmonics: int,
     form: Form,
     *,
+    modes: Modes = "three",
     extend: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> xr.Dataset:
@@ -83,7 +85,15 @@ def mapped(
     from quartering.study.maps.polar import polar
 
     ds = polar(
-        one, axes.waves, axes.speeds, axes.headings, harmonics=harmonics, form=form, extend=extend, progress=progress
+        one,
+        axes.waves,
+        axes.speeds,
+        axes.headings,
+        harmonics=harmonics,
+        form=form,
+        extend=extend,
+        modes=modes,
+        progress=progress,
     )
     if not np.isfinite(ds["roll_peak"]).any():
         raise InputError("no condition of this map has an answer; choose other speeds, headings or wave lengths")

@@ -38,14 +38,21 @@ def measure_claims(output: str | None) -> Answer:
         part.write_text(scoreboard_page(found), encoding="utf-8")
 
     def lines() -> Iterator[Table | str]:
-        rows = [(claim.text, claim.where, finding.answer, finding.evidence) for claim, finding in found]
-        yield table("Claims of the paper", ("claim", "where", "answer", "evidence"), rows)
+        rows = [(one.claim.text, one.claim.where, *one.over_ground, *(one.through_water or ("", ""))) for one in found]
+        yield table(
+            "Claims of the paper", ("claim", "where", "over ground", "evidence", "through the water", "evidence"), rows
+        )
         yield tally(found)
 
     def facts() -> dict[str, object]:
         rows = [
-            {"claim": claim.text, "where": claim.where, "answer": finding.answer, "evidence": finding.evidence}
-            for claim, finding in found
+            {
+                "claim": one.claim.text,
+                "where": one.claim.where,
+                **one.over_ground._asdict(),
+                "through_water": None if one.through_water is None else one.through_water._asdict(),
+            }
+            for one in found
         ]
         return {"claims": rows, "written": None if path is None else str(path)}
 

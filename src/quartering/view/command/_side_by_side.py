@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
 from quartering.view.command._map_axes import MapAxes, mapped
 from quartering.view.command._map_summary import Summary, summary_of

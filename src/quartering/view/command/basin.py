@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from quartering.hull.ship import Ship
     from quartering.loads.waves import Wave
-    from quartering.study.basin_integrity import Integrity
+    from quartering.study.condition.basin_integrity import Integrity
     from quartering.view.console.printed import Table
 
 _HEIGHTS, _MOST_HEIGHTS = 9, 200
@@ -44,7 +44,7 @@ def basin(
     """From which roll angles and rates the ship survives a wave, and how waves erode that safe basin."""
     from quartering.hydro.capsize import capsize_limit
     from quartering.stability.precompile import announce_compilation
-    from quartering.study.basin_integrity import basin_integrity
+    from quartering.study.condition.basin_integrity import basin_integrity
     from quartering.view.wording import ship_notes, speed_words
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
 from quartering.options import OPTIONS
 from quartering.view.command._map_axes import (

@@ -49,7 +49,7 @@ def hull(
     from quartering.hull.hydrostatics import hydrostatics
     from quartering.hull.righting.arm import righting_arm, righting_polynomial
     from quartering.hydro.calm_water import calm_water_exponents
-    from quartering.study.gm_in_waves import gm_in_waves
+    from quartering.study.six_modes.gm_in_waves import gm_in_waves
 
     one = typed_ship(ship, changes)
     wave, mu = _wave(one, wave_length, wave_height, heading)
@@ -109,7 +109,7 @@ def _wave(one: Ship, length: str | None, height: str | None, heading: str) -> tu
 
 def _arms_on(one: Ship, wave: Wave | None, heading: float, angles: np.ndarray) -> dict[str, np.ndarray]:
     """Righting arms with the crest and with the trough at midship."""
-    from quartering.study.gm_in_waves import righting_arm as arm_on_wave
+    from quartering.study.six_modes.gm_in_waves import righting_arm as arm_on_wave
 
     if wave is None:
         return {}

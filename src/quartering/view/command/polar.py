@@ -22,12 +22,14 @@ from quartering.view.command._map_axes import (
     typed_axes,
 )
 from quartering.view.command._map_summary import Summary, place_words, summary_of
+from quartering.view.command._sea_polar import Typed, sea_polar_answer
 from quartering.view.command._side_by_side import side_by_side
 from quartering.view.console.answer import Answer
-from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName
+from quartering.view.console.arguments import Changes, FormName, Harmonics, Modes, ShipName
 from quartering.view.console.files import TABLES, File, is_table, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
+from quartering.view.console.sea_options import SPREADING, told
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.tables import map_table
 from quartering.view.console.typed_ship import typed_ship
@@ -38,6 +40,7 @@ if TYPE_CHECKING:
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
+    from quartering.study.maps.polar import Modes as ModesOf
     from quartering.view.console.printed import Table
 
 _NEUTRAL = 1e-9
@@ -64,27 +67,48 @@ def polar(
         str | None,
         typer.Option("-o", "--output", help="Dataset to write (.nc), a .png goes beside it; or tables (.csv, .xlsx)."),
     ] = None,
+    modes: Modes = "three",
     extend: Annotated[bool, typer.Option("--extend", help=f"{line_of(OPTIONS['extend']).partition(':')[0]}.")] = False,
+    hs: Annotated[str | None, told("hs", "s: 4:8; makes a map over irregular seas, radius speed")] = None,
+    tp: Annotated[str | None, told("tp", "s: 8:14")] = None,
+    tz: Annotated[str | None, told("tz", "s, in place of --tp")] = None,
+    spectrum: Annotated[str, typer.Option(help="Spectrum: jonswap, bretschneider or pierson-moskowitz.")] = "jonswap",
+    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
+    spreading: Annotated[str, SPREADING] = "none",
+    judge: Annotated[
+        str, typer.Option(help="What is judged in seas: largest (motion of 3 h) or rate (of failures).")
+    ] = "largest",
+    threshold: Annotated[
+        str | None, typer.Option(help="Factor on the largest motion, 2, or rate of failures [1/s], 1e-6.")
+    ] = None,
+    hours: Annotated[str, typer.Option(help="Hours to simulate at most where the closure does not decide.")] = "0",
 ) -> Answer:
-    """Map of roll and stability over headings, wave lengths and speeds; of two ships or loadings, the difference."""
+    """Map of roll and stability; of two ships or loadings, the difference; of irregular seas by --hs and --tp, over speed."""
     from quartering.stability.precompile import announce_compilation
     from quartering.view.wording import edge_words, notes
 
+    if hs is not None:
+        _refuse_waves(wave_lengths, steepness, wave_height, harmonics, extend, beside, modes)
+        seas = Typed(hs, tp, tz, spectrum, gamma, spreading, judge, threshold, hours)
+        return sea_polar_answer(ship, changes, speed, headings, seas, form, output)
+    if tp is not None or tz is not None:
+        raise InputError("--tp and --tz are of irregular seas; give --hs too, such as --hs 4:8")
     one = typed_ship(ship, changes)
     usual = f"{ship_stem(ship)}-polar.nc" if beside is None else f"{ship_stem(ship)}-and-{ship_stem(beside)}.nc"
     path = reserve_path(usual if output is None else output, (".nc", *TABLES))
     picture = None if is_table(path) else reserve_path(path.with_suffix(".png"), (".png",))
     axes = typed_axes(one, speed, headings, wave_lengths, steepness, wave_height)
     chosen: Form = form  # type: ignore[assignment]  # polar refuses an unknown one
+    asked: ModesOf = modes  # type: ignore[assignment]  # and unknown modes
     announce_compilation()
     if beside is not None:
-        if extend:
+        if extend or modes == "six":
             raise InputError(
-                "--extend carries one map on; of two maps give the axes, such as --wave-lengths 0.4L:3L:27"
+                "--extend and --modes six are of one map; of two maps give the axes, such as --wave-lengths 0.4L:3L:27"
             )
         return side_by_side(one, ship, beside, changes, axes, harmonics, chosen, (path, picture))
     with bar("conditions", axes.conditions) as progress:
-        ds = mapped(one, axes, harmonics, chosen, extend=extend, progress=progress)
+        ds = mapped(one, axes, harmonics, chosen, modes=asked, extend=extend, progress=progress)
     ds.attrs["ship_argument"] = ship
     summary = [summary_of(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
 
@@ -93,7 +117,8 @@ def polar(
         yield from edge_words(ds, _FURTHER, "" if extend else ", or --extend")
         yield from notes(ds)
 
-    step = f"quartering verdict {ship} {_worst_words(ds, summary)}{option_words(changes)}"
+    more = " --modes six" if modes == "six" else ""
+    step = f"quartering verdict {ship} {_worst_words(ds, summary)}{option_words(changes)}{more}"
     return Answer(
         lines(),
         lambda: _facts(ds, summary) | _written(path, picture),
@@ -101,7 +126,7 @@ def polar(
         if picture is None
         else [File(path, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))],
         written=f"Wrote {path}" + ("" if picture is None else f" and {picture}"),
-        next_steps=[step, *([] if picture is None else [f"quartering report {path}"])],
+        next_steps=[step, *([] if picture is None or more else [f"quartering report {path}"])],
         output=path,
         data=lambda: [map_table(ds)],
     )
@@ -112,6 +137,30 @@ def _written(path: Path, picture: Path | None) -> dict[str, str | None]:
     if picture is None:
         return {"dataset": None, "picture": None, "table": str(path)}
     return {"dataset": str(path), "picture": str(picture)}
+
+
+def _refuse_waves(
+    lengths: str,
+    steepness: str | None,
+    height: str | None,
+    harmonics: int,
+    extend: bool,
+    beside: str | None,
+    modes: str,
+) -> None:
+    """Refuse what is of regular waves, beside a sea."""
+    given = {
+        "--wave-lengths": lengths != ALL_LENGTHS,
+        "--steepness": steepness is not None,
+        "--wave-height": height is not None,
+        "--harmonics": harmonics != 1,
+        "--extend": extend,
+        "a second ship": beside is not None,
+        "--modes six": modes == "six",
+    }
+    for name, there in given.items():
+        if there:
+            raise InputError(f"{name} is of regular waves and --hs of irregular seas; leave out the one or the other")
 
 
 def _picture(ds: xr.Dataset) -> Figure:
@@ -154,7 +203,7 @@ def _lines(one: Ship, ds: xr.Dataset, summary: Sequence[Summary]) -> Iterator[Ta
     from quartering.hydro.capsize import capsize_limit
     from quartering.motion.status import Status
     from quartering.motion.steady.motion import capsize_advice
-    from quartering.study.beside import also_words
+    from quartering.study.condition.beside import also_words
     from quartering.study.maps.query import other_rolls
     from quartering.view.wording import (
         CALM_WORDS,

@@ -46,7 +46,7 @@ def responses(
     import numpy as np
 
     from quartering.loads.validity import warn_of_conditions
-    from quartering.study.responses import response_grid
+    from quartering.study.six_modes.responses import response_grid
     from quartering.view.wording import speed_words
 
     one = typed_ship(ship, changes)
@@ -79,7 +79,7 @@ def _largest(found: xr.Dataset, title: str, length: float) -> Table:
     """Largest amplitude of each mode over wave length, and where, by heading."""
     import numpy as np
 
-    from quartering.study.responses import MODES
+    from quartering.study.six_modes.responses import MODES
 
     columns = ["heading [deg]"]
     cells = []

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple
 import typer
 
 from quartering.arguments import ARGUMENTS
-from quartering.options import Refused, line_of
 from quartering.units import NO_SHIP
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Heading, ShipName, Speed, TableFile
 from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
+from quartering.view.console.sea_options import SPREADING, told, typed_spreading
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import value
@@ -35,28 +35,19 @@ METHODS: Final = {
 """Method -> name, and the error of its roll found against simulation, in twelve seas of one ship (`docs/a_real_sea.md`)."""
 
 
-def _told(name: str, more: str = "") -> Any:
-    """Option for one argument of a sea, with the words of the table."""
-    one = ARGUMENTS[name]
-    text = line_of(one)
-    return typer.Option(one.command, help=f"{text[0].upper()}{text[1:]}{more}.")
-
-
 def sea(
     ship: ShipName,
-    hs: Annotated[str, _told("hs", ": 6")],
+    hs: Annotated[str, told("hs", ": 6")],
     heading: Heading,
     speed: Speed,
     changes: Changes,
-    tp: Annotated[str | None, _told("tp", ": 11; or give --tz")] = None,
-    tz: Annotated[str | None, _told("tz", ", in place of --tp")] = None,
+    tp: Annotated[str | None, told("tp", ": 11; or give --tz")] = None,
+    tz: Annotated[str | None, told("tz", ", in place of --tp")] = None,
     spectrum: Annotated[
         str, typer.Option(help="Spectrum: jonswap, bretschneider, pierson-moskowitz or torsethaugen.")
     ] = "jonswap",
-    gamma: Annotated[str, _told("gamma", ", of jonswap")] = "3.3",
-    spreading: Annotated[
-        str, typer.Option(help="Spreading: s of cos^2s of half the angle, cos2, or none for a long-crested sea.")
-    ] = "none",
+    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
+    spreading: Annotated[str, SPREADING] = "none",
     hours: Annotated[str, typer.Option(help="Hours to simulate, 32 at a time: 1000; 0 for no simulation.")] = "32",
     form: FormName = "stf",
     output: TableFile = None,
@@ -144,20 +135,11 @@ def _sea(one: Ship, heading: float, typed: Mapping[str, str | None], spectrum: s
     """
     from quartering.loads.sea.sea import Sea
 
-    given: dict[str, Any] = {"heading": heading, "spectrum": spectrum, "spreading": _spreading(spreading)}
+    given: dict[str, Any] = {"heading": heading, "spectrum": spectrum, "spreading": typed_spreading(spreading)}
     for name, text in typed.items():
         if text is not None:
             given[name] = value(text, ARGUMENTS[name], one.sizes, ARGUMENTS[name].command)
     return Sea(**given)
-
-
-def _spreading(text: str) -> Any:
-    if text in ("none", "cos2"):
-        return None if text == "none" else text
-    try:
-        return float(text)
-    except ValueError:
-        raise Refused("spreading", f"spreading = {text!r}; it is s > 0, cos2 or none; try 10", "--spreading") from None
 
 
 def _sentence(one: Ship, sea: Sea, speed: float, best: xr.Dataset) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -38,6 +39,8 @@ def show(
 
     picture, target = reserve_path(output, (*PICTURES, *TABLES)), reserve_path(csv, (".csv",))
     ds, where = opened(result), dict(split_cut(typed) for typed in at or [])
+    if "recommended" in ds:
+        return _guidance(ds, result, where, picture, target, zarr)
     part = cut(ds, **where)
     taken = {name: float(part[name]) for name in where if not part[name].dims}
     if zarr is not None:
@@ -61,6 +64,37 @@ def show(
         data=lambda: [map_table(part)],
         written="\n".join(f"Wrote {path}" for path in written.values() if path),
         next_steps=[f"quartering worst {result}", f"quartering show {result}{_example(ds)} -o map.png --csv slice.csv"],
+    )
+
+
+def _guidance(
+    ds: xr.Dataset, result: str, where: Mapping[str, float], picture: Path | None, target: Path | None, zarr: str | None
+) -> Answer:
+    """What a stored result in irregular seas holds: advice in each sea, and its diagrams."""
+    from quartering.study.maps.zarr_store import write_zarr
+    from quartering.view.command._sea_polar import facts, guidance_lines
+    from quartering.view.stored import sea_part
+
+    part = sea_part(ds, where)
+    if zarr is not None:
+        write_zarr(part, zarr)
+
+    def draw() -> Figure:
+        from quartering.view.plots.sea_polar import sea_polar
+
+        return sea_polar(part)
+
+    def write(half: Path) -> None:
+        part.drop_dims("line").to_dataframe().reset_index().to_csv(half, index=False)
+
+    files = [] if target is None else [File(target, write)]
+    written = {"picture": str(picture) if picture else None, "table": str(target) if target else None, "zarr": zarr}
+    return Answer(
+        guidance_lines(part),
+        lambda: facts(part) | {"at": dict(where)} | written,
+        [*files, *picture_files(picture, draw)],
+        written="\n".join(f"Wrote {path}" for path in written.values() if path),
+        next_steps=[f"quartering show {result} --at hs={float(ds['hs'][0]):g} -o map.png --csv slice.csv"],
     )
 
 

@@ -48,6 +48,7 @@ def sweep(
     from quartering.study.maps.executor import check_cluster
     from quartering.study.maps.progress import summary
     from quartering.study.maps.sweep import sized
+    from quartering.study.seas.grid import SeaGrid
     from quartering.view.wording import WAY_WORDS, more_harmonics_words
 
     check_cluster(cluster)
@@ -60,6 +61,8 @@ def sweep(
     _before(wanted, folder, yes)
     begin = time.monotonic()
     counts = _filled(wanted, folder, cluster)
+    if isinstance(wanted, SeaGrid):
+        return _of_seas(folder, wanted.count, time.monotonic() - begin)
     found = summary(counts, time.monotonic() - begin)
 
     def lines() -> Iterator[Table | str]:
@@ -74,6 +77,20 @@ def sweep(
         lambda: found | {"result": str(folder)},
         written=f"Wrote {folder}",
         next_steps=[f"quartering worst {folder}", f"quartering show {folder}", f"quartering report {folder}"],
+    )
+
+
+def _of_seas(folder: Path, count: int, seconds: float) -> Answer:
+    """What a study in irregular seas found."""
+    from quartering.study.maps.result import open_result
+    from quartering.view.command._sea_polar import facts, guidance_lines
+
+    ds = open_result(folder)
+    return Answer(
+        guidance_lines(ds),
+        lambda: facts(ds) | {"total": count, "seconds": seconds, "result": str(folder)},
+        written=f"Wrote {folder}",
+        next_steps=[f"quartering show {folder} -o guidance.png"],
     )
 
 

@@ -6,12 +6,14 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from quartering.conventions import InputError
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import (
     Changes,
     FormName,
     Harmonics,
     Heading,
+    Modes,
     ShipName,
     Speed,
     TableFile,
@@ -24,11 +26,15 @@ from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import Typed
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import numpy as np
 
+    from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
+    from quartering.loads.waves import Wave
     from quartering.stability.verdict import Verdict
-    from quartering.study.condition import Examined
+    from quartering.study.condition.examine import Examined
     from quartering.study.effects.cure import Cure
     from quartering.view.console.printed import Table
 
@@ -43,14 +49,19 @@ def verdict(
     harmonics: Harmonics = 1,
     form: FormName = "stf",
     output: TableFile = None,
+    modes: Modes = "three",
 ) -> Answer:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
     from quartering.stability.precompile import announce_compilation
-    from quartering.study.condition import examine, facts, helps
+    from quartering.study.condition.examine import examine, facts, helps
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
     path = reserve_path(output, TABLES)
+    if modes not in ("three", "six"):
+        raise InputError(f'--modes: "{modes}" is none; three (sway, roll, yaw) or six (heave and pitch too)')
+    if modes == "six":
+        return _six(typed, one, wave, (u, mu), path, own=(harmonics, form) == (1, "stf"))
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     found = examine(one, wave, u, mu, harmonics, chosen)
@@ -67,10 +78,32 @@ def verdict(
     )
 
 
+def _six(typed: Typed, one: Ship, wave: Wave, condition: tuple[float, float], path: Path | None, own: bool) -> Answer:
+    """The same judged with heave and pitch, in the pressure over the whole wetted hull."""
+    from quartering.stability.precompile import announce_compilation
+    from quartering.study.six_modes.parametric_roll import parametric_roll
+    from quartering.view.parametric_record import parametric_facts, parametric_lines
+
+    if not own:
+        raise InputError("--modes six has harmonics and diffraction of its own; leave --harmonics and --form out")
+    announce_compilation()
+    found = parametric_roll(one, wave, *condition)
+    again = f"{typed.ship}{option_words(typed.changes)}"
+    return Answer(
+        parametric_lines(found),
+        lambda: parametric_facts(found),
+        output=path,
+        next_steps=[
+            f"quartering polar {again} --speed {typed.speed} --modes six",
+            f"quartering verdict {again} {typed.words}",
+        ],
+    )
+
+
 def _lines(found: Examined, cures: list[Cure]) -> Iterator[Table | str]:
     """The verdict in sentences, then its numbers."""
     from quartering.hydro.calm_water import calm_water_exponents
-    from quartering.study.condition import estimated
+    from quartering.study.condition.examine import estimated
     from quartering.view.wording import CALM_COURSE, estimated_words
 
     one = found.ship

@@ -37,4 +37,8 @@ WaveHeight = Annotated[str, _told("wave_height", "4")]
 Changes = Mapping[str, str]
 """Options of the ship as typed, name -> text, see `quartering.view.console.run`."""
 Harmonics = Annotated[int, typer.Option(help="1: the paper's method; 3, 5, 7, .. 199: harmonic balance to that order.")]
+Modes = Annotated[
+    str,
+    typer.Option(help="three: sway, roll, yaw; six: heave and pitch too, GZ changing in the wave, head seas answered."),
+]
 FormName = Annotated[str, typer.Option(help="Diffraction force: stf, relative-motion, paper-corrected or paper.")]

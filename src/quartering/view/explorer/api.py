@@ -22,7 +22,7 @@ from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.status import OnTheWay, Status
 from quartering.options import unknown
 from quartering.stability.kind import Kind
-from quartering.study.condition import Examined, examine, facts
+from quartering.study.condition.examine import Examined, examine, facts
 from quartering.study.effects.cure import Cure
 from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar

@@ -16,7 +16,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.motion.steady.motion import advice
 from quartering.stability.verdict import Verdict
-from quartering.study.condition import Examined, estimated
+from quartering.study.condition.examine import Examined, estimated
 from quartering.view.explorer import charts
 from quartering.view.explorer.animation import Drawn, hull_form, ship_in_wave
 from quartering.view.explorer.computations import History, Scene, causes, curve, history

@@ -16,7 +16,7 @@ from quartering.hull.told import number
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.transient.simulate import simulate
 from quartering.study.branches.branch import branch
-from quartering.study.condition import Examined, examine, seek_help
+from quartering.study.condition.examine import Examined, examine, seek_help
 from quartering.study.effects.cure import Cure
 from quartering.study.effects.sensitivity import sensitivity
 from quartering.study.loadings import loaded

@@ -7,7 +7,7 @@ import math
 
 from quartering.hull.righting.arm import fitted_to
 from quartering.stability.kind import Kind
-from quartering.study.condition import Examined
+from quartering.study.condition.examine import Examined
 
 NO_MOTION = "<h1><b class='unstable'>No periodic motion here</b></h1>"
 

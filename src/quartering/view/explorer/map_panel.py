@@ -13,8 +13,8 @@ from nicegui.events import GenericEventArguments
 
 from quartering.hull.righting.arm import fitted_to
 from quartering.stability.kind import Kind
+from quartering.study.condition.resonance import resonance_fields
 from quartering.study.maps.query import capsizing, other_rolls
-from quartering.study.resonance import resonance_fields
 from quartering.view.explorer.computations import HEADINGS, RATIOS, Scene
 from quartering.view.plots import style
 

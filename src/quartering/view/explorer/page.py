@@ -16,7 +16,7 @@ from nicegui.client import Client
 
 from quartering.conventions import InputError
 from quartering.hydro.coefficients import coefficients
-from quartering.study.condition import Examined
+from quartering.study.condition.examine import Examined
 from quartering.view.explorer import downloads
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict

@@ -96,7 +96,7 @@ def _panel(ax: PolarAxes, d: Diagram, colours: Normalize) -> object:
         ax.plot(side * centre[failed], ring[failed], "x", color=CROSS, markersize=3.2, markeredgewidth=1.0, zorder=5)
     ax.set_rlim(0.0, r[-1])
     knots = quantity("1 kn", "speed")
-    rings = _round_knots(r[-1] / knots)
+    rings = round_knots(r[-1] / knots)
     ax.set_rgrids(
         [ring * knots for ring in rings], [f"{ring:g} kn" for ring in rings], angle=157.5, fontsize=7.5, color=style.INK
     )
@@ -110,10 +110,10 @@ def _panel(ax: PolarAxes, d: Diagram, colours: Normalize) -> object:
     return mesh
 
 
-def _round_knots(largest: float) -> list[float]:
+def round_knots(largest: float) -> list[float]:
     """Rings in knots.
 
-    >>> _round_knots(17.0), _round_knots(33.0)
+    >>> round_knots(17.0), round_knots(33.0)
     ([5.0, 10.0, 15.0], [10.0, 20.0, 30.0])
     """
     step = next((s for s in (1.0, 2.0, 5.0, 10.0) if largest / s < 5), 20.0)

@@ -13,7 +13,7 @@ from matplotlib.lines import Line2D
 
 from quartering.conventions import SYMBOLS, written
 from quartering.stability.kind import Kind
-from quartering.study.resonance import resonant_headings
+from quartering.study.condition.resonance import resonant_headings
 from quartering.view.plots import style
 from quartering.view.plots.paper_caption import caption
 

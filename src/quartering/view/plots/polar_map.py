@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
+from quartering.study.condition.resonance import resonance_fields
 from quartering.study.maps.query import capsizing, coexisting, other_rolls
-from quartering.study.resonance import resonance_fields
 from quartering.view.plots import style
 from quartering.view.wording import notes, speed_words, wave_words
 
@@ -35,9 +35,11 @@ FINEST_STEP = 2.5
 HOW_TO_READ = "Bow up: waves come from the side of the cell, port on the left; radius is wave length over ship length."
 MIRRORED = " The right half mirrors the left."
 GREY, PACE_INK = "#b8b8b8", "#ff9d5c"
+LOST = "#d98aa4"
+"""Colour of unstable cells beyond which no stable roll was found."""
 COURSE_INK = "#ffb38a"
-HATCHES = {"unstable": "/////", "course": "..."}
-"""Hatch of cells unstable because of the wave, and of those where the ship is course-unstable without waves."""
+HATCHES = {"unstable": "/////", "course": "...", "not recommended": "/////", "undecided": "..."}
+"""Hatch of cells unstable because of the wave, of those where the ship is course-unstable without waves, and of advice."""
 
 _NARROW = 4.0
 """Inches of width in which the title of a panel would meet the next one's."""
@@ -54,7 +56,7 @@ RING: dict[str, Any] = {
     "markeredgewidth": 1.2,
 }  # fmt: skip
 OUTLINE_OF_MARK = [effects.withStroke(linewidth=2.8, foreground="white")]
-_OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
+OUTLINE = [effects.withStroke(linewidth=2.6, foreground=style.INK)]
 
 
 def polar_map(ds: xr.Dataset, columns: int | None = None, width: float | None = None) -> Figure:
@@ -144,6 +146,7 @@ def draw_cells(
     calm = kind == Kind.COURSE_IN_CALM_WATER
     marks: list[Mark] = [
         ("no answer", kind == Kind.NO_ANSWER, {"facecolor": GREY, "edgecolor": GREY}),
+        ("lost", (kind > Kind.STABLE) & np.isnan(roll), {"facecolor": LOST, "edgecolor": LOST}),
         ("unstable", (kind > Kind.STABLE) & ~calm, {"facecolor": "none", "edgecolor": "white"}),
         ("course", calm, {"facecolor": "none", "edgecolor": COURSE_INK}),
     ]
@@ -198,7 +201,7 @@ def _resonances(ax: PolarAxes, ds: xr.Dataset, theta: Floats, r: Floats) -> None
         field, level = fields[name]
         if field.min() < level < field.max() and (name != "pace" or _overtakes(ds)):
             drawn = ax.contour(theta, lengths, field, levels=[level], colors=colour, linestyles=dash, linewidths=1.5)
-            drawn.set(path_effects=_OUTLINE)
+            drawn.set(path_effects=OUTLINE)
 
 
 def _marks(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
@@ -240,7 +243,7 @@ def dress(ax: PolarAxes, r: Floats, mirrored: bool) -> None:
     ax.set_rgrids(ticks, words, angle=202.5, color="white", fontsize=8)
     ax.grid(visible=True, color="white", alpha=0.25, linewidth=0.5)
     for label in ax.get_yticklabels():
-        label.set(path_effects=_OUTLINE, ha="center", va="center")
+        label.set(path_effects=OUTLINE, ha="center", va="center")
     names = {0: "0° following", 90: "90°\nbeam", 180: "180° head"}
     if mirrored:
         names[270] = "90°\nbeam"
@@ -277,7 +280,7 @@ def _title(ds: xr.Dataset) -> str:
 
 def _legend(ds: xr.Dataset) -> Sequence[Any]:
     """What lines and hatches mean, those that occur."""
-    dark = {"path_effects": _OUTLINE, "linewidth": 1.5}
+    dark = {"path_effects": OUTLINE, "linewidth": 1.5}
     n2 = float(ds.attrs["natural_roll_frequency"])
     verdict = np.asarray(ds["verdict"])
     calm = verdict == Kind.COURSE_IN_CALM_WATER
@@ -294,6 +297,10 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
     if unstable.any():
         made.append(
             Patch(facecolor="#31688e", edgecolor="white", hatch=HATCHES["unstable"], label=f"unstable: {kinds}")
+        )
+    if (unstable & np.isnan(np.asarray(ds["roll_peak"]))).any():
+        made.append(
+            Patch(facecolor=LOST, edgecolor="white", hatch=HATCHES["unstable"], label="and no stable roll found")
         )
     if calm.any():
         label = "course-unstable even in calm water: not the waves' doing"

@@ -12,10 +12,10 @@ from quartering.conventions import RangeWarning
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.hydro.capsize import vanishing_of_equations
 from quartering.loads.waves import Wave
-from quartering.study.condition import Examined, examine
+from quartering.study.condition.examine import Examined, examine
+from quartering.study.condition.failure_events import failure_angle
+from quartering.study.condition.first_failure import STEEPNESSES, FirstFailure, first_failure
 from quartering.study.effects.loading_steps import Step, loading_steps
-from quartering.study.failure_events import failure_angle
-from quartering.study.first_failure import STEEPNESSES, FirstFailure, first_failure
 from quartering.study.loadings import loaded
 from quartering.study.maps.query import OF_CONDITIONS
 from quartering.view.report.conditions import Condition

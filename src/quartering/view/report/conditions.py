@@ -10,7 +10,7 @@ import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError, RangeWarning, in_unit, written
 from quartering.loads.waves import Wave
-from quartering.study.condition import Examined, examine, helps
+from quartering.study.condition.examine import Examined, examine, helps
 from quartering.study.effects.sensitivity import sensitivity
 from quartering.study.loadings import loaded
 from quartering.study.maps.query import OF_CONDITIONS, Measure, worst

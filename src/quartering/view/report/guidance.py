@@ -11,7 +11,7 @@ from markupsafe import Markup
 from quartering.conventions import InputError
 from quartering.hydro.capsize import vanishing_of_equations
 from quartering.stability.kind import Kind
-from quartering.study.failure_events import ROLL_LIMIT, failure_angle, failure_events
+from quartering.study.condition.failure_events import ROLL_LIMIT, failure_angle, failure_events
 from quartering.study.maps.query import other_rolls, sea_of
 from quartering.view.plots.guidance import Diagram, guidance_picture
 from quartering.view.report.pictures import inline_svg

@@ -11,8 +11,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
-from quartering.digest import fingerprint
 from quartering.hull.file.read import available_ships, ship
 from quartering.hull.option_types import Velocities
 from quartering.hull.ship import Ship

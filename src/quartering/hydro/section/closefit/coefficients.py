@@ -16,6 +16,7 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.threads import in_threads
 from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
 from quartering.hull.lines.section import Floats
 from quartering.hydro.section.closefit.grid import Nodes, interpolation, nodes_on
@@ -24,7 +25,6 @@ from quartering.hydro.section.closefit.solve import standing_waves
 from quartering.hydro.section.multipole import Radiation
 from quartering.hydro.section.outline import Outline
 from quartering.hydro.section.wavemaker import Complexes, Symmetry
-from quartering.threads import in_threads
 
 PANELS: Final = 25
 """Panels on the half contour: 1e-3 or better for smooth sections and for rectangles, 5e-3 for offsets with kinks."""

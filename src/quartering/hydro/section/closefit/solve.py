@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from quartering.compiled import kernel
+from quartering._machine.compiled import kernel
 from quartering.hull.lines.section import Floats
 from quartering.hydro.section.exponential_integral import scaled_exponential_integral
 from quartering.hydro.section.wavemaker import Complexes

@@ -1,0 +1,1 @@
+"""What the rooms rest on of the machine: kinds of compiled kernel, threads, the disk cache, digests, files written whole."""

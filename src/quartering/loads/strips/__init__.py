@@ -1,0 +1,1 @@
+"""Wave forces by strip theory: Froude-Krylov and diffraction, section by section."""
