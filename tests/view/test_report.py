@@ -8,13 +8,13 @@ from html.parser import HTMLParser
 import numpy as np
 import pytest
 import xarray as xr
-from quartering.study.condition.first_failure import STEEPNESSES, first_failure
 from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.hull.file.read import ship
 from quartering.stability.kind import Kind
 from quartering.study.condition.failure_events import failure_events
+from quartering.study.condition.first_failure import STEEPNESSES, first_failure
 from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions
