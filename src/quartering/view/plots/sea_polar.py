@@ -38,13 +38,16 @@ def sea_polar(ds: xr.Dataset, loading: int = 0) -> Figure:
     """
     part = ds.isel(loading=loading)
     rows, columns = _some(part.sizes["hs"], MOST_ROWS), _some(part.sizes["tz"], MOST_COLUMNS)
-    made = style.figure(max(2.9 * len(columns) + 1.3, 7.4), 3.05 * len(rows) + 1.9)
-    panels = made.subplots(len(rows), len(columns), subplot_kw={"projection": "polar"}, squeeze=False)
+    lying = len(columns) == 1  # heights of one period stand side by side
+    down, across = (1, len(rows)) if lying else (len(rows), len(columns))
+    made = style.figure(max(2.9 * across + 1.3, 7.4), 3.05 * down + 1.9)
+    panels = made.subplots(down, across, subplot_kw={"projection": "polar"}, squeeze=False)
+    at = panels.T if lying else panels
     values, colours, words = _coloured(part)
     for i, row in enumerate(rows):
         for j, column in enumerate(columns):
             one = part.isel(hs=row, tz=column)
-            mesh = _panel(panels[i, j], one, values.isel(hs=row, tz=column), colours)
+            mesh = _panel(at[i, j], one, values.isel(hs=row, tz=column), colours)
     style.title(made, f"{ds.attrs['ship']} in irregular seas, {ds.attrs['sea']}\n{ds.attrs['loading']}")
     scale = made.colorbar(mesh, ax=list(panels.ravel()), shrink=0.8, pad=0.03, aspect=28)
     scale.set_label(words)
