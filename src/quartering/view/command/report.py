@@ -15,6 +15,8 @@ from quartering.view.console.files import File, reserve_path, ship_stem
 from quartering.view.console.printed import table
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from quartering.hull.ship import Ship
     from quartering.view.console.printed import Table
     from quartering.view.report.source import Source
@@ -56,6 +58,9 @@ def report(
     usual = f"{ship_stem(result.rstrip('/'))}-{form}.html"
     path = reserve_path(usual if output is None else output, (".html", ".pdf"))
     announce_compilation()
+    seas = _of_seas(result)
+    if seas is not None:
+        return _sea_report(seas, result, path)
     source = report_source(result, ship, form)
     service = None if service_speed is None else _speed(source.ship, service_speed)
     page = report_page(source, service) if form == "report" else guidance_page(source, heel)
@@ -76,6 +81,38 @@ def report(
     if not printed:
         steps.append(f"quartering report {result} --form {form} -o {path.stem}.pdf")
     return Answer(lines(), lambda: _facts(source, form, path), [File(path, write)], written="", next_steps=steps)
+
+
+def _of_seas(result: str) -> xr.Dataset | None:
+    """The map over irregular seas that a name stands for; None where it stands for something else."""
+    from quartering.view.stored import opened
+
+    if not (Path(result).is_dir() or Path(result).suffix.lower() == ".nc"):
+        return None
+    ds = opened(result)
+    return ds.load() if "recommended" in ds else None
+
+
+def _sea_report(ds: xr.Dataset, result: str, path: Path) -> Answer:
+    """The report on a map over irregular seas, which is in the form of guidance."""
+    from quartering.view.report.page import write_pdf
+    from quartering.view.report.seas import seas_page
+
+    page = seas_page(ds, result)
+    facts = {"file": str(path), "form": "guidance in seas", "ship": ds.attrs["ship"], "source": result,
+             "conditions": int(ds["recommended"].size)}  # fmt: skip
+
+    def write(part: Path) -> None:
+        if path.suffix.lower() == ".pdf":
+            write_pdf(page, part)
+        else:
+            part.write_text(page, encoding="utf-8")
+
+    rows = [(key, str(value)) for key, value in facts.items()]
+    return Answer(
+        [table(f"Report on {ds.attrs['ship']}", ("what", "value"), rows)], lambda: facts, [File(path, write)], written="",
+        next_steps=[f"quartering show {result} -o guidance.png"],
+    )  # fmt: skip
 
 
 def _speed(ship: Ship, text: str) -> float:

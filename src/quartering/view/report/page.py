@@ -93,8 +93,28 @@ def write_pdf(page: str, path: Path) -> None:
 
 def _render(template: str, source: Source, **content: Any) -> str:
     """Fill a template of the folder ``templates`` with what every page says beside its own content."""
+    hull = source.ship.hull
+    sizes = {"ship_length": hull.length, "ship_beam": hull.beam, "ship_draught": hull.draught}
+    attributes = source.result.attrs
+    return filled(
+        template,
+        ship=source.ship,
+        attributes=attributes | sizes,
+        estimated=estimated_words(estimates_of(attributes), source.ship.provenance),
+        warnings=_warnings(source),
+        origin=source.origin,
+        digest=source.digest,
+        axes=_axes_words(source),
+        case=axes_of(source.result),
+        citation=cite(source.result).splitlines(),
+        **content,
+    )
+
+
+def filled(template: str, **content: Any) -> str:
+    """A template of the folder ``templates`` filled, with today's date and the version."""
     folder = files("quartering.view.report") / "templates"
-    names = ("report.html", "guidance.html", "page.html", "style.css")
+    names = ("report.html", "guidance.html", "seas.html", "page.html", "style.css")
     environment = Environment(
         loader=DictLoader({name: (folder / name).read_text(encoding="utf-8") for name in names}),
         autoescape=True,
@@ -102,21 +122,9 @@ def _render(template: str, source: Source, **content: Any) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    attributes = source.result.attrs
     return environment.get_template(template).render(
-        ship=source.ship,
-        attributes=attributes,
-        estimated=estimated_words(estimates_of(attributes), source.ship.provenance),
-        warnings=_warnings(source),
-        origin=source.origin,
-        digest=source.digest,
-        axes=_axes_words(source),
-        case=axes_of(source.result),
-        version=version("quartering"),
-        today=date.today().isoformat(),
-        citation=cite(source.result).splitlines(),
-        **content,
-    )
+        version=version("quartering"), today=date.today().isoformat(), **content
+    )  # fmt: skip
 
 
 def _counts(source: Source) -> list[tuple[str, int, str]]:
