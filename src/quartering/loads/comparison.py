@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, Final, get_args
+from typing import TYPE_CHECKING, Any, Final, get_args
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, SYMBOLS, InputError
@@ -17,6 +16,9 @@ from quartering.loads.forces import FORMS, Form, keeps_speed_terms, relative_pha
 from quartering.loads.source import WaveForces, wave_source
 from quartering.loads.validity import conditions_held, warn_of_conditions, warn_outside_database
 from quartering.loads.waves import Floats, Phasors
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 PRESSURE_ALONE: Final = "froude-krylov"
 PANELS: Final = "bem"
@@ -155,6 +157,8 @@ def _panel_forces(bem: xr.Dataset, length: Floats, mu: Floats, speed: float) -> 
 def _dataset(
     ship: Ship, length: Floats, mu: Floats, speed: float, force: dict[str, Phasors], omega: Floats
 ) -> xr.Dataset:
+    import xarray as xr
+
     names = [name for name in MEANINGS if name in force]
     phasor = np.stack([force[name] for name in names])
     largest = np.abs(force[MEASURE]).max(axis=1, keepdims=True)

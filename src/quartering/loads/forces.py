@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import (
@@ -25,6 +24,8 @@ from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Floats, Phasors, Wave, encounter_frequency
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from quartering.hull.ship import Ship
 from quartering.hull.told import numbers
 
@@ -145,6 +146,8 @@ def wave_forces(
     >>> forces["total"].dims, forces["froude_krylov"].sel(heading=0.0, mode="sway", part="cos").item() == 0.0
     (('heading', 'part', 'mode'), True)
     """
+    import xarray as xr
+
     U, mu = numbers(ship, "speed", speed), numbers(ship, "heading", heading)
     if U.ndim > 1 or mu.ndim > 1:
         raise InputError(
@@ -174,6 +177,8 @@ def wave_forces(
 
 def _real_parts(name: str, phasors: Phasors, dims: tuple[str, ...]) -> xr.DataArray:
     """Cosine and sine parts of phasors (..., mode), as (..., part, mode) with units."""
+    import xarray as xr
+
     long_name = {
         "froude_krylov": "Froude-Krylov force and moments",
         "diffraction": "diffraction force and moments",

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from importlib.metadata import version
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from quartering.conventions import HEADING_CONVENTION, MODES, REFERENCE_POINT, SYMBOLS
@@ -23,6 +22,9 @@ from quartering.options import OPTIONS
 from quartering.stability.first_order import RESONANCES
 from quartering.study.conditions import FLAGS, RESULTS
 from quartering.study.loadings import CHOICE_AXES, VALUE
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 EXTRA_DIMS = {
     "q": ("resonance",),
@@ -68,6 +70,8 @@ def described(
     heading: attributes of the whole, see `heading_of`
     as in `labelled`; the arrays may be ones xarray reads when they are used
     """
+    import xarray as xr
+
     variables = {
         name: xr.Variable((*dims, *EXTRA_DIMS.get(name, ())), results[name], attributes(name)) for name in RESULTS
     }

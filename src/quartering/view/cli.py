@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import Annotated, Any
@@ -23,15 +23,7 @@ with quiet_start():
 os.environ.setdefault("NUMBA_OPT", "1")
 
 _MOST_THREADS = 10_000
-
-app = typer.Typer(
-    name="quartering",
-    help="At which headings, speeds and waves does a ship roll badly or lose a stable motion, why, and what cures it?",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    rich_markup_mode=None,
-)
+_HELP = "At which headings, speeds and waves does a ship roll badly or lose a stable motion, why, and what cures it?"
 
 
 def _version(wanted: bool) -> None:
@@ -42,7 +34,6 @@ def _version(wanted: bool) -> None:
         raise typer.Exit
 
 
-@app.callback()
 def main_options(
     version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help="Print it.")] = False,
 ) -> None:
@@ -52,7 +43,7 @@ def main_options(
 _ORDER = (
     "ships", "new", "hull", "coefficients", "forces", "responses", "criteria", "decay", "verdict", "simulate", "branch",
     "basin", "parametric", "surf_riding", "broaching", "sea", "polar", "booklet", "vary", "sweep", "worst", "show",
-    "figures", "duffing", "report", "app",
+    "figures", "duffing", "report", "operational", "app",
 )  # fmt: skip
 """Order of the commands in `quartering --help`; one that is not named stands at the end."""
 
@@ -63,26 +54,55 @@ def _names() -> list[str]:
     return sorted(found, key=lambda name: (_ORDER.index(name) if name in _ORDER else len(_ORDER), name))
 
 
-for _name in _names():
-    app.command(cls=Command)(as_command(getattr(import_module(f"{command.__name__}.{_name}"), _name)))
+def application(named: str | None = None) -> typer.Typer:
+    """The commands: with their options, or, where one is named, that one alone with its options and the others by name.
+
+    The file of a command that is not asked for is not read then.
+    """
+    made = typer.Typer(
+        name="quartering", help=_HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
+        rich_markup_mode=None,
+    )  # fmt: skip
+    made.callback()(main_options)
+    names = _names()
+    for name in names:
+        known = named is None or named.replace("-", "_") not in names or named.replace("-", "_") == name
+        function = as_command(_function(name)) if known else _by_name_alone(name)
+        made.command(name.replace("_", "-"), cls=Command)(function)
+    return made
 
 
-def _leave_unread(words: Sequence[str]) -> None:
-    """Leave the options of every command but the one named unread: for a list of commands their names and lines suffice."""
-    named = next((word for word in words if not word.startswith("-")), "")
-    for info in app.registered_commands:
-        if info.callback is not None and info.callback.__name__.replace("_", "-") != named:
-            info.callback = _with_line_alone(info.callback)
+def _function(name: str) -> Callable[..., Any]:
+    """The function of a command."""
+    found: Callable[..., Any] = getattr(import_module(f"{command.__name__}.{name}"), name)
+    return found
 
 
-def _with_line_alone(command: Callable[..., Any]) -> Callable[[], None]:
-    """A command of the same name and line, without options, that is never run."""
+def _listed() -> typer.Typer:
+    """The commands by name and line, for `quartering --help` and for a command that does not exist."""
+    made = application("")
+    for info in made.registered_commands:
+        if info.callback is not None:
+            info.callback = _by_name_alone(info.callback.__name__, info.callback.__doc__)
+    return made
+
+
+def _by_name_alone(name: str, line: str | None = None) -> Callable[[], None]:
+    """A command of a name and line, without options, that is never run."""
 
     def shown() -> None:
         raise NotImplementedError
 
-    shown.__name__, shown.__doc__ = command.__name__, command.__doc__
+    shown.__name__, shown.__doc__ = name, line
     return shown
+
+
+def __getattr__(name: str) -> Any:
+    """`app`, every command with its options, made when it is asked for."""
+    if name != "app":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    globals()["app"] = made = application()
+    return made
 
 
 def main() -> None:
@@ -100,8 +120,8 @@ def main() -> None:
             "all processors\n"
         )
         sys.exit(BAD_INPUT)
-    _leave_unread(sys.argv[1:])
+    named = next((word for word in sys.argv[1:] if not word.startswith("-")), "")
     try:
-        app()
+        (application(named) if named.replace("-", "_") in _names() else _listed())()
     except KeyboardInterrupt:  # between the imports and the command
         raise SystemExit(INTERRUPTED) from None

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import PchipInterpolator
 
 from quartering.conventions import InputError
 from quartering.hull.lines.contour import along
@@ -112,6 +111,8 @@ def hull_grid(hull: Hull, along_hull: int, around: int) -> Grid:
     Sections wholly under water, of a bulb ahead of the stem, are left out.
     Source: [Fritsch84] (curves).  Valid: as `hull_panels`.
     """
+    from scipy.interpolate import PchipInterpolator
+
     fraction = np.sin(np.linspace(0.0, np.pi / 2, around + 1)) * 0.4 + np.linspace(0.0, 0.6, around + 1)
     under = wholly_under_water(strips(hull))
     piercing = [i for i, out in zip(hull.wet, under, strict=True) if not out]

@@ -8,7 +8,6 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq
 
 from quartering.conventions import GRAVITY, InputError
 from quartering.hull.hydrostatics import hydrostatics
@@ -28,6 +27,8 @@ def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], 
 
     Source: [H71] equations (3) and (8): the omega_2 of small motion.  Valid: small angles, no damping.
     """
+    from scipy.optimize import brentq
+
     if not (stiffness > 0 and np.isfinite(stiffness)):
         raise InputError(f"roll stiffness {stiffness:g} N m must be positive; check GM")
 

@@ -5,14 +5,16 @@ from __future__ import annotations
 import warnings
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
 from quartering.hydro.database.raw import RawDatabase, lateral_dofs, needed_rows
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 _DOFS = ("Sway", "Roll", "Yaw")
 
@@ -26,6 +28,8 @@ def read_capytaine_file(path: str | Path) -> RawDatabase:
     Capytaine's phasors belong to e^{-i omega t}; a real signal has the conjugate with e^{+i omega t}.
     Source: [Ancellin19] conventions.
     """
+    import xarray as xr
+
     try:
         with xr.open_dataset(path, engine="netcdf4") as opened:
             data = opened.load()
@@ -251,6 +255,8 @@ def write_capytaine_file(path: str | Path, raw: RawDatabase) -> None:
     and infinity, as Capytaine has them: damping 0 and forces nan there. A total alone is its `excitation_force`.
     Source: [Ancellin19] conventions.
     """
+    import xarray as xr
+
     dofs = list(_DOFS)
     raw = _with_limits(raw)
     radiation = ("omega", "radiating_dof", "influenced_dof")

@@ -11,10 +11,9 @@ from __future__ import annotations
 import logging
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import GRAVITY, HEADING_CONVENTION, MODES, REFERENCE_POINT, InputError
@@ -26,6 +25,9 @@ from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.told import count, numbers
 from quartering.options import quoted
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 PANELS: Final = (40, 12)
 """Panels along the ship and from keel to waterline on each side, unless given."""
@@ -222,6 +224,8 @@ def _solved(ship: Ship, omega: Floats, mu: Floats, panels: tuple[int, int], lid:
 
 def _run(of: _Body, omega: Floats, mu: Floats, lid: bool) -> xr.Dataset:
     """Capytaine's own dataset: radiation, and diffraction for every heading."""
+    import xarray as xr
+
     capytaine = _capytaine()
     points = (of.half.vertices - np.array([of.x, 0.0, 0.0])) * np.array([1.0, -1.0, -1.0])
     with _quiet():
@@ -270,6 +274,8 @@ def _phasors(solved: xr.Dataset, theirs: str) -> NDArray[np.complex128]:
 
 
 def _radiation(solved: xr.Dataset) -> xr.Dataset:
+    import xarray as xr
+
     dims = ("frequency", "mode", "mode_of_motion")
     fields = {
         ours: (dims, _matrix(solved, theirs), {"units": _UNITS, "symbol": letter, "long_name": ours.replace("_", " ")})

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, RectBivariateSpline
 
 from quartering.hull.lines.section import Floats
 from quartering.hydro.strip.moments import HullMoments
+
+if TYPE_CHECKING:
+    from scipy.interpolate import RectBivariateSpline
 
 Phasors = NDArray[np.complex128]
 FEWEST_HEADINGS = 4
@@ -24,6 +26,8 @@ def tabled_moments(frequency: Floats, added_mass: Floats, damping: Floats, zero:
     zero (3, 3): added mass at zero frequency; None: as at the lowest
     Returns splines from zero frequency, where the damping vanishes; no aft end
     """
+    from scipy.interpolate import CubicSpline
+
     slow = added_mass[0] if zero is None else zero
     a = _integrals(np.concatenate([slow[None], added_mass]))
     b = _integrals(np.concatenate([np.zeros((1, 3, 3)), damping]))
@@ -68,6 +72,8 @@ def force_surfaces(frequency: Floats, heading: Floats, forces: Mapping[str, Phas
     >>> bool(abs(one.at(np.array([2.5]), np.array([33.0]))[0, 0] - np.sin(np.radians(33.0))) < 1e-5)
     True
     """
+    from scipy.interpolate import RectBivariateSpline
+
     found = []
     for name, force in forces.items():
         beyond, values = _mirrored(heading, force)

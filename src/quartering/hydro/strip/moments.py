@@ -8,11 +8,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import CubicSpline
 
 from quartering.conventions import InputError
 from quartering.hull.lines.hull import Hull
@@ -22,6 +21,9 @@ from quartering.hull.lines.strips import has_transom
 from quartering.hydro.strip.hull_table import hull_table
 from quartering.hydro.strip.integrals import section_moments, shifted_moments
 from quartering.hydro.strip.table import SectionTable, default_frequencies
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 
 @lru_cache(maxsize=8)
@@ -108,6 +110,8 @@ def hull_moments(hull: Hull, density: float) -> HullMoments:
 
     Source: [STF70] integrals over the length; sections [Frank67].  Valid: as `radiation_table`.
     """
+    from scipy.interpolate import CubicSpline
+
     immersed, table = strips(hull), section_table(hull, density)
     end = [hull.x_aft], [1.0]
     a = np.concatenate([table.a_zero[None], table.a])

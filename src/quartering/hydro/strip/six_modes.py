@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any, Final, Literal, get_args
+from typing import TYPE_CHECKING, Any, Final, Literal, get_args
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.conventions import InputError
@@ -20,6 +19,9 @@ from quartering.hydro.strip.hull_table import end_method, hull_table, section_re
 from quartering.hydro.strip.lateral import frequency_floor
 from quartering.hydro.strip.six_mode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip.surge import spheroid_surge
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 SIX_MODES: Final = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 """Modes in body axes: x to the bow, y to starboard, z down; pitch positive bow up."""
@@ -129,6 +131,8 @@ def _without_limit(ends: Sections, growth: Sections) -> Sections:
 
 
 def _dataset(omega: Floats, added: Floats, damping: Floats, ends: Sections) -> xr.Dataset:
+    import xarray as xr
+
     matrix = ("mode", "mode_of_motion")
     units = "SI: kg, kg m, kg m2 (over s for damping) between forces [N, N m] and velocities [m/s, rad/s]"
     fields: dict[str, Any] = {}

@@ -12,7 +12,6 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy.ndimage import spline_filter1d
 
 from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering.hull.lines.hull import Hull
@@ -74,6 +73,8 @@ def section_tables(hull: Hull, wavenumber: float = 0.0, pieces: int = PIECES) ->
     pieces: straight pieces, at least, of half a smooth section
     Returns `about` moves it to G
     """
+    from scipy.ndimage import spline_filter1d
+
     wet = wetted_hull(hull, pieces)
     top, keel = float(-wet.z.min()), float(wet.z.max())
     reach = _REACH * float(

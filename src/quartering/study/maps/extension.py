@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from quartering.options import OPTIONS
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 Floats = NDArray[np.float64]
 AXES: Final = ("speed", "heading", "wave_length")
@@ -116,6 +118,8 @@ def beyond(along: Floats, edge: Edge) -> Floats:
 
 
 def _joined(one: xr.Dataset, other: xr.Dataset, axis: str) -> xr.Dataset:
+    import xarray as xr
+
     return xr.concat(
         [one, other], dim=axis, data_vars="all", coords="minimal", compat="override", combine_attrs="override"
     ).sortby(axis)

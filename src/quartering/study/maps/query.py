@@ -6,10 +6,9 @@ import csv
 import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
-import xarray as xr
 
 from quartering.conventions import SYMBOLS, InputError
 from quartering.motion.status import OnTheWay
@@ -17,6 +16,9 @@ from quartering.motion.steady.truncation import ENOUGH
 from quartering.stability.kind import Kind
 from quartering.study.grid import CONDITION_AXES, STEEPNESS
 from quartering.study.loadings import coded
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 Measure = Literal["roll", "margin"]
 OF_CONDITIONS: Final = frozenset({*CONDITION_AXES, STEEPNESS, "resonance", "rank"})
@@ -39,6 +41,8 @@ def worst(result: xr.Dataset, by: Measure = "roll", count: int = 10) -> xr.Datas
 
     Source: [H71]; conditions without an answer are left out.
     """
+    import xarray as xr
+
     values = _measured(result, by)
     if count < 1:
         raise InputError(f"count = {count}; ask for 1 condition or more")
@@ -59,6 +63,8 @@ def capsizing(result: xr.Dataset) -> xr.DataArray:
 
     result: of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
     """
+    import xarray as xr
+
     if ON_THE_WAY not in result:
         return xr.zeros_like(result["verdict"], dtype=bool)
     return result[ON_THE_WAY] > int(OnTheWay.NO)
@@ -69,6 +75,8 @@ def needing_more(result: xr.Dataset) -> xr.DataArray:
 
     result: of `sweep`, `polar`, `worst` or `open_result`; of an earlier version nobody knows: none
     """
+    import xarray as xr
+
     if MISSED not in result:
         return xr.zeros_like(result["verdict"], dtype=bool)
     return result[MISSED] > ENOUGH
@@ -80,6 +88,8 @@ def other_rolls(result: xr.Dataset) -> xr.DataArray:
     result: of `sweep`, `polar` or `open_result`; of an earlier version nobody knows: none
     Returns along other_motion, the smallest first; NaN where there is none [deg]
     """
+    import xarray as xr
+
     if OTHER not in result:
         return xr.full_like(result["verdict"], np.nan, dtype=float).expand_dims(other_motion=1, axis=-1)
     return result[OTHER]

@@ -30,11 +30,10 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Model
 from quartering.motion.sea.closure import linear_response
 from quartering.motion.sea.equations import Force
-from quartering.motion.sea.synthesis import Record, cross_spectra, record_of, series_from
+from quartering.motion.sea.synthesis import RECORDS, Record, cross_spectra, record_of, series_from
 from quartering.motion.sea.windows import roll_of_windows
 from quartering.motion.transient.rk4 import Alike
 from quartering.study.dataset import made_by
@@ -68,18 +67,18 @@ class _Windows(NamedTuple):
 
     def rolls(self, draws: NDArray[np.float32]) -> Floats:
         """Roll (steps + 1, W) of windows of given draws (W, j, m, 2) [rad]."""
-        found = np.zeros((self.steps + 1, WIDTH))
+        found = np.zeros((self.steps + 1, RECORDS))
         roll_of_windows(self.equations, series_from(self.record, draws), self.steps, self.step, self.limit, found)
         return found
 
     def at_end(self, many: Floats) -> Floats:
         """Roll at the end of windows of many draws (n, j, m, 2), 64 at a time."""
         bins, m = self.record.roots.shape[:2]
-        rows = math.ceil(len(many) / WIDTH)
-        padded = np.zeros((rows * WIDTH, bins, m, 2), dtype=np.float32)
+        rows = math.ceil(len(many) / RECORDS)
+        padded = np.zeros((rows * RECORDS, bins, m, 2), dtype=np.float32)
         padded[: len(many)] = many
-        found = np.zeros(rows * WIDTH)
-        parts = [slice(i * WIDTH, (i + 1) * WIDTH) for i in range(rows)]
+        found = np.zeros(rows * RECORDS)
+        parts = [slice(i * RECORDS, (i + 1) * RECORDS) for i in range(rows)]
         for i, values in spread(lambda part: self.rolls(padded[part])[-1], parts):
             found[parts[i]] = values
         return found[: len(many)]
@@ -153,7 +152,7 @@ def design_point(
             f"roll = {math.degrees(level):.3g} deg; it is below {limit.words}: beyond it a ship does not come back, and one"
             " design point does not tell how it got there; take failure_rate_at of higher seas"
         )
-    many = count("windows", windows, WIDTH, 4096)
+    many = count("windows", windows, RECORDS, 4096)
     ready = planned(asked)
     own = _windows(ready, asked.sea, limit.radians)
     basis, u, linear = _start(own, ready, asked.sea, level)
@@ -164,7 +163,7 @@ def design_point(
         "seas": asked.sea.words, "speed": asked.speed, "seed": asked.seed, "windows": many, "iterations": steps,
         "variables": u.size, "window": own.steps * own.step, "level": math.degrees(level),
     }  # fmt: skip
-    history = own.rolls(np.repeat(basis.draws(u)[None], WIDTH, axis=0).astype(np.float32))[:, 0]
+    history = own.rolls(np.repeat(basis.draws(u)[None], RECORDS, axis=0).astype(np.float32))[:, 0]
     return _dataset(asked.sea, own, beta, linear, sampled, history, about)
 
 
@@ -253,13 +252,13 @@ def _sampled(
     own: _Windows, shift: Floats, beta: float, level: float, many: int, seeds: tuple[int, int], frequency: float
 ) -> _Sampled:
     """Importance sampling about a point: windows of draws z + shift, each with the weight exp(-z.shift - beta^2/2)."""
-    rows = math.ceil(many / WIDTH)
+    rows = math.ceil(many / RECORDS)
     last = max(1, round(0.1 * 2.0 * math.pi / frequency / own.step))
 
     def row(i: int) -> tuple[Floats, Floats, Floats, Floats]:
-        draws = np.empty((WIDTH, *shift.shape), dtype=np.float32)
-        for l in range(WIDTH):
-            seed = np.random.SeedSequence(seeds[0], spawn_key=(seeds[1], 1, i * WIDTH + l))
+        draws = np.empty((RECORDS, *shift.shape), dtype=np.float32)
+        for l in range(RECORDS):
+            seed = np.random.SeedSequence(seeds[0], spawn_key=(seeds[1], 1, i * RECORDS + l))
             np.random.Generator(np.random.PCG64(seed)).standard_normal(dtype=np.float32, out=draws[l])
         weight = np.exp(-np.einsum("ljmk,jmk->l", draws.astype(float), shift) - 0.5 * beta**2)
         rolls = own.rolls(draws + shift.astype(np.float32))

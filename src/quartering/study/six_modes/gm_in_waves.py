@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import warnings
-from typing import Any, Final, Literal, get_args
+from typing import TYPE_CHECKING, Any, Final, Literal, get_args
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT, InputError, RangeWarning
@@ -28,6 +27,9 @@ from quartering.loads.wetted_hull.floating import (
 from quartering.loads.wetted_hull.pressure import Pressure, Waves, immersion
 from quartering.motion.six_modes import vertical_motion
 from quartering.study.dataset import attributes, made_by
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 BalanceBy = Literal["heave-trim", "heave", "dynamic", "fixed"]
 
@@ -108,6 +110,8 @@ def gm_in_waves(
     >>> round(float(ds.gm[0]), 4), ds.sizes["position"]
     (1.05, 10)
     """
+    import xarray as xr
+
     U, mu = condition(ship, speed, heading)
     share = np.arange(count("positions", positions, 1, 10)) / positions
     if positions > _MOST_POSITIONS:

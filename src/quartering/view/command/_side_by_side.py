@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
 from quartering.view.command._map_axes import MapAxes, mapped
 from quartering.view.command._map_summary import Summary, summary_of
@@ -94,6 +93,8 @@ def _other(one: Ship, ship: str, beside: str, changes: Mapping[str, str]) -> Shi
     ------
     InputError    no such ship; the same ship, loaded alike
     """
+    from quartering._machine.digest import fingerprint
+
     cases = _cases(one)
     if beside in cases:
         other = typed_ship(ship, {**changes, "loading_case": beside})

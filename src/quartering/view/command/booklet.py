@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
-from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
 from quartering.options import OPTIONS
 from quartering.view.command._map_axes import (
@@ -162,6 +161,8 @@ def _facts(case: Case) -> dict[str, float | str]:
 
 def _alike(cases: Sequence[Case]) -> Iterator[str]:
     """Which cases are one loading under several names."""
+    from quartering._machine.digest import fingerprint
+
     names: dict[str, list[str]] = {}
     for case in cases:
         numbers = (case.ship.hull, case.ship.loading)

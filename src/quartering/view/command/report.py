@@ -17,6 +17,7 @@ from quartering.view.console.printed import table
 if TYPE_CHECKING:
     import xarray as xr
 
+    from quartering.hull.ship import Ship
     from quartering.view.console.printed import Table
     from quartering.view.report.source import Source
 
@@ -34,6 +35,10 @@ def report(
         str | None, typer.Option("-o", "--output", help="Page to write: .html, or .pdf (extra pdf).")
     ] = None,
     ship: Annotated[str | None, typer.Option(help="Ship file of the result, where it is not a built-in ship.")] = None,
+    service_speed: Annotated[
+        str | None,
+        typer.Option(help="With --form report: judge the five failure modes at this speed too, 15kn or 0.25Fn."),
+    ] = None,
     openings: Annotated[
         str | None, typer.Option(help="With --form guidance: heel at which unprotected openings go under [deg].")
     ] = None,
@@ -47,6 +52,8 @@ def report(
         raise InputError(f'--form "{form}": give {" or ".join(KINDS)}')
     if openings is not None and form != "guidance":
         raise InputError("--openings is for the failure event of --form guidance; add it, or leave --openings out")
+    if service_speed is not None and form != "report":
+        raise InputError("--service-speed is for the failure modes of --form report; leave it out")
     heel = quantity(openings, "angle", what="--openings") if openings is not None else None
     usual = f"{ship_stem(result.rstrip('/'))}-{form}.html"
     path = reserve_path(usual if output is None else output, (".html", ".pdf"))
@@ -55,7 +62,8 @@ def report(
     if seas is not None:
         return _sea_report(seas, result, path)
     source = report_source(result, ship, form)
-    page = report_page(source) if form == "report" else guidance_page(source, heel)
+    service = None if service_speed is None else _speed(source.ship, service_speed)
+    page = report_page(source, service) if form == "report" else guidance_page(source, heel)
     printed = path.suffix.lower() == ".pdf"
 
     def write(part: Path) -> None:
@@ -105,6 +113,14 @@ def _sea_report(ds: xr.Dataset, result: str, path: Path) -> Answer:
         [table(f"Report on {ds.attrs['ship']}", ("what", "value"), rows)], lambda: facts, [File(path, write)], written="",
         next_steps=[f"quartering show {result} -o guidance.png"],
     )  # fmt: skip
+
+
+def _speed(ship: Ship, text: str) -> float:
+    """Service speed as typed [m/s]."""
+    from quartering.options import OPTIONS
+    from quartering.view.console.typed_values import value
+
+    return value(text, OPTIONS["speed"], ship.sizes, "--service-speed")
 
 
 def _facts(source: Source, kind: str, path: Path) -> dict[str, object]:

@@ -18,9 +18,11 @@ from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.page import Page
 from quartering.view.explorer.problems import without_paths
 from quartering.view.explorer.ship_registry import ShipRegistry
-from quartering.view.explorer.state import STARTING, State
+from quartering.view.explorer.state import STARTING, State, read_link
 
 _HERE = Path(__file__).parent
+_DARK = {"dark": True, "light": False}
+"""Themes a visitor's browser may remember; every other word follows the system."""
 _ICON = (
     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 32 32'><circle cx='16' cy='16' r='15' fill='#1f6fb2'/>"
     "<path d='M16 4l4 8v13l-4 3-4-3V12z' fill='#fff'/></svg>"
@@ -49,15 +51,18 @@ def explorer(
     def index(request: Request) -> None:
         ui.add_css(_HERE / "explorer.css")
         ui.colors(primary="#2f86c9")
+        ui.add_body_html(f"<script>{(_HERE / 'page.js').read_text(encoding='utf-8')}</script>")
         state, problem = opening, ""
         try:
             if request.query_params:
-                state = State.of_query(request.query_params)
+                state, problem = read_link(request.query_params)
+                problem = without_paths(problem)
                 registry.check(state.ship)
         except InputError as error:
             state, problem = opening, without_paths(str(error))
         client = ui.context.client
-        page = Page(client, registry, jobs, state, problem)
+        page = Page(client, registry, jobs, state, problem, _DARK.get(request.cookies.get("quartering-theme", "")))
+        ui.on("quartering-back", lambda event: page.back(str(event.args)[:4000]))
         client.on_delete(page.leave)
 
     ui.run_with(server, dark=None, show_welcome_message=False, reconnect_timeout=10.0)

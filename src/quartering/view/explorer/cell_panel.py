@@ -188,7 +188,7 @@ def judges(v: Verdict, calm: Any) -> str:
         f"<td class='hint'>{remark}</td></tr>"
         for what, value, unit, remark in rows
     )
-    return f"<table class='judges'><tr><th>judge</th><th>growth</th><th>says</th><th></th></tr>{body}</table>"
+    return f"<table class='judges'><tr><th>judge</th><th>growth</th><th>says</th><th>remark</th></tr>{body}</table>"
 
 
 def _signed(value: float) -> str:

@@ -46,7 +46,7 @@ def _chart(
             **axes,
             **layout,
         },
-        "config": {"displayModeBar": False, "responsive": True},
+        "config": {"displayModeBar": False, "responsive": False},  # page.js fits what is displayed
     }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import partial
 from typing import Any
 
@@ -44,6 +44,13 @@ class Controls:
         ui.label("Steady motion").classes("group")
         self._method = ui.select(_METHODS, value=1, on_change=lambda event: change(harmonics=event.value))
         self._method.props('dense options-dense borderless aria-label="steady motion by"')
+
+    def refuse(self, names: Collection[str]) -> None:
+        """Mark the dials of values that cannot be, and no other."""
+        dials = {"heading": self._heading, "speed": self._speed, "wave_length": self._wave_length, **self._dials}
+        for name, dial in (dials | self._damping.dials).items():
+            dial.refuse(name in names)
+        self._height.refuse(bool({"wave_height", "steepness"} & set(names)))
 
     def _sea(self, height: float, at: int) -> dict[str, Any]:
         """A height for all waves of the map, or a steepness."""

@@ -45,6 +45,11 @@ class DampingDials:
             self._breadth = Dial("bilge_keel_breadth", lambda value, _: self._fit(self._keels[0], value))
         self._hint = ui.label("").classes("hint").mark("damping-hint")
 
+    @property
+    def dials(self) -> dict[str, Dial]:
+        """The dials by what they change."""
+        return dict(zip(("roll_damping", *KEEL_AXES), (self._fraction, self._length, self._breadth), strict=True))
+
     def _fit(self, length: float, breadth: float) -> None:
         self._keels = (length, breadth)
         self._change(roll_damping=None, **dict(zip(KEEL_AXES, self._keels, strict=True)))

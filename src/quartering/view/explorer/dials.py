@@ -74,7 +74,7 @@ class Dial:
         self._turned, self._at, self._quiet = turned, 0, False
         self._scales: Sequence[Scale] = ()
         self._value = 0.0
-        with ui.element("div").classes("dial"):
+        with ui.element("div").classes("dial") as self._box:
             self._label = ui.element("label").classes("dial-name").props(f"for=number-{key}")
             with self._label:
                 self._name = ui.label("")
@@ -103,8 +103,22 @@ class Dial:
             self._number.props["step"] = scale.step
             self._slider.set_value(min(max(typed, low), high))
             self._number.set_value(float(f"{typed:.4g}"))
+            self._tell(typed)
         finally:
             self._quiet = False
+
+    def refuse(self, refused: bool) -> None:
+        """Mark the value that stands there as one that cannot be, or take the mark away."""
+        marks = "error aria-invalid=true"
+        self._number.props(marks if refused else "", remove="" if refused else "error aria-invalid")
+        self._box.classes("refused" if refused else "", remove="" if refused else "refused")
+
+    def _tell(self, typed: float) -> None:
+        """Name the slider's value with its unit, for those who hear it."""
+        scale = self._scales[self._at]
+        unit = "" if scale.unit in ("", "1") else f" {scale.unit}"
+        self._slider.props["aria-label"] = scale.name
+        self._slider.props["aria-valuetext"] = f"{typed:.4g}{unit}"
 
     def _moved(self, event: ValueChangeEventArguments[float | None]) -> None:
         if self._quiet or event.value is None:
@@ -119,6 +133,7 @@ class Dial:
         else:
             self._slider.set_value(event.value)
         self._quiet = False
+        self._tell(float(event.value))
         self._turned(value, self._at)
 
     def _next(self) -> None:

@@ -8,6 +8,7 @@ import json
 from collections.abc import Callable
 from functools import partial
 from typing import Any
+from urllib.parse import parse_qsl
 
 import xarray as xr
 from nicegui import background_tasks, ui
@@ -26,9 +27,10 @@ from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.problems import without_paths
 from quartering.view.explorer.ship_registry import Known, ShipRegistry
-from quartering.view.explorer.state import State
+from quartering.view.explorer.state import State, read_link
 from quartering.view.explorer.upload_dialog import UploadDialog
 
+_KEPT = {None: "system", True: "dark", False: "light"}
 _THEMES = {None: ("contrast", "as the system"), True: ("dark_mode", "dark"), False: ("light_mode", "light")}
 
 
@@ -50,10 +52,21 @@ class Page:
     jobs : JobQueue
     state : State        what the link asked for
     problem : str        what was wrong with the link, or ""
+    dark : bool or None  the theme this visitor chose before; None follows the system
     """
 
-    def __init__(self, client: Client, registry: ShipRegistry, jobs: JobQueue, state: State, problem: str) -> None:
-        self._client, self._registry, self._jobs = client, registry, jobs
+    def __init__(
+        self,
+        client: Client,
+        registry: ShipRegistry,
+        jobs: JobQueue,
+        state: State,
+        problem: str,
+        dark: bool | None = None,
+    ) -> None:
+        self._client, self._registry, self._jobs, self._dark = client, registry, jobs, dark
+        self._touched: tuple[str, ...] = ()
+        self._first, self._refused = True, False
         self.state = state
         self._shown: State | None = None
         self._following: asyncio.Task[None] | None = None
@@ -65,7 +78,7 @@ class Page:
         with ui.element("div").classes("sheet"):
             with ui.element("header").classes("bar"):
                 self._bar()
-            with ui.element("section").classes("says").props("aria-live=polite"):
+            with ui.element("section").classes("says").props("aria-live=polite") as self._says:
                 self._sentence = ui.html("<h1 class='when'>…</h1>", sanitize=False).mark("sentence")
                 self._heal = ui.html("", sanitize=False)
                 self._notes = ui.html("", sanitize=False)
@@ -99,7 +112,7 @@ class Page:
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
             for words, make in downloads.files().items():
                 ui.menu_item(words, on_click=partial(self._send, make))
-        dark = ui.dark_mode(None)
+        dark = ui.dark_mode(self._dark)
         theme = ui.button(color=None).props("flat dense").mark("theme")
 
         def show() -> None:
@@ -111,6 +124,8 @@ class Page:
             order = list(_THEMES)
             dark.value = order[(order.index(dark.value) + 1) % len(order)]
             show()
+            kept = f"quartering-theme={_KEPT[dark.value]}; path=/; max-age=31536000; SameSite=Strict"
+            self._client.run_javascript(f"document.cookie = {json.dumps(kept)}")
 
         show()
 
@@ -128,16 +143,46 @@ class Page:
     # What a visitor does
 
     def change(self, **values: Any) -> None:
-        """Change the state; what is on the page follows."""
+        """Change the state; what is on the page follows. A value that cannot be stays marked where it was set."""
+        self._touched = tuple(values)
         try:
             state = self.state.changed(**values)
         except InputError as error:
-            self._say_wrong(str(error))
+            self._refuse(str(error))
             return
+        if self._refused or state != self.state:
+            self._accept()
         if state != self.state or self._stopped:
             self.state = state
-            self._wrong.set_content("")
             self._go()
+
+    def back(self, query: str) -> None:
+        """Show what a link of the browser's history describes."""
+        try:
+            state, _ = read_link(dict(parse_qsl(query.removeprefix("?"))))
+            self._registry.check(state.ship)
+        except InputError as error:
+            self._say_wrong(str(error))
+            return
+        self._accept()
+        if state != self.state:
+            self.state = state
+            self._ships.set_value(state.ship)
+            self._go()
+
+    def _refuse(self, problem: str) -> None:
+        """Say what cannot be, mark the dial it was set on, and grey the verdict, which is of another condition."""
+        self._say_wrong(problem)
+        self._controls.refuse(self._touched)
+        self._says.classes("stale")
+        self._refused = True
+
+    def _accept(self) -> None:
+        """Take every mark of a refusal away."""
+        self._wrong.set_content("")
+        self._controls.refuse(())
+        self._says.classes(remove="stale")
+        self._refused = False
 
     def _go(self) -> None:
         self._stopped = False
@@ -153,7 +198,7 @@ class Page:
         if name != self.state.ship:
             kept = ("heading", "harmonics", "panel", "over")
             self.state = State(ship=name, **{key: getattr(self.state, key) for key in kept})
-            self._wrong.set_content("")
+            self._accept()
             self._go()
 
     def _uploaded(self, known: Known) -> None:
@@ -197,7 +242,7 @@ class Page:
             try:
                 await self._settle(state)
             except InputError as error:
-                self._say_wrong(str(error))
+                self._refuse(str(error))
             self._shown = state
 
     async def _settle(self, state: State) -> None:
@@ -230,7 +275,8 @@ class Page:
         self._map.place(of)
         self._panel.front(state)
         link = json.dumps(f"?{state.query()}")
-        self._client.run_javascript(f"history.replaceState({{}}, '', {link})")
+        self._client.run_javascript(f"quarteringLink({link}, {json.dumps(self._first)})")
+        self._first = False
 
     async def _fill_panel(self, state: State, of: Scene, found: Examined) -> None:
         shown, _ = await self._take(lambda: parts(state, of, found))

@@ -19,7 +19,7 @@ from pydantic import (
 
 from quartering.conventions import InputError
 from quartering.hull.file.refusals import allowed, user_words
-from quartering.options import OPTIONS, checked, line_of, ship_options
+from quartering.options import OPTIONS, checked, line_of, ship_options, unknown
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
 
@@ -170,6 +170,22 @@ class State(Loaded):
             return State.model_validate(self.model_dump() | values)
         except ValidationError as error:
             raise InputError(sentence(error)) from None
+
+
+def read_link(query: Mapping[str, str]) -> tuple[State, str]:
+    """The state a link describes, and what of the link is not known here; "" where all is.
+
+    Raises
+    ------
+    InputError    a known part that cannot be
+    """
+    strange = [name for name in query if name not in State.model_fields]
+    state = State.of_query({name: value for name, value in query.items() if name not in strange})
+    if not strange:
+        return state, ""
+    known = tuple(State.model_fields)
+    said = "; ".join(unknown(name[:40], known).words for name in strange[:5])
+    return state, f"part of this link is of another version, or a slip, and is left out: {said}"
 
 
 STARTING = State(ship="dtmb5415", speed=11.2, heading=50.0, wave_length=242.0)

@@ -21,6 +21,7 @@ from quartering.references import cite
 from quartering.stability.kind import Kind
 from quartering.view.report.client import first_page
 from quartering.view.report.conditions import judged, sensitivities, worst_conditions
+from quartering.view.report.failure_modes import criteria_section
 from quartering.view.report.guidance import guidance
 from quartering.view.report.pictures import hull_svg, map_svgs
 from quartering.view.report.source import Source, axes_of
@@ -28,9 +29,10 @@ from quartering.view.report.tables import coefficients_table, hydrostatics_table
 from quartering.view.wording import estimated_words, estimates_of, speed_words
 
 
-def report_page(source: Source) -> str:
+def report_page(source: Source, service_speed: float | None = None) -> str:
     """The report as HTML: ship, coefficients, maps, verdicts, sensitivities, sources.
 
+    service_speed: with one the five failure modes are judged too [m/s]
     Returns a whole page, pictures inside it; every text that comes from a file is escaped
     """
     ship, result = source.ship, source.result
@@ -55,6 +57,7 @@ def report_page(source: Source) -> str:
         judged=[judged(source, "Least stable motion of all", by_margin[0])],
         sensitivities=sensitivities(source, by_margin[0] if by_margin[0].exponent > 0 else by_roll[0]),
         counts=_counts(source),
+        criteria=None if service_speed is None else criteria_section(ship, service_speed),
     )
 
 

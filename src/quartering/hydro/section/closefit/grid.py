@@ -7,7 +7,6 @@ from functools import lru_cache
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy.special import betainc
 
 from quartering.conventions import InputError
 from quartering.hull.lines.section import Floats
@@ -116,6 +115,8 @@ def _through(point: Complexes, split: tuple[int, ...], submerged: bool) -> tuple
 
 
 def _graded(u: Floats, p: int, q: int) -> Floats:
+    from scipy.special import betainc
+
     return np.asarray(betainc(p / 2.0, q / 2.0, np.sin(np.pi * u / 2.0) ** 2))
 
 
