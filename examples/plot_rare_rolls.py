@@ -15,7 +15,6 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import quartering as qt
-from quartering.study.seas.extremes import vanmarcke_largest
 from quartering.view.plots.style import CONTRAST
 
 SHIP, SEA, SPEED, HOURS = qt.ship("series60-cb60"), qt.Sea(hs=4, tp=11, heading=60, spreading=10), 7.5, 1536
@@ -35,8 +34,8 @@ def main(picture: str = "") -> None:
     left.fill_between(hours, [one.lower for one in levels], [one.upper for one in levels], color=CONTRAST[0], alpha=0.25,
                       label="its 95 % interval")  # fmt: skip
     left.plot(hours, [one.value for one in levels], color=CONTRAST[0], label="extreme values (GEV)")
-    gaussian = [float(vanmarcke_largest(3600.0 * one, float(closed["roll_period"]), 0.3)[0]) for one in hours]
-    left.plot(hours, float(closed["roll_rms"]) * np.array(gaussian), "--", color=CONTRAST[1], label="closure, Gaussian")
+    gaussian = [qt.sea_response(SHIP, SEA, SPEED, method="closure", hours=one)["roll_most_probable"] for one in hours]
+    left.plot(hours, [float(one) for one in gaussian], "--", color=CONTRAST[1], label="closure, Gaussian")
     left.set(xscale="log", xlabel="hours in which it is passed once, on average", ylabel="largest roll of 3 h [deg]")
     left.legend()
     levels_of = np.array([16.0, 20.0, 24.0, 28.0, 32.0])
