@@ -9,7 +9,7 @@ CONSTRAINTS := constraints.txt
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check $(CONSTRAINTS:%=--constraint %)
 PYTEST := $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 
-.PHONY: demo quick test soak test-latest docs browser bench constraints clean lint types tests-quick tests-all
+.PHONY: demo quick test soak test-latest docs browser bench bench-check constraints clean lint types tests-quick tests-all
 
 demo: $(VENV)/.demo
 	mkdir -p demo
@@ -59,14 +59,20 @@ browser:
 	  as_root=; [ "$$(id -u)" = 0 ] || as_root="sudo -n"; \
 	  $$as_root apt-get update -qq && $$as_root apt-get install -qq -y --no-install-recommends chromium fonts-dejavu-core; }
 
-bench: $(VENV)/.dev
+bench: $(VENV)/.bench
 	$(BIN)/python benchmarks/polar.py
 	$(BIN)/python benchmarks/start_up.py
 	$(BIN)/python benchmarks/verdict_agreement.py
 	$(BIN)/python benchmarks/hull_database.py
 	$(BIN)/python benchmarks/conditions.py
 	$(BIN)/python benchmarks/irregular.py
+	$(BIN)/python benchmarks/beside_rivals.py
+	$(BIN)/python benchmarks/growth.py
 	$(BIN)/python -m pytest -q -s -p tests.view.conftest benchmarks/explorer.py
+
+# Ratios to rivals that run beside, against those recorded for this kind of processor: below 80 % of one fails.
+bench-check: $(VENV)/.dev
+	$(BIN)/python benchmarks/check.py
 
 $(VENV)/pyvenv.cfg:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
@@ -86,6 +92,10 @@ $(VENV)/.soak: $(VENV)/.dev
 	$(PIP) --editable '.[dev,soak]'
 	touch $@
 
+$(VENV)/.bench: $(VENV)/.dev
+	$(PIP) --editable '.[dev,bench]'
+	touch $@
+
 $(VENV)/.docs: $(VENV)/.dev
 	$(PIP) --editable '.[docs]'
 	touch $@
@@ -94,7 +104,7 @@ $(VENV)/.docs: $(VENV)/.dev
 constraints:
 	rm -rf build/constraints
 	$(PYTHON) -m venv build/constraints
-	build/constraints/bin/python -m pip install --quiet --disable-pip-version-check '.[dev,docs]'
+	build/constraints/bin/python -m pip install --quiet --disable-pip-version-check '.[dev,docs,bench]'
 	grep '^#' constraints.txt > build/constraints/head
 	build/constraints/bin/python -m pip freeze --quiet --exclude quartering 2>/dev/null \
 	  | grep -E '^[A-Za-z0-9._-]+==[^ ]+$$' > build/constraints/versions

@@ -1,20 +1,10 @@
-"""Conditions a second: the periodic motion in three harmonics with its Floquet multipliers, K2 and S, beside other tools.
+"""Conditions a second: the periodic motion in three harmonics with its Floquet multipliers, K2 and S.
 
-Series 60, CB 0.60, with the paper's cubic righting moment: 3 speeds x 37 headings x 20 wave lengths x 14 steepnesses.
-Ours is timed over all of them; each alternative on a sample of the same conditions. The alternatives are simple uses of
-each tool, not good ones: they check that the answers agree. Their times are printed, no ratios (docs/how_fast.md):
-
-- plain numba: harmonic balance by sampling, Newton's method with numpy.linalg.solve, Runge-Kutta for the multipliers, in one
-  compiled loop over conditions (written here)
-- scipy: solve_ivp (DOP853) through 40 periods, then the variational equations over one
-- mousai (harmonic balance of three harmonics; no multipliers)
-- heyoka: shooting on Taylor-series integration with variational equations
-- jax + diffrax: shooting, batched by vmap
-
-Those that are not installed are left out by name. Prints medians of one run. AUTO-07p has no wheel to install.
+Series 60, CB 0.60, with the paper's cubic righting moment: 3 speeds x 37 headings x 20 wave lengths x 14 steepnesses, on all
+cores; the same with drag by strips, and of a ship with the defaults. How many operations that is, how much of it what the
+processor can do, and how exact. Prints medians of one run. Beside other tools: `beside_rivals.py`.
 
 Usage: python benchmarks/conditions.py
-       pip install mousai heyoka "jax[cpu]" diffrax   # for the alternatives
 """
 
 import statistics
@@ -22,12 +12,11 @@ import time
 from dataclasses import replace
 
 import numpy as np
-import others
 
 import quartering as qt
 from quartering._machine.threads import spread, workers
 from quartering.motion.equations.basis import basis
-from quartering.motion.equations.batch import joined, rows
+from quartering.motion.equations.batch import rows
 from quartering.motion.of_ship import ship_system
 from quartering.motion.status import Status
 from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
@@ -81,14 +70,14 @@ def ship_at(ship):
     return ship_system(ship, 2 * np.pi / wave, u, mu), wave
 
 
-def motion_and_stability(system):
+def motion_and_stability(system, accuracy=ACCURACY):
     """Periodic motion, multipliers, K2, S = -K2/(2 n2)."""
     u, status, _ = harmonic_balance(system, ORDERS)
     phasors, along = variation_along(system, u, ORDERS)
     n2, _, roll_rate = roll_mode(phasors[:, 0].real, system.linear)
     trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
     rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
-    result = floquet(system, u, ORDERS, rate, trace, ACCURACY, variation=(phasors, along), detail="map")
+    result = floquet(system, u, ORDERS, rate, trace, accuracy, variation=(phasors, along), detail="map")
     return u, status, result.multipliers, 2 * n2 * roll_rate, -roll_rate
 
 
@@ -106,14 +95,6 @@ def seconds(work, blocks, repeats=7):
         list(spread(work, blocks))
         times.append(time.perf_counter() - begin)
     return statistics.median(times), min(times), max(times)
-
-
-def sample_of(blocks, count):
-    """Conditions drawn with a fixed seed from those of gentle slope, where every tool finds the same motion."""
-    random = np.random.default_rng(1971)
-    gentle = blocks[: len(blocks) // 4]
-    chosen = [rows(b, np.sort(random.choice(b.count, -(-count // len(gentle)), replace=True))) for b in gentle]
-    return rows(joined(chosen), slice(count))
 
 
 def accuracy(block):
@@ -143,14 +124,14 @@ def operations(system):
     size, terms = 3 * nb, system.powers.shape[0]
     slopes = int((system.powers > 0).sum())
     state, force, jacobian = 9 * nb, 24 + 9 * terms, 12 + 10 * slopes
-    derivative = samples * (state + jacobian + 15 * nb + 18 * nb**2)
+    derivative = samples * (state + jacobian + 12 * nb * (nb + 1)) + 27 * nb**2
     residual = samples * (state + force + 6 * nb)
     newton = derivative + 2 * size**3 / 3 + 3 * (residual + 2 * size**2)
     phasors, _ = variation_along(system, *motion_of(system))
     rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
     steps = magnus_steps(system.frequency, phasors, rate, 0.5, ACCURACY)[0].mean()
     product = 128
-    magnus = steps * (3 * 24 * points + 13 * product + 16 * 40)
+    magnus = steps * (3 * 24 * points + 12 * product + 16 * 30)
     count = NEWTON_MATRICES * newton + points * (state + jacobian + 24 * 7) + magnus + 2500
     square = np.random.default_rng(0).random((1500, 1500))
     square @ square
@@ -220,20 +201,6 @@ def main():
         f" of {sum(b.count for b in blocks[::5])}, another motion than one at a time finds: {sum(f[2] for f in found)},"
         f" none found by one or both: {sum(f[3] for f in found)}"
     )
-    for name, run in others.ALL.items():
-        sample = sample_of(blocks, others.SIZES[name])
-        found = run(sample)
-        if found is None:
-            print(f"{name:16s} not installed")
-            continue
-        each, amplitudes, multipliers = found
-        u, _, own, *_ = motion_and_stability(sample)
-        size = np.hypot(u[:, :, 0], u[:, :, 1])
-        words = f"roll apart by {np.nanmedian(np.abs(amplitudes[:, 1] / size[:, 1] - 1)):.0e} (median)"
-        if multipliers is not None:
-            apart = np.abs(multipliers[:, :, None] - own[:, None, :]).min(axis=1).max(axis=1)
-            words += f", multipliers by {np.nanmedian(apart):.0e}"
-        print(f"{name:16s} {1e6 * each:11,.1f} us each in simple use; {words}")
 
 
 if __name__ == "__main__":

@@ -2,8 +2,7 @@
 
 The map of Series 60, CB 0.60: 37 headings x 20 wave lengths x 3 speeds = 2,220 conditions, each with response, K2, q and
 Floquet multipliers. The check is written with scipy alone: solve_ivp (DOP853) through the transient to the steady motion, then
-the variational equations over one period, in plain Python. Its time is printed, but no ratio: it is no rival
-(docs/how_fast.md).
+the variational equations over one period, in plain Python. It is a check, and no rival.
 
 Usage: python benchmarks/polar.py
 """
@@ -107,17 +106,13 @@ def main():
     print(f"{count} conditions         median [s]   min     max   goal [s]")
     print(f"whole map (after compile)    {whole[0]:8.3f} {whole[1]:7.3f} {whole[2]:7.3f}   10")
     print(f"dynamics kernels alone       {inner[0]:8.3f} {inner[1]:7.3f} {inner[2]:7.3f}   0.3")
-    times, roll_errors, multiplier_errors = [], [], []
+    roll_errors, multiplier_errors = [], []
     for model in sample():
-        begin = time.perf_counter()
         roll, multipliers = by_integration(model)
-        times.append(time.perf_counter() - begin)
         motion = qt.steady_motion(model, start="rest")
         found = qt.stability(model, motion).multipliers
         roll_errors.append(abs(motion.amplitude[1] / roll - 1))
         multiplier_errors.append(max(np.abs(found - m).min() for m in multipliers))
-    alone = statistics.median(times)
-    print(f"scipy solve_ivp, a condition {alone:8.3f}   (median of {SAMPLE})")
     print(
         f"agreement on the sample: roll within {max(roll_errors):.1e}, multipliers within {max(multiplier_errors):.1e}"
     )

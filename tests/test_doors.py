@@ -55,6 +55,12 @@ CALLS = {
     "kramers_kronig": lambda one: qt.kramers_kronig(one),
     "retardation": lambda one: qt.retardation([0.5, 1.0], one, [1.0]),
     "read_capytaine": lambda one: qt.read_capytaine("no.nc", one),
+    "guidance": lambda one: qt.guidance(one, 2.0, 8.0),
+    "design_point": lambda one: qt.design_point(one, qt.Sea(hs=2, tp=8), 5.0, 20.0),
+    "design_point in": lambda one: qt.design_point(SHIP, one, 5.0, 20.0),
+    "lyapunov": lambda one: qt.lyapunov(one, qt.Sea(hs=2, tp=8), 5.0),
+    "largest_roll": lambda one: qt.largest_roll(one, 10.0),
+    "long_term": lambda one: qt.long_term(one),
     "write_wamit": lambda one: qt.write_wamit(one, "x", SHIP),
 }
 

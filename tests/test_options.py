@@ -44,7 +44,7 @@ def wrong(one, way):
     if way == "word":
         return "abc"
     if one.low is not None and not one.above and one.kind != "length":
-        return f"-9e9{unit}"
+        return f"-90000{unit}" if one.low >= 0 else f"-9e9{unit}"
     return f"-1{unit}" if one.above else f"-1e9{unit}"
 
 

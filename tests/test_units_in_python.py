@@ -58,6 +58,11 @@ TWO_WAYS = {
         lambda u, mu: qt.sea_response(SHIP, qt.Sea(hs=1, tp=8), u, mu).roll_rms, ("10kn", ["1 rad"]),
         (10 * KNOT, [np.degrees(1.0)]),
     ),
+    "guidance": (
+        lambda hs, tz, u, mu: qt.guidance(SHIP, hs, tz=tz, speed=u, heading=mu).roll_rms,
+        ("100..200 cm step 50", ["0.1 min"], "10 kn", ["1 rad"]),
+        ([1.0, 1.5, 2.0], [6.0], [10 * KNOT], [np.degrees(1.0)]),
+    ),
     "Autopilot": (lambda *g: list(vars(qt.Autopilot(*g)).values()), (1, "0.1 min", "2 s"), (1.0, 6.0, 2.0)),
     "Loading": (
         lambda *g: list(vars(qt.Loading(*g)).values()), ("100 cm", "5.1 m", 3.0, 25.0, "5 %", "1 t/m3"),
@@ -104,6 +109,9 @@ REFUSED = {
     "record": (lambda: qt.roll_decay(SHIP, 3), "record = 3 is no DecayRecord or str or Path"),
     "read_decay": (lambda: qt.read_decay(RECORD, time_factor=0), "time_factor = 0; it is above 0"),
     "polar": (lambda: qt.polar(SHIP, 3, [5], [60]), "wave = 3 is no Wave"),
+    "guidance": (lambda: qt.guidance(SHIP, -1, 8), "hs = -1 m; it is above 0 m"),
+    "guidance over": (lambda: qt.guidance(SHIP, 1, "8 m"), 'tp = 8 m; unit "m" is not known for a time'),
+    "guidance by": (lambda: qt.guidance(SHIP, 1, 8, judge="rate", threshold=2), "threshold = 2; it is above 0 and at most 1"),
     "Autopilot": (lambda: qt.Autopilot(-1), "autopilot_gain = -1; it is from 0 to 100"),
     "Loading": (lambda: qt.Loading("1 kg", 1, 1, 1), 'gm = 1 kg; unit "kg" is not known for a length'),
 }  # fmt: skip

@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from quartering.study.branches.edge import edge
     from quartering.study.criteria.judged import criteria
     from quartering.study.criteria.limiting_kg import limiting_kg
+    from quartering.study.criteria.operational import operational_guidance
     from quartering.study.effects.cure import cures
     from quartering.study.effects.sensitivity import sensitivity
     from quartering.study.effects.tornado import tornado
@@ -127,6 +128,7 @@ _HOMES = {
     "broaching_branch": "study.six_modes.broaching",
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
+    "operational_guidance": "study.criteria.operational",
     "cures": "study.effects.cure",
     "design_point": "study.seas.design_point",
     "edge": "study.branches.edge",
@@ -195,6 +197,7 @@ __all__ = [
     "limiting_kg",
     "long_term",
     "lyapunov",
+    "operational_guidance",
     "paper_ship",
     "parametric_map",
     "parametric_roll",

@@ -5,10 +5,9 @@ import pytest
 
 import quartering as qt
 from quartering._machine import threads
-from quartering.motion.equations.rates import WIDTH
 from quartering.motion.sea.march import march
 from quartering.motion.sea.rational import rational_fit
-from quartering.motion.sea.synthesis import Record, series_of
+from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.transient.rk4 import alike
 from quartering.study.seas import blocks
 from quartering.study.seas.failures import failure_rate, hours_without_failure, waiting_times_p
@@ -65,10 +64,10 @@ def oscillator(limit, c, d, cubic, hours, seed=3):
     roots[:, 1, 1] = np.sqrt(2 * d / np.pi * spacing)  # one-sided density 2 D/pi
     record = Record(samples, h / 2, roots, 0.0)
     for row in range(hours):
-        forcing = series_of(record, seed, 7, row * WIDTH)
-        time, cause = np.full(WIDTH, (steps - first) * h), np.zeros(WIDTH, dtype=np.int64)
-        march(equations, forcing, steps, first, h, 0.0, 0.0, 0.0, limit, np.inf, np.zeros((16, WIDTH)), np.zeros((2, WIDTH)),
-              time, cause)  # fmt: skip
+        forcing = series_of(record, seed, 7, row * RECORDS)
+        time, cause = np.full(RECORDS, (steps - first) * h), np.zeros(RECORDS, dtype=np.int64)
+        sums, largest = np.zeros((16, RECORDS)), np.zeros((2, RECORDS))
+        march(equations, forcing, steps, first, h, 0.0, 0.0, 0.0, limit, np.inf, sums, largest, time, cause)  # fmt: skip
         times.append(time)
         causes.append(cause)
     time, cause = np.concatenate(times), np.concatenate(causes)

@@ -18,8 +18,9 @@ from quartering.study.condition.first_failure import STEEPNESSES, first_failure
 from quartering.view.cli import app
 from quartering.view.report import report_html
 from quartering.view.report.conditions import sensitivities, worst_conditions
+from quartering.view.report.failure_modes import criteria_section
 from quartering.view.report.guidance import guidance
-from quartering.view.report.page import guidance_page, write_pdf
+from quartering.view.report.page import guidance_page, report_page, write_pdf
 from quartering.view.report.pictures import inline_svg, map_svgs
 from quartering.view.report.source import Source, report_source
 
@@ -110,6 +111,25 @@ def test_page_says_where_it_comes_from(page, result):
     for part in (result.attrs["heading_convention"], result.attrs["reference_point"], "Haddara", "fingerprint"):
         assert part in text
     assert SHIP.provenance["lines"].split(".")[0] in text
+
+
+def test_the_failure_modes_are_a_section_where_a_service_speed_is_told(result):
+    """Each number is that of `qt.criteria`; nothing is claimed, and an estimate is marked."""
+    one = ship("series60-cb60").with_(propulsion="estimated")
+    found = qt.criteria(one, 8.0)
+    made = criteria_section(one, 8.0)
+    assert made.sentence == found.sentence
+    assert len(made.table.rows) == 10
+    for row in made.table.rows:
+        assert row.cells[3] in {judgement.reason for judgement in found.judgements}
+    c1 = next(row.cells[4] for row in made.table.rows if row.cells[:2] == ("parametric rolling", "2"))
+    assert f"c1 {found.value('parametric_rolling.level2.c1'):.3g}" in c1
+    assert any("estimated" in note for note in made.notes)
+    assert "no compliance" in made.form
+    assert "Intact stability" not in report_page(Source(SHIP, result, "", ""))
+    page = report_page(Source(one, result, "", ""), 8.0)
+    assert "<h2>Intact stability</h2>" in page
+    assert "parametric rolling" in page
 
 
 def test_pages_fetch_nothing(page, result):

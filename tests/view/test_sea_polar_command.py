@@ -82,3 +82,19 @@ def test_a_case_with_seas_is_swept_and_shown(tmp_path):
     refused = CliRunner().invoke(app, ["worst", str(folder)])
     assert refused.exit_code == 2
     assert "take `quartering show`" in refused.output.replace("\n", " ")
+
+
+def test_a_map_over_seas_is_reported(tmp_path):
+    """The page holds the numbers of the map, its threshold with its status, and the diagrams."""
+    data = tmp_path / "g.nc"
+    ds = qt.guidance(qt.ship("wigley"), [1, 2], 8, speed=[2, 4], heading=[0, 60, 120, 180], spreading=8)
+    ds.to_netcdf(data)
+    result = CliRunner().invoke(app, ["report", str(data), "-o", str(tmp_path / "g.html")])
+    assert result.exit_code == 0, result.output
+    page = (tmp_path / "g.html").read_text()
+    for i in range(2):
+        assert f"{float(ds['roll_mean_3h_max'][0, i].max()):.3g}</td>" in page
+    assert "recalled, unverified" in page
+    assert "<svg" in page
+    assert "spreading s 8" in page
+    assert "Regular waves" not in page

@@ -1,10 +1,11 @@
 """The kinds of compiled function: those Python calls, and those only other compiled functions call.
 
 All are cached on disk, where a folder can be written, and release the interpreter lock. The second kind has no entry from
-Python, which saves a good part of its compilation. The third is of the second kind and made for loops over the conditions of
-a batch: without checks of division, and with multiply-add in one rounding, its loops become vector instructions. The fourth is
-put into its callers. The fifth is of the first kind, for long sums: it may take their terms several at a time, in one order for
-every condition.
+Python, which saves a good part of its compilation. The third is for the conditions of a batch, in the vectors of `simd`: of the
+second kind, without checks of division, with multiply-add in one rounding, put into its callers as machine code, and without
+counts of references, so that it may not make arrays: its callers do. The fourth is put into its callers before they are
+compiled. The fifth is of the first kind, for long sums: it may take their terms several at a time, in one order for every
+condition.
 """
 
 from __future__ import annotations
@@ -33,6 +34,13 @@ def _kind(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 
 kernel: Any = _kind()
 inner: Any = _kind(no_cpython_wrapper=True, no_cfunc_wrapper=True)
-batch_kernel: Any = _kind(no_cpython_wrapper=True, no_cfunc_wrapper=True, error_model="numpy", fastmath={"contract"})
+batch_kernel: Any = _kind(
+    no_cpython_wrapper=True,
+    no_cfunc_wrapper=True,
+    error_model="numpy",
+    fastmath={"contract"},
+    forceinline=True,
+    _nrt=False,
+)
 inlined: Any = _kind(inline="always")
 summing: Any = _kind(error_model="numpy", fastmath={"contract", "reassoc"})

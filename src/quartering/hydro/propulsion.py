@@ -45,22 +45,9 @@ class Drive(NamedTuple):
 def drive_of(ship: Ship, given: Propulsion | None = None, estimate: bool = False) -> Drive | None:
     """What drives a ship: what is given here, else what the ship was told, else an estimate if it is wanted.
 
-    Parameters
-    ----------
-    ship : Ship
-    given : Propulsion    in place of the ship's own
-    estimate : bool       estimate what neither knows
+    given: in place of the ship's own
+    estimate: estimate what neither knows
 
-    Returns
-    -------
-    Drive or None
-
-    Raises
-    ------
-    InputError            an estimate of a hull that has none
-
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> drive_of(ship("wigley")) is None, drive_of(ship("wigley").with_(propulsion="estimated")).estimated
     (True, True)
@@ -75,28 +62,12 @@ def drive_of(ship: Ship, given: Propulsion | None = None, estimate: bool = False
 
 @lru_cache(maxsize=64)
 def estimated_drive(ship: Ship) -> Drive:
-    """Resistance and a propeller of a ship of which neither is known.
+    """Resistance and a propeller of a ship of which neither is known; its source says how, and what to doubt.
 
-    Parameters
-    ----------
-    ship : Ship
-
-    Returns
-    -------
-    Drive         its source says how it was estimated, with what to doubt
-
-    Raises
-    ------
-    InputError    as `resistance`
-
-    Notes
-    -----
     The resistance is fitted by a polynomial of degree 5 over Froude numbers up to 0.7.  One propeller of 0.7 of the draught,
     K_T = 0.45 - 0.28 J - 0.12 J^2, w = 0.5 C_B - 0.05, t = 0.6 w: thresholds of surf-riding in speed hardly depend on it.
     Source: [Holtrop82], [Holtrop84]; Taylor's wake fraction (all recalled).
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> estimated_drive(ship("series60-cb60")).source.partition(",")[0]
     'estimated: resistance by Holtrop and Mennen'

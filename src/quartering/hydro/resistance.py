@@ -58,8 +58,6 @@ class HullForm(NamedTuple):
 def hull_form(ship: Ship) -> HullForm:
     """What the regression asks of a ship.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> round(hull_form(ship("series60-cb60")).cp, 3)
     0.614
@@ -75,8 +73,6 @@ def hull_form(ship: Ship) -> HullForm:
 def outside(form: HullForm) -> list[str]:
     """Proportions of a hull beyond those of the models behind the regression, in words.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> outside(hull_form(ship("series60-cb60")))
     []
@@ -90,12 +86,7 @@ def outside(form: HullForm) -> list[str]:
 
 
 def friction(form: HullForm, speed: ArrayLike, density: float) -> Floats:
-    """Friction of a flat plate of the hull's length and wetted surface [N], by the line of 1957.
-
-    Notes
-    -----
-    C_F = 0.075/(log10 Re - 2)^2.
-    """
+    """Friction of a flat plate of the hull's length and wetted surface [N]: C_F = 0.075/(log10 Re - 2)^2."""
     u = np.asarray(speed, dtype=float)
     reynolds = np.maximum(u * form.length / VISCOSITY, 1e4)
     return np.asarray(0.5 * density * u**2 * form.surface * 0.075 / (np.log10(reynolds) - 2) ** 2)
@@ -131,18 +122,9 @@ def entrance(form: HullForm) -> float:
 def wave_resistance(form: HullForm, speed: ArrayLike, density: float) -> Floats:
     """Resistance by the ship's own waves [N], without a bulb.
 
-    Parameters
-    ----------
-    form : HullForm
-    speed : (...) float    [m/s]
-    density : float        of the water [kg/m3]
+    speed (...): [m/s]
+    density: of the water [kg/m3]
 
-    Returns
-    -------
-    (...) float            [N]
-
-    Notes
-    -----
     Source: [Holtrop82] below a Froude number of 0.4, [Holtrop84] above 0.55, a line between (recalled).
     """
     u = np.asarray(speed, dtype=float)
@@ -194,26 +176,11 @@ def _c15(form: HullForm) -> float:
 def resistance(ship: Ship, speed: ArrayLike) -> Floats:
     """Estimated resistance of a bare hull in calm water [N].
 
-    Parameters
-    ----------
-    ship : Ship
-    speed : (...) float    [m/s]
+    speed (...): [m/s]
 
-    Returns
-    -------
-    (...) float            [N]
-
-    Raises
-    ------
-    InputError             a hull so far from any ship that the regression has no value
-
-    Notes
-    -----
-    (1 + k) R_F + R_W + R_A; no appendages, no bulb.
+    (1 + k) R_F + R_W + R_A; no appendages, no bulb. A hull so far from any ship that the regression has no value is refused.
     Source: [Holtrop82], [Holtrop84] (recalled).  Valid: CP 0.55 to 0.85, L/B 3.9 to 15, B/T 2.1 to 4.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> 2e5 < float(resistance(ship("series60-cb60"), 8.0)) < 3e5
     True

@@ -44,24 +44,13 @@ class Frozen(NamedTuple):
 def frozen(ship: Ship, waves: Waves, roll: Floats | None = None, start: Floats | None = None) -> Frozen:
     """Heave and trim of a ship on frozen waves, and the loads there.
 
-    Parameters
-    ----------
-    ship : Ship
-    waves : Waves            (n,)
-    roll : (n,) float        held [rad]; None: upright
-    start : (n, 2) float     heave [m] and pitch [rad] to begin with; None: level
+    waves (n,)
+    roll (n,): held [rad]; None: upright
+    start (n, 2): heave [m] and pitch [rad] to begin with; None: level
 
-    Returns
-    -------
-    Frozen
-
-    Notes
-    -----
     With the lever of the surge force in pitch and the wave at the true place of a trimmed section: on a long wave the ship
     takes its slope.  Source: Newton's method for Z = weight and M = 0.
 
-    Examples
-    --------
     >>> from quartering.hull.file.read import ship
     >>> long = Waves(np.array([1.0]), np.array([1e-3]), np.zeros(1), np.array([0.5 * np.pi]))
     >>> round(float(frozen(ship("wigley"), long).pitch[0] / 1e-3), 2)
@@ -96,16 +85,9 @@ def frozen(ship: Ship, waves: Waves, roll: Floats | None = None, start: Floats |
 def along_following(ship: Ship, wavenumber: float, amplitude: float, positions: int) -> tuple[Floats, Frozen]:
     """A ship at equal steps of its way over a following wave: its places and the loads there.
 
-    Parameters
-    ----------
-    ship : Ship
-    wavenumber, amplitude : float    k > 0 [1/m]; [m]
-    positions : int
-
-    Returns
-    -------
-    place : (n,) float               k xi, G from a trough the way the wave runs, from -pi on; below 0 the crest is behind [rad]
-    Frozen
+    wavenumber, amplitude: k > 0 [1/m]; [m]
+    positions: how many
+    Returns place (n,): k xi, G from a trough the way the wave runs, from -pi on; below 0 the crest is behind [rad]
     """
     place = -np.pi + 2 * np.pi * np.arange(positions) / positions
     ones = np.ones(positions)

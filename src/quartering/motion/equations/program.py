@@ -33,7 +33,8 @@ class Program(NamedTuple):
     links : (m, 4) int      kind, column to make, and the two columns it is made from
     values : int            how many links, from the first, the products themselves need
     products : (t,) int     column of each product
-    slopes : (d, 3) int     product, state to differentiate by, column of the derivative but for its factor
+    slopes : (d, 3) int     product, state to differentiate by, column of the derivative but for its factor;
+                            in the order of the states
     factors : (d,) float
     extra : (e,) int        state that each known input is added to; -1 where it stands alone
     width : int             columns
@@ -127,12 +128,13 @@ def _program(powers: bytes, modulus: bytes, extra: bytes, layout: Layout) -> Pro
             key = (lowered, barred, kind if power else SIGN)
             slopes.append((t, state, columns.make(key)))
             factors.append(float(power + (power > 0 and barred == v)) if power else 1.0)
+    order = sorted(range(len(slopes)), key=lambda i: slopes[i][1])
     return Program(
         np.array(columns.links, dtype=np.int64).reshape(-1, 4),
         values,
         np.array(products, dtype=np.int64),
-        np.array(slopes, dtype=np.int64).reshape(-1, 3),
-        np.array(factors),
+        np.array([slopes[i] for i in order], dtype=np.int64).reshape(-1, 3),
+        np.array([factors[i] for i in order]),
         of,
         columns.next,
         states,

@@ -8,12 +8,13 @@ The arrays hold the lane in their last axis and nothing a lane does depends on i
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import batch_kernel
+from quartering._machine.compiled import batch_kernel, inner
+from quartering._machine.simd import LANES, every, load, size, store, where_less
 from quartering.motion.equations.drag import drag, drag_of_one_hull, drag_slopes, drag_slopes_of_one_hull, one_hull
 from quartering.motion.equations.program import SIGN, SIZE, TIMES
 from quartering.motion.equations.restoring import (
@@ -28,7 +29,7 @@ from quartering.motion.equations.restoring import (
 
 Floats = NDArray[np.float64]
 
-WIDTH = 64
+WIDTH: Final = LANES
 """Lanes of a full row: enough that beginning a loop over them costs little, few enough to stay near the processor."""
 
 
@@ -87,7 +88,7 @@ class Lanes(NamedTuple):
     alike: NDArray[np.bool_]
 
 
-@batch_kernel
+@inner
 def row_of_lanes(parts, width):
     """An empty row of lanes for the numbers of a system."""
     rows, states = parts.linear.shape[1], parts.linear.shape[2]
@@ -179,7 +180,7 @@ def at_instants(i, share, parts, waves, begin, lanes):
             lanes.strips[z, 3, l], lanes.strips[z, 4, l] = share * value, 0.0
 
 
-@batch_kernel
+@inner
 def room_for(program, lanes):
     """What one evaluation needs: columns, forces, their derivatives, and the sums over strips."""
     width = lanes.frequency.size
@@ -196,31 +197,25 @@ def enter_inputs(program, lanes, waves, columns):
     """
     for e in range(program.extra.size):
         column, of = program.states + e, program.extra[e]
-        for l in range(columns.shape[1]):
-            columns[column, l] = columns[of, l] if of >= 0 else 0.0
+        value = load(columns, of) if of >= 0 else every(0.0)
         for h in range(lanes.inputs.shape[1]):
-            for l in range(columns.shape[1]):
-                columns[column, l] += waves[h] * lanes.inputs[e, h, l]
+            value += waves[h] * load(lanes.inputs, (e, h))
+        store(columns, column, value)
 
 
 @batch_kernel
 def multiply(links, first, last, columns):
     """Make the columns of links first..last."""
-    width = columns.shape[1]
     for i in range(first, last):
         kind, made, a, b = links[i, 0], links[i, 1], links[i, 2], links[i, 3]
         if kind == TIMES:
-            for l in range(width):
-                columns[made, l] = columns[a, l] * columns[b, l]
+            store(columns, made, load(columns, a) * load(columns, b))
         elif kind == SIZE:
-            for l in range(width):
-                columns[made, l] = abs(columns[a, l])
+            store(columns, made, size(load(columns, a)))
         elif kind == SIGN:
-            for l in range(width):
-                columns[made, l] = 1.0 if columns[a, l] >= 0.0 else -1.0
+            store(columns, made, where_less(load(columns, a), 0.0, -1.0, 1.0))
         else:
-            for l in range(width):
-                columns[made, l] = 1.0
+            store(columns, made, every(1.0))
 
 
 @batch_kernel
@@ -231,38 +226,42 @@ def forces(program, lanes, c, s, columns, sums, force):
 
     Source: [H71] eq. (3).
     """
-    width = columns.shape[1]
     linear, coefficients, products = lanes.linear, lanes.coefficients, program.products
     multiply(program.links, 0, program.values, columns)
-    for k in range(linear.shape[0]):
-        for l in range(width):
-            first = linear[k, 0, l] * columns[0, l] + linear[k, 1, l] * columns[1, l]
-            force[k, l] = first + linear[k, 2, l] * columns[2, l] + linear[k, 3, l] * columns[3, l]
-        for state in range(4, linear.shape[1]):
-            for l in range(width):
-                force[k, l] += linear[k, state, l] * columns[state, l]
+    for k in range(3, linear.shape[0]):
+        row = every(0.0)
+        for state in range(linear.shape[1]):
+            row += load(linear, (k, state)) * load(columns, state)
+        store(force, k, row)
+    x, y, z = every(0.0), every(0.0), every(0.0)
+    for state in range(linear.shape[1]):
+        own = load(columns, state)
+        x += load(linear, (0, state)) * own
+        y += load(linear, (1, state)) * own
+        z += load(linear, (2, state)) * own
     for t in range(products.size):
-        p = products[t]
-        for l in range(width):
-            force[0, l] += coefficients[0, t, l] * columns[p, l]
-            force[1, l] += coefficients[1, t, l] * columns[p, l]
-            force[2, l] += coefficients[2, t, l] * columns[p, l]
+        own = load(columns, products[t])
+        x += load(coefficients, (0, t)) * own
+        y += load(coefficients, (1, t)) * own
+        z += load(coefficients, (2, t)) * own
+    store(force, 0, x)
+    store(force, 1, y)
+    store(force, 2, z)
     add_strips_and_table(program, lanes, c, s, columns, sums, force)
 
 
 @batch_kernel
 def add_strips_and_table(program, lanes, c, s, columns, sums, force):
     """Add to the right-hand sides what drag by strips and a table of the restoring moment do."""
-    width = columns.shape[1]
     if lanes.strips.shape[0] > 0:
         if lanes.alike[0]:
             drag_of_one_hull(lanes.strips, program.velocities, c, s, columns, sums)
         else:
             drag(lanes.strips, program.velocities, c, s, columns, sums)
+        y, m, n = load(sums, 0), load(sums, 1), load(sums, 2)
         for k in range(3):
-            for l in range(width):
-                part = lanes.push[k, 0, l] * sums[0, l] + lanes.push[k, 1, l] * sums[1, l]
-                force[k, l] += part + lanes.push[k, 2, l] * sums[2, l]
+            part = load(lanes.push, (k, 0)) * y + load(lanes.push, (k, 1)) * m
+            store(force, k, load(force, k) + (part + load(lanes.push, (k, 2)) * n))
     if lanes.knots.shape[0] > 0:
         angle = columns[program.displacements[1]]
         if lanes.alike[1]:
@@ -270,8 +269,7 @@ def add_strips_and_table(program, lanes, c, s, columns, sums, force):
         else:
             moment_of_tables(lanes.knots, lanes.cubics, angle, sums[0])
         for k in range(3):
-            for l in range(width):
-                force[k, l] += lanes.arm[k, l] * sums[0, l]
+            store(force, k, load(force, k) + load(lanes.arm, k) * load(sums, 0))
 
 
 @batch_kernel
@@ -280,39 +278,50 @@ def slopes(program, lanes, c, s, columns, sums, jacobian):
 
     Source: [H71] eq. (8).
     """
-    width = columns.shape[1]
     linear, coefficients = lanes.linear, lanes.coefficients
     multiply(program.links, 0, program.links.shape[0], columns)
-    for k in range(linear.shape[0]):
+    for k in range(3, linear.shape[0]):
         for state in range(linear.shape[1]):
-            for l in range(width):
-                jacobian[k, state, l] = linear[k, state, l]
-    for i in range(program.factors.size):
-        t, state, column = program.slopes[i, 0], program.slopes[i, 1], program.slopes[i, 2]
-        factor = program.factors[i]
-        for l in range(width):
-            slope = factor * columns[column, l]
-            jacobian[0, state, l] += coefficients[0, t, l] * slope
-            jacobian[1, state, l] += coefficients[1, t, l] * slope
-            jacobian[2, state, l] += coefficients[2, t, l] * slope
+            store(jacobian, (k, state), load(linear, (k, state)))
+    i = 0
+    for state in range(linear.shape[1]):  # the slopes stand in the order of the states
+        x, y, z = load(linear, (0, state)), load(linear, (1, state)), load(linear, (2, state))
+        while i < program.factors.size and program.slopes[i, 1] == state:
+            t = program.slopes[i, 0]
+            slope = program.factors[i] * load(columns, program.slopes[i, 2])
+            x += load(coefficients, (0, t)) * slope
+            y += load(coefficients, (1, t)) * slope
+            z += load(coefficients, (2, t)) * slope
+            i += 1
+        store(jacobian, (0, state), x)
+        store(jacobian, (1, state), y)
+        store(jacobian, (2, state), z)
     if lanes.strips.shape[0] > 0:
-        sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
         if lanes.alike[0]:
             drag_slopes_of_one_hull(lanes.strips, program.velocities, c, s, columns, sums)
         else:
             drag_slopes(lanes.strips, program.velocities, c, s, columns, sums)
-        for k in range(3):
-            for l in range(width):
-                y, m, n = lanes.push[k, 0, l], lanes.push[k, 1, l], lanes.push[k, 2, l]
-                jacobian[k, sway, l] += y * sums[0, l] + m * sums[1, l] + n * sums[2, l]
-                jacobian[k, roll, l] += y * sums[1, l] + m * sums[3, l] + n * sums[4, l]
-                jacobian[k, yaw, l] += y * sums[2, l] + m * sums[4, l] + n * sums[5, l]
+        _add_drag_slopes(program.velocities, lanes.push, sums, jacobian)
     if lanes.knots.shape[0] > 0:
-        angle = columns[program.displacements[1]]
+        held = program.displacements[1]
+        angle = columns[held]
         if lanes.alike[1]:
             slope_of_table(lanes.table, lanes.guide, angle, sums[0])
         else:
             slope_of_tables(lanes.knots, lanes.cubics, angle, sums[0])
         for k in range(3):
-            for l in range(width):
-                jacobian[k, program.displacements[1], l] += lanes.arm[k, l] * sums[0, l]
+            own = load(jacobian, (k, held)) + load(lanes.arm, k) * load(sums, 0)
+            store(jacobian, (k, held), own)
+
+
+@batch_kernel
+def _add_drag_slopes(velocities, push, sums, jacobian):
+    """Add accelerations per unit of force times the symmetric matrix of the strips (vv, vp, vr, pp, pr, rr; W)."""
+    sway, roll, yaw = velocities[0], velocities[1], velocities[2]
+    vv, vp, vr = load(sums, 0), load(sums, 1), load(sums, 2)
+    pp, pr, rr = load(sums, 3), load(sums, 4), load(sums, 5)
+    for k in range(3):
+        y, m, n = load(push, (k, 0)), load(push, (k, 1)), load(push, (k, 2))
+        store(jacobian, (k, sway), load(jacobian, (k, sway)) + (y * vv + m * vp + n * vr))
+        store(jacobian, (k, roll), load(jacobian, (k, roll)) + (y * vp + m * pp + n * pr))
+        store(jacobian, (k, yaw), load(jacobian, (k, yaw)) + (y * vr + m * pr + n * rr))

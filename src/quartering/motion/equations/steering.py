@@ -93,8 +93,10 @@ def turning(linear: Floats, u: Floats, orders: tuple[int, ...]) -> Floats:
 
     Source: closed form: a heading that is held turns at no mean rate.
     """
+    if orders[0] > 0:
+        return u
     held = holds_heading(linear)
-    if orders[0] > 0 or not held.any():
+    if not held.any():
         return u
     out = u.copy()
     out[held, 2, 0] = 0.0

@@ -141,12 +141,15 @@ class System:
         changes_sign = np.concatenate([np.ones(PLAIN, dtype=bool), odd | (self.extra >= 0)])
         return bool((self.powers[:, changes_sign].sum(axis=1) % 2 == 1).all())
 
-    @property
+    @cached_property
     def finite(self) -> NDArray[np.bool_]:
         """Conditions (n,) of which every number is finite and the frequency positive."""
         ok = np.isfinite(self.frequency) & (self.frequency > 0)
         for name in PER_CONDITION:
-            ok &= np.isfinite(getattr(self, name)).reshape(self.count, -1).all(axis=1)
+            array = getattr(self, name).reshape(self.count, -1)
+            if not np.isfinite(array.sum()):  # mostly all of them are: a sum tells, but for one beyond the number range
+                ok &= np.isfinite(array).all(axis=1)
+        ok.flags.writeable = False
         return ok
 
     def each(self, change: Callable[[Floats], Floats]) -> System:

@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering.conventions import GRAVITY
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.transient.rk4 import room_to_march, step_sum
@@ -30,15 +30,34 @@ _CHECK = 32
 @kernel
 def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_limit, sums, largest, time, cause):
     """Runge-Kutta steps of one row of records from rest, until all have failed or ``steps`` are done.
-
-    forcing (2 steps + 1, 3 + e + z, W): accelerations, known inputs and water at every half step
+    forcing (2 steps + 1, 3 + e + z, n): accelerations, known inputs and water at every half step
     steps to do, the first that counts, and their length [s]
     U, and the point of the lateral acceleration from G
     of a failure [rad], [m/s2]
-    sums (16, W): see `SUMS`; of what counts
-    largest (2, W): |phi| [rad] and |f| [m/s2]
-    time, cause (W,): of the failure since the first step that counts [s]; ``steps`` without
+    sums (16, n): see `SUMS`; of what counts
+    largest (2, n): |phi| [rad] and |f| [m/s2]
+    time, cause (n,): of the failure since the first step that counts [s]; ``steps`` without
     """
+    own_sums, own_largest = np.empty((sums.shape[0], WIDTH)), np.empty((2, WIDTH))
+    own_time, own_cause = np.empty(WIDTH), np.empty(WIDTH, np.int64)
+    for begin in range(0, forcing.shape[2], WIDTH):
+        own_sums[:, :], own_largest[:, :] = 0.0, 0.0
+        own_time[:], own_cause[:] = time[begin : begin + WIDTH], cause[begin : begin + WIDTH]
+        _march_vector(
+            equations, forcing, begin, steps, first, h, (speed, x, z), (roll_limit, felt_limit), own_sums, own_largest,
+            own_time, own_cause,
+        )  # fmt: skip
+        sums[:, begin : begin + WIDTH] += own_sums
+        for l in range(WIDTH):
+            for k in range(2):
+                largest[k, begin + l] = max(largest[k, begin + l], own_largest[k, l])
+            time[begin + l], cause[begin + l] = own_time[l], own_cause[l]
+
+
+@inner
+def _march_vector(equations, forcing, begin, steps, first, h, at, limits, sums, largest, time, cause):
+    """`march` of a vector of records from ``begin`` on."""
+    (speed, x, z), (roll_limit, felt_limit) = at, limits
     kinds = forcing.shape[1]
     room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
     waves = np.zeros((3, equations.parts.inputs.shape[2]))
@@ -48,11 +67,11 @@ def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_lim
     y, before = np.zeros((program.states, WIDTH)), np.zeros((2, WIDTH))
     felt, going = np.zeros((4, WIDTH)), np.ones(WIDTH)  # three steps of the acceleration, and its size between them
     roll, turning = program.displacements[1], program.velocities[1]
-    take(forcing[0], mean, given[0])
+    take(forcing[0], begin, mean, given[0])
     for n in range(steps):
-        take(forcing[2 * n + 1], mean, given[1])
-        take(forcing[2 * n + 2], mean, given[2])
-        step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
+        take(forcing[2 * n + 1], begin, mean, given[1])
+        take(forcing[2 * n + 2], begin, mean, given[2])
+        step_sum(equations, h, given, waves, y, room)
         _feel(program, rate, y, speed, x, z, felt)
         _peak(felt)
         if n >= first:
@@ -87,12 +106,12 @@ def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_lim
 
 
 @batch_kernel
-def take(series, mean, given):
+def take(series, begin, mean, given):
     """Known inputs of one time in double precision, the steady acceleration added."""
     for k in range(series.shape[0]):
         more = mean[k] if k < 3 else 0.0
-        for l in range(series.shape[1]):
-            given[k, l] = series[k, l] + more
+        for l in range(given.shape[1]):
+            given[k, l] = series[k, begin + l] + more
 
 
 @batch_kernel

@@ -25,11 +25,13 @@ from scipy.interpolate import CubicSpline
 from quartering._machine.compiled import batch_kernel, kernel
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.rates import WIDTH
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Single = NDArray[np.float32]
+
+RECORDS: Final = 64
+"""Records of a row: what is drawn, and counted, together."""
 
 HELD: Final = 0.999
 """Share of the energy of every force that the frequencies of a record hold at least [1]."""
@@ -71,7 +73,7 @@ def record_of(cells: Cells, sea: Sea, channels: Complex, duration: float, interv
     """
     samples = int(next_fast_len(math.ceil(duration / interval), real=True))
     spacing = 2.0 * math.pi / (samples * interval)
-    spectra = _cross_spectra(cells, sea, channels, spacing, samples // 2)
+    spectra = cross_spectra(cells, sea, channels, spacing, samples // 2)
     energy = np.cumsum(np.einsum("jaa->ja", spectra[:, :_FORCES, :_FORCES]).real, axis=0)
     whole = np.where(energy[-1] > 0, energy[-1], 1.0)
     held = (energy >= HELD * energy[-1]).all(axis=1)
@@ -80,7 +82,7 @@ def record_of(cells: Cells, sea: Sea, channels: Complex, duration: float, interv
     return Record(samples, interval, _roots(spectra[:last]), left_out)
 
 
-def _cross_spectra(cells: Cells, sea: Sea, channels: Complex, spacing: float, bins: int) -> Complex:
+def cross_spectra(cells: Cells, sea: Sea, channels: Complex, spacing: float, bins: int) -> Complex:
     """Cross-spectral matrices (j, m, m) at multiples of a spacing, of cells no wider than it."""
     f, d, m = cells.sigma.size, cells.heading.size, channels.shape[1]
     slope = np.abs(np.gradient(cells.omega.reshape(f, d), cells.step, axis=0)).max()
@@ -130,12 +132,12 @@ def series_of(record: Record, entropy: int, condition: int, first: int) -> Singl
 
     entropy: the user's seed
     condition: number of the condition the records are of
-    first: number of the first of the `WIDTH` records
+    first: number of the first of the `RECORDS` records
     Returns (n, m, W)
     """
     bins, m, _ = record.roots.shape
-    draws = np.empty((WIDTH, bins, m, 2), dtype=np.float32)
-    for l in range(WIDTH):
+    draws = np.empty((RECORDS, bins, m, 2), dtype=np.float32)
+    for l in range(RECORDS):
         seed = np.random.SeedSequence(entropy, spawn_key=(condition, first + l))
         np.random.Generator(np.random.PCG64(seed)).standard_normal(dtype=np.float32, out=draws[l])
     return series_from(record, draws)
@@ -150,10 +152,10 @@ def series_from(record: Record, draws: Single) -> Single:
     bins, m, _ = record.roots.shape
     # the roots' own numbers as pairs, so that compiled loops run over plain numbers
     pairs = record.roots.view(np.float32).reshape(bins, m, m, 2)
-    spectrum = np.zeros((record.samples // 2 + 1, m, WIDTH), dtype=np.complex64)
-    _fill(pairs, draws, 0.5 * record.samples, spectrum.view(np.float32).reshape(-1, m, WIDTH, 2))
-    flat = irfft(spectrum.reshape(-1, m * WIDTH), record.samples, axis=0, overwrite_x=True, workers=1)
-    return np.asarray(flat).reshape(record.samples, m, WIDTH)
+    spectrum = np.zeros((record.samples // 2 + 1, m, RECORDS), dtype=np.complex64)
+    _fill(pairs, draws, 0.5 * record.samples, spectrum.view(np.float32).reshape(-1, m, RECORDS, 2))
+    flat = irfft(spectrum.reshape(-1, m * RECORDS), record.samples, axis=0, overwrite_x=True, workers=1)
+    return np.asarray(flat).reshape(record.samples, m, RECORDS)
 
 
 @kernel

@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering.motion.equations.rates import WIDTH, enter_inputs, fill, forces, room_for, row_of_lanes, slopes
 from quartering.motion.sea.march import take
 from quartering.motion.transient.rk4 import hold, room_to_march, step_sum
@@ -25,10 +25,17 @@ from quartering.motion.transient.rk4 import hold, room_to_march, step_sum
 def roll_of_windows(equations, forcing, steps, h, limit, rolls):
     """Roll of a row of records from rest, at every step.
 
-    forcing (2 steps + 1, 3 + e + z, W): accelerations, known inputs and water at every half step, as `march` takes them
+    forcing (2 steps + 1, 3 + e + z, n): accelerations, known inputs and water at every half step, as `march` takes them
     limit: roll beyond which a record stays where it is [rad]
-    rolls (steps + 1, W): to write [rad]
+    rolls (steps + 1, n): to write [rad]
     """
+    for begin in range(0, forcing.shape[2], WIDTH):
+        _roll_of_vector(equations, forcing, begin, steps, h, limit, rolls[:, begin : begin + WIDTH])
+
+
+@inner
+def _roll_of_vector(equations, forcing, begin, steps, h, limit, rolls):
+    """`roll_of_windows` of a vector of records from ``begin`` on."""
     kinds = forcing.shape[1]
     room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
     waves = np.zeros((3, equations.parts.inputs.shape[2]))
@@ -36,11 +43,11 @@ def roll_of_windows(equations, forcing, steps, h, limit, rolls):
     program, total, mean = equations.program, room[4], equations.parts.mean[0]
     y, roll = np.zeros((program.states, WIDTH)), program.displacements[1]
     rolls[0] = 0.0
-    take(forcing[0], mean, given[0])
+    take(forcing[0], begin, mean, given[0])
     for n in range(steps):
-        take(forcing[2 * n + 1], mean, given[1])
-        take(forcing[2 * n + 2], mean, given[2])
-        step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
+        take(forcing[2 * n + 1], begin, mean, given[1])
+        take(forcing[2 * n + 2], begin, mean, given[2])
+        step_sum(equations, h, given, waves, y, room)
         for s in range(program.states):
             for l in range(WIDTH):
                 y[s, l] += h / 6.0 * total[s, l]
@@ -60,8 +67,16 @@ def growth_of_disturbances(equations, forcing, steps, first, h, limit, start, gr
     forcing, steps, first, h: as `march` takes them; growth counts from step ``first`` on
     limit: roll at which a record ends [rad]
     start (s,): the disturbance at the begin, of length 1
-    growth, time (W,): to write; [s]
+    growth, time (n,): to write; [s]
     """
+    for begin in range(0, forcing.shape[2], WIDTH):
+        end = begin + WIDTH
+        _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, growth[begin:end], time[begin:end])
+
+
+@inner
+def _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, growth, time):
+    """`growth_of_disturbances` of a vector of records from ``begin`` on."""
     kinds = forcing.shape[1]
     room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
     waves = np.zeros((3, equations.parts.inputs.shape[2]))
@@ -78,12 +93,12 @@ def growth_of_disturbances(equations, forcing, steps, first, h, limit, start, gr
     for s in range(states):
         d[s, :] = start[s]
     growth[:], time[:] = 0.0, 0.0
-    take(forcing[0], mean, given[0])
-    _linearise(program, lanes, given[0], waves[0], y, work, before, at[0])
+    take(forcing[0], begin, mean, given[0])
+    _linearise(program, lanes, given, 0, waves[0], y, work, before, at[0])
     for n in range(steps):
-        take(forcing[2 * n + 1], mean, given[1])
-        take(forcing[2 * n + 2], mean, given[2])
-        step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
+        take(forcing[2 * n + 1], begin, mean, given[1])
+        take(forcing[2 * n + 2], begin, mean, given[2])
+        step_sum(equations, h, given, waves, y, room)
         for s in range(states):
             for l in range(WIDTH):
                 y0[s, l] = y[s, l]
@@ -92,11 +107,11 @@ def growth_of_disturbances(equations, forcing, steps, first, h, limit, start, gr
             if not abs(y[roll, l]) <= limit:
                 going[l] = 0.0
                 y[:, l], y0[:, l] = 0.0, 0.0
-        _linearise(program, lanes, given[2], waves[0], y, work, rate, at[2])
+        _linearise(program, lanes, given, 2, waves[0], y, work, rate, at[2])
         for s in range(states):
             for l in range(WIDTH):
                 middle[s, l] = 0.5 * (y0[s, l] + y[s, l]) + 0.125 * h * (before[s, l] - rate[s, l])
-        _linearise(program, lanes, given[1], waves[0], middle, work, y0, at[1])
+        _linearise(program, lanes, given, 1, waves[0], middle, work, y0, at[1])
         _carry(at, h, d)
         for l in range(WIDTH):
             size = 0.0
@@ -112,21 +127,21 @@ def growth_of_disturbances(equations, forcing, steps, first, h, limit, start, gr
 
 
 @batch_kernel
-def _linearise(program, lanes, given, waves, y, work, rate, matrix):
+def _linearise(program, lanes, given, time, waves, y, work, rate, matrix):
     """Rates (s, W) of the states at one time, and their derivatives (s, s, W)."""
     columns, force, jacobian, sums = work
     states = program.states
     for s in range(states):
         for l in range(y.shape[1]):
             columns[s, l] = y[s, l]
-    hold(given[3:], lanes)
+    hold(given, time, 3, lanes)
     enter_inputs(program, lanes, waves, columns)
     forces(program, lanes, waves[1], waves[2], columns, sums, force)
     slopes(program, lanes, waves[1], waves[2], columns, sums, jacobian)
     for s in range(states):
         row, follows = program.rows[s], program.follows[s]
         for l in range(y.shape[1]):
-            more = given[row, l] if 0 <= row < 3 else 0.0
+            more = given[time, row, l] if 0 <= row < 3 else 0.0
             rate[s, l] = columns[follows, l] if follows >= 0 else force[row, l] + more
         for t in range(states):
             for l in range(y.shape[1]):

@@ -32,8 +32,8 @@ from quartering.motion.steady.dense import lu_factor, lu_solve
 @inner
 def room_for_one(program, parts, tables):
     """Lanes for the instants of a cycle, what their evaluation needs, columns of a derivative, and a wave held still."""
-    nb, samples = tables[0].shape
-    lanes = row_of_lanes(parts, min(samples, WIDTH))
+    nb = tables[0].shape[0]
+    lanes = row_of_lanes(parts, WIDTH)
     still = np.zeros(parts.inputs.shape[2])
     still[0] = 1.0
     return lanes, room_for(program, lanes), np.zeros((3, 3, nb)), still

@@ -10,6 +10,7 @@ other's loops would work on one number at a time.
 from __future__ import annotations
 
 from quartering._machine.compiled import batch_kernel, inner
+from quartering._machine.simd import load, store
 
 
 @inner
@@ -89,12 +90,12 @@ def factor_batch(a, pivots, inverse, sign):
                 sign[l] = 0.0
                 a[j, j, l] = 1.0
             inverse[j, l] = 1.0 / a[j, j, l]
+        own = load(inverse, j)
         for i in range(j + 1, m):
-            for l in range(width):
-                a[i, j, l] *= inverse[j, l]
+            factor = load(a, (i, j)) * own
+            store(a, (i, j), factor)
             for k in range(j + 1, m):
-                for l in range(width):
-                    a[i, k, l] -= a[i, j, l] * a[j, k, l]
+                store(a, (i, k), load(a, (i, k)) - factor * load(a, (j, k)))
 
 
 @batch_kernel
@@ -110,13 +111,13 @@ def solve_batch(a, pivots, inverse, b):
             swapped = b[best, l]
             b[best, l] = b[j, l]
             b[j, l] = -swapped
-    for j in range(m):
-        for i in range(j + 1, m):
-            for l in range(width):
-                b[i, l] -= a[i, j, l] * b[j, l]
+    for i in range(1, m):
+        own = load(b, i)
+        for j in range(i):
+            own -= load(a, (i, j)) * load(b, j)
+        store(b, i, own)
     for i in range(m - 1, -1, -1):
+        own = load(b, i)
         for k in range(i + 1, m):
-            for l in range(width):
-                b[i, l] -= a[i, k, l] * b[k, l]
-        for l in range(width):
-            b[i, l] *= inverse[i, l]
+            own -= load(a, (i, k)) * load(b, k)
+        store(b, i, own * load(inverse, i))

@@ -16,12 +16,12 @@ import numpy as np
 from quartering._machine.compiled import kernel
 from quartering._machine.rowwise import rowwise
 from quartering._machine.threads import in_threads
-from quartering.motion.equations.rates import WIDTH, fill, gather, room_for, row_of_lanes
+from quartering.motion.equations.rates import WIDTH, fill, gather, row_of_lanes
 from quartering.motion.equations.system import Floats, System, kernel_arguments
 from quartering.motion.steady.balance import balance, room_for_one
 from quartering.motion.steady.dense import factor_batch, lu_factor, lu_solve, solve_batch
 from quartering.motion.steady.harmonic import MOST_HARMONICS
-from quartering.motion.steady.newton import balance_batch, derivative_batch, gather_motions
+from quartering.motion.steady.newton import balance_batch, derivative_batch, gather_motions, room_for_balance
 from quartering.motion.steady.truncation import columns_of, widened
 
 FEWEST_OF_ESTIMATE: Final = 24
@@ -37,14 +37,14 @@ def _first_step(first, last, program, parts, tables, u, out):
     nb = tables[2].size
     size = 3 * nb
     lanes = row_of_lanes(parts, WIDTH)
-    room = room_for(program, lanes)
+    room = room_for_balance(program, lanes, tables)
     motion, step = np.zeros((3, nb, WIDTH)), np.zeros((size, WIDTH))
     matrix, pivots = np.zeros((size, size, WIDTH)), np.zeros((size, WIDTH), np.int64)
-    inverse, sign, column = np.zeros((size, WIDTH)), np.zeros(WIDTH), np.zeros((3, 3, nb, WIDTH))
+    inverse, sign = np.zeros((size, WIDTH)), np.zeros(WIDTH)
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)
         gather_motions(begin, last, u, motion)
-        derivative_batch(program, tables, lanes, motion, matrix, column, room)
+        derivative_batch(program, tables, lanes, motion, matrix, room)
         factor_batch(matrix, pivots, inverse, sign)
         balance_batch(program, tables, lanes, motion, step, room)
         solve_batch(matrix, pivots, inverse, step)

@@ -10,8 +10,18 @@ from typing import Final
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, kernel
-from quartering.motion.equations.rates import WIDTH, enter_inputs, forces, gather, room_for, row_of_lanes, slopes
+from quartering._machine.compiled import batch_kernel, inner, kernel
+from quartering._machine.simd import every, load, store
+from quartering.motion.equations.rates import (
+    WIDTH,
+    enter_inputs,
+    fill_lane,
+    forces,
+    note_equal_lanes,
+    room_for,
+    row_of_lanes,
+    slopes,
+)
 from quartering.motion.steady.dense import factor_batch, solve_batch
 
 _ITERATIONS = 8
@@ -44,26 +54,22 @@ def states(program, factors, value, rate, u, w, columns):
     The mean's column holds mean displacements, and mean velocities of modes whose displacement the equations do not hold.
     Source: [H71] eq. (A-3), for any set of harmonics.
     """
-    width = columns.shape[1]
+    first = 1 if factors[0] == 0.0 else 0
     for s in range(program.states):
-        for l in range(width):
-            columns[s, l] = 0.0
-    sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
-    for b in range(factors.size):
-        by_phase, own = rate[b], value[b]
-        if factors[b] > 0.0:
-            for l in range(width):
-                velocity = by_phase * w[l]
-                columns[sway, l] += u[0, b, l] * velocity
-                columns[roll, l] += u[1, b, l] * velocity
-                columns[yaw, l] += u[2, b, l] * velocity
-        for k in range(3):
-            held = program.displacements[k]
-            if held < 0 and factors[b] == 0.0:
-                held = program.velocities[k]
-            if held >= 0:
-                for l in range(width):
-                    columns[held, l] += u[k, b, l] * own
+        store(columns, s, every(0.0))
+    for k in range(3):
+        held, velocity = program.displacements[k], every(0.0)
+        for b in range(first, factors.size):
+            velocity += rate[b] * load(u, (k, b))
+        store(columns, program.velocities[k], velocity * load(w, ()))
+        if held >= 0:
+            own = every(0.0)
+            for b in range(factors.size):
+                own += value[b] * load(u, (k, b))
+            store(columns, held, own)
+        elif first == 1:
+            place = program.velocities[k]
+            store(columns, place, load(columns, place) + value[0] * load(u, (k, 0)))
 
 
 @batch_kernel
@@ -75,92 +81,115 @@ def at_sample(program, tables, n, u, lanes, columns):
 
 
 @batch_kernel
-def _inertia_and_waves(factors, lanes, u, residual):
-    """Start of the residual (3 b, W): acceleration less excitation."""
-    nb, width = factors.size, lanes.frequency.size
-    first = 1 if factors[0] == 0.0 else 0
-    for k in range(3):
-        for b in range(nb):
-            for l in range(width):
-                rate = factors[b] * lanes.frequency[l]
-                residual[k * nb + b, l] = -rate * rate * u[k, b, l]
-        for l in range(width):
-            residual[k * nb + first, l] -= lanes.cos[k, l]
-            residual[k * nb + first + 1, l] -= lanes.sin[k, l]
-        if first == 1:
-            for l in range(width):
-                residual[k * nb, l] -= lanes.mean[k, l]
-
-
-@batch_kernel
 def balance_batch(program, tables, lanes, u, residual, room):
     """Residuals (3 b, W) of the balance equations, as `balance.balance` has them for one condition.
 
     Row (k, c) is projection c of acceleration minus right-hand side.  Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
     values, _, factors, weights, waves = tables
-    columns, force, _, sums = room
+    (columns, _, _, sums), force, _ = room
     nb, samples = values.shape
-    width = lanes.frequency.size
-    _inertia_and_waves(factors, lanes, u, residual)
+    first = 1 if factors[0] == 0.0 else 0
     for n in range(samples):
         at_sample(program, tables, n, u, lanes, columns)
-        forces(program, lanes, waves[1, n], waves[2, n], columns, sums, force)
-        for k in range(3):
-            for c in range(nb):
-                project = weights[c] * values[c, n]
-                for l in range(width):
-                    residual[k * nb + c, l] -= project * force[k, l]
+        forces(program, lanes, waves[1, n], waves[2, n], columns, sums, force[n])
+    w = load(lanes.frequency, ())
+    for k in range(3):
+        for c in range(nb):
+            rate = factors[c] * w
+            left = -rate * rate * load(u, (k, c))
+            if c == first:
+                left -= load(lanes.cos, k)
+            elif c == first + 1:
+                left -= load(lanes.sin, k)
+            elif c < first:
+                left -= load(lanes.mean, k)
+            for n in range(samples):
+                left -= (weights[c] * values[c, n]) * load(force, (n, k))
+            store(residual, k * nb + c, left)
 
 
 @batch_kernel
-def derivative_batch(program, tables, lanes, u, matrix, column, room):
+def derivative_batch(program, tables, lanes, u, matrix, room):
     """Derivatives (3 b, 3 b, W) of the residuals by the unknowns.
 
     With drag from every second sample: there are many for the sake of |q| q alone, and the matrix only leads Newton's steps,
     the residual decides.
     """
-    values, rates, factors, weights, waves = tables
-    columns, _, jacobian, sums = room
+    values, _, factors, weights, waves = tables
+    (columns, _, _, sums), _, (jacobian, products, projected) = room
+    nb = values.shape[0]
+    nth = values.shape[1] // products.shape[1]
+    for n in range(products.shape[1]):
+        at_sample(program, tables, nth * n, u, lanes, columns)
+        slopes(program, lanes, waves[1, nth * n], waves[2, nth * n], columns, sums, jacobian[n])
+    project(jacobian, products, projected)
+    # d residual_(k c)/du_(j b) = -(h w)^2 [same k, c = b] - <phi_c, df_k/dv_j phi_b' w + df_k/dx_j phi_b>, as in `balance`.
+    # All of it are the sums <phi_c, J phi_b>, symmetric in b and c: the rate of a cosine is -h times the sine beside it, that
+    # of a sine h times the cosine.
+    w = load(lanes.frequency, ())
+    first = 1 if factors[0] == 0.0 else 0
+    for k in range(3):
+        for j in range(3):
+            velocity, held = program.velocities[j], program.displacements[j]
+            for b in range(nb):
+                cosine = (b - first) % 2 == 0
+                beside, rate = (b + 1, -factors[b] * w) if cosine else (b - 1, factors[b] * w)
+                for c in range(nb):
+                    if factors[b] == 0.0:
+                        own = load(projected, (k, held if held >= 0 else velocity, _pair(c, b)))
+                    else:
+                        own = rate * load(projected, (k, velocity, _pair(c, beside)))
+                        if held >= 0:
+                            own += load(projected, (k, held, _pair(c, b)))
+                    own = (-nth * weights[c]) * own
+                    if k == j and c == b:
+                        own -= (factors[c] * w) * (factors[c] * w)
+                    store(matrix, (k * nb + c, j * nb + b), own)
+
+
+@batch_kernel
+def _pair(b, c):
+    """Place of a symmetric pair among those of a lower triangle."""
+    return b * (b + 1) // 2 + c if b >= c else c * (c + 1) // 2 + b
+
+
+@batch_kernel
+def project(jacobian, products, projected):
+    """Sums (k, s, p, W) over samples of the derivatives (n, k, s, W) times functions (p, n), p a multiple of four."""
+    for k in range(3):
+        for s in range(4):
+            for p in range(0, products.shape[0], 4):
+                a, b, c, d = every(0.0), every(0.0), every(0.0), every(0.0)
+                for n in range(products.shape[1]):
+                    own = load(jacobian, (n, k, s))
+                    a += products[p, n] * own
+                    b += products[p + 1, n] * own
+                    c += products[p + 2, n] * own
+                    d += products[p + 3, n] * own
+                store(projected, (k, s, p), a)
+                store(projected, (k, s, p + 1), b)
+                store(projected, (k, s, p + 2), c)
+                store(projected, (k, s, p + 3), d)
+
+
+@inner
+def room_for_balance(program, lanes, tables):
+    """What residuals and their derivatives need: room for one sample, forces at all; and for a derivative its samples, the
+    products (pair, n) of two harmonics at them, and the projections on them.
+    """
+    values = tables[0]
     nb, samples = values.shape
-    width, w = lanes.frequency.size, lanes.frequency
-    for row in range(3 * nb):
-        for b in range(3 * nb):
-            for l in range(width):
-                matrix[row, b, l] = 0.0
-        rate = factors[row % nb]
-        for l in range(width):
-            matrix[row, row, l] = -(rate * w[l]) * (rate * w[l])
-    sway, roll, yaw = program.velocities[0], program.velocities[1], program.velocities[2]
-    every = 2 if lanes.strips.shape[0] > 0 and samples % 2 == 0 else 1
-    # d residual_(k c)/du_(j b) = -(h w)^2 [same k, c = b] - <phi_c, df_k/dv_j phi_b' w + df_k/dx_j phi_b>, as in
-    # `balance`, with the condition as the last index: one instruction works on eight of them.
-    for n in range(0, samples, every):
-        at_sample(program, tables, n, u, lanes, columns)
-        slopes(program, lanes, waves[1, n], waves[2, n], columns, sums, jacobian)
-        for b in range(nb):
-            value, rate = values[b, n], rates[b, n] if factors[b] > 0.0 else 0.0
-            for k in range(3):
-                for l in range(width):
-                    velocity = rate * w[l]
-                    column[k, 0, b, l] = -jacobian[k, sway, l] * velocity
-                    column[k, 1, b, l] = -jacobian[k, roll, l] * velocity
-                    column[k, 2, b, l] = -jacobian[k, yaw, l] * velocity
-            for j in range(3):
-                held = program.displacements[j]
-                if held < 0 and factors[b] == 0.0:
-                    held = program.velocities[j]
-                if held >= 0:
-                    for k in range(3):
-                        for l in range(width):
-                            column[k, j, b, l] -= jacobian[k, held, l] * value
-        for c in range(nb):
-            project = every * weights[c] * values[c, n]
-            for k in range(3):
-                for j in range(3):
-                    for b in range(nb):
-                        for l in range(width):
-                            matrix[k * nb + c, j * nb + b, l] += project * column[k, j, b, l]
+    room = room_for(program, lanes)
+    rows, states, width = room[2].shape
+    nth = 2 if lanes.strips.shape[0] > 0 and samples % 2 == 0 else 1
+    products = np.zeros((4 * ((nb * (nb + 1) // 2 + 3) // 4), samples // nth))
+    for c in range(nb):
+        for b in range(c + 1):
+            for n in range(samples // nth):
+                products[_pair(c, b), n] = values[c, nth * n] * values[b, nth * n]
+    derivative = np.zeros((samples // nth, rows, states, width)), products, np.zeros((3, 4, products.shape[0], width))
+    return room, np.zeros((samples, rows, width)), derivative
 
 
 @batch_kernel
@@ -270,36 +299,31 @@ def _judge(l, sign, sizes, stage):
         return 1
     if not (last <= 0.75 * left or (left < 1e-9 and last < 10.0 * left)):
         return 1
-    if last < 1e-13 or (left < 1e-9 and last > 0.01 * left):
+    # Steps with one matrix shrink by one factor, last/left: done when the next one would be at rounding.
+    if last * last < 1e-13 * left or (left < 1e-9 and last > 0.01 * left):
         stage[l] = _DONE
     return 3
 
 
 @batch_kernel
-def _newton(program, tables, lanes, u, stage, sign, work):
-    """Newton's method on all conditions whose ``stage`` is 0, each matrix used for three steps."""
-    matrix, pivots, inverse, step, points, sizes, column, room = work
-    nb, width = u.shape[1], u.shape[2]
-    for _ in range(_ITERATIONS):
-        derivative_batch(program, tables, lanes, u, matrix, column, room)
-        factor_batch(matrix, pivots, inverse, sign[1])
-        _copy(u, points[0])
-        for j in range(3):
-            balance_batch(program, tables, lanes, points[j], step, room)
-            solve_batch(matrix, pivots, inverse, step)
-            _move(points[j], step, points[j + 1], sizes[j])
-        working = False
-        for l in range(width):
-            if stage[l] != 0:
-                continue
-            taken = _judge(l, sign[1], sizes, stage)
-            sign[0, l] = sign[1, l]
-            for k in range(3):
-                for b in range(nb):
-                    u[k, b, l] = points[taken, k, b, l]
-            working = working or stage[l] == 0
-        if not working:
-            break
+def _round(program, tables, lanes, u, stage, sign, work):
+    """Three steps of Newton's method with one matrix for all lanes, those whose ``stage`` is 0 to remain where they lead."""
+    matrix, pivots, inverse, step, points, sizes, room = work
+    derivative_batch(program, tables, lanes, u, matrix, room)
+    factor_batch(matrix, pivots, inverse, sign[1])
+    _copy(u, points[0])
+    for j in range(3):
+        balance_batch(program, tables, lanes, points[j], step, room)
+        solve_batch(matrix, pivots, inverse, step)
+        _move(points[j], step, points[j + 1], sizes[j])
+    for l in range(u.shape[2]):
+        if stage[l] != 0:
+            continue
+        taken = _judge(l, sign[1], sizes, stage)
+        sign[0, l] = sign[1, l]
+        for k in range(3):
+            for b in range(u.shape[1]):
+                u[k, b, l] = points[taken, k, b, l]
 
 
 @batch_kernel
@@ -311,6 +335,17 @@ def _altered(linear_motion, u, l):
         new += u[1, b, l] ** 2
         apart += (u[1, b, l] - linear_motion[1, b, l]) ** 2
     return apart > ALTERED * min(old, new)
+
+
+@batch_kernel
+def _imbalance(lanes, residual, l):
+    """Largest residual of a lane relative to its excitation."""
+    scale, largest = 1e-300, 0.0
+    for k in range(3):
+        scale = max(scale, abs(lanes.cos[k, l]), abs(lanes.sin[k, l]), abs(lanes.mean[k, l]))
+    for row in range(residual.shape[0]):
+        largest = max(largest, abs(residual[row, l]))
+    return largest / scale
 
 
 @kernel
@@ -326,41 +361,58 @@ def newton_batch(first, last, program, parts, tables, given_start, from_rest, st
 
     Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
+    if first >= last:
+        return
     factors = tables[2]
     nb = factors.size
-    size = 3 * nb
     lanes = row_of_lanes(parts, WIDTH)
-    room = room_for(program, lanes)
+    room = room_for_balance(program, lanes, tables)
     u, linear_motion = np.zeros((3, nb, WIDTH)), np.zeros((3, nb, WIDTH))
-    stage, sign, side = np.zeros(WIDTH, np.int64), np.zeros((2, WIDTH)), np.zeros(WIDTH)
-    step = np.zeros((size, WIDTH))
-    work = (np.zeros((size, size, WIDTH)), np.zeros((size, WIDTH), np.int64), np.zeros((size, WIDTH)), step,
-            np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), np.zeros((3, 3, nb, WIDTH)), room)  # fmt: skip
-    # Lanes that are not wanted, or fill up the last row, go along with stage _LEFT and are not written.
-    for begin in range(first, last, WIDTH):
-        gather(begin, last, parts, lanes)
-        _linear(lanes, factors, linear_motion, side)
+    stage, sign, side = np.full(WIDTH, _LEFT), np.zeros((2, WIDTH)), np.zeros(WIDTH)
+    step, following = np.zeros((3 * nb, WIDTH)), from_rest and not given_start
+    work = (np.zeros((3 * nb, 3 * nb, WIDTH)), np.zeros((3 * nb, WIDTH), np.int64), np.zeros((3 * nb, WIDTH)), step,
+            np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), room)  # fmt: skip
+    # A lane takes the next condition as soon as its own is done, so that none waits for the slowest of its neighbours. The
+    # last ones stand beside lanes that have none left and go along without being written.
+    held, rounds, ahead = np.full(WIDTH, -1), np.zeros(WIDTH, np.int64), first
+    for l in range(WIDTH):
+        fill_lane(parts, first, lanes, l)
+    while True:
+        taken = 0
         for l in range(WIDTH):
-            i = min(begin + l, last - 1)
-            stage[l] = 0 if waiting[i] == 1 else _LEFT
-            for k in range(3):
-                for b in range(nb):
-                    u[k, b, l] = start[i, k, b] if given_start else linear_motion[k, b, l]
-        _newton(program, tables, lanes, u, stage, sign, work)
-        balance_batch(program, tables, lanes, u, step, room)
-        for l in range(min(WIDTH, last - begin)):
-            i = begin + l
-            if stage[l] != _DONE:
+            while held[l] < 0 and ahead < last:
+                if waiting[ahead] == WAITING:
+                    fill_lane(parts, ahead, lanes, l)
+                    held[l], rounds[l], stage[l] = ahead, 0, 0
+                    taken += 1
+                ahead += 1
+        if taken > 0:
+            note_equal_lanes(lanes)
+            _linear(lanes, factors, linear_motion, side)
+        working = False
+        for l in range(WIDTH):
+            working = working or held[l] >= 0
+            if held[l] >= 0 and rounds[l] == 0:
+                for k in range(3):
+                    for b in range(nb):
+                        u[k, b, l] = start[held[l], k, b] if given_start else linear_motion[k, b, l]
+        if not working:
+            break
+        _round(program, tables, lanes, u, stage, sign, work)
+        done = False
+        for l in range(WIDTH):
+            rounds[l] += 1
+            done = done or stage[l] == _DONE
+        if done:
+            balance_batch(program, tables, lanes, u, step, room)
+        for l in range(WIDTH):
+            i = held[l]
+            if i < 0 or (stage[l] == 0 and rounds[l] < _ITERATIONS):
                 continue
-            from_linear = from_rest and not given_start
-            if from_linear and sign[0, l] != side[l]:
-                continue
-            waiting[i] = FOUND_ALTERED if from_linear and _altered(linear_motion, u, l) else FOUND
-            scale = 1e-300
-            for k in range(3):
-                scale = max(scale, abs(parts.cos[i, k]), abs(parts.sin[i, k]), abs(parts.mean[i, k]))
-                for b in range(nb):
-                    start[i, k, b] = u[k, b, l]
-            error[i] = 0.0
-            for row in range(size):
-                error[i] = max(error[i], abs(step[row, l]) / scale)
+            if stage[l] == _DONE and not (following and sign[0, l] != side[l]):
+                waiting[i] = FOUND_ALTERED if following and _altered(linear_motion, u, l) else FOUND
+                error[i] = _imbalance(lanes, step, l)
+                for k in range(3):
+                    for b in range(nb):
+                        start[i, k, b] = u[k, b, l]
+            held[l], stage[l] = -1, _LEFT

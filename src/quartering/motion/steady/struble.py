@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from quartering._machine.compiled import kernel
 from quartering._machine.threads import in_threads
-from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_lanes
+from quartering.motion.equations.rates import WIDTH, gather, row_of_lanes
 from quartering.motion.equations.steering import feedback, turning
 from quartering.motion.equations.system import FEWEST, Floats, System, kernel_arguments
 from quartering.motion.steady.harmonic import harmonic_balance
-from quartering.motion.steady.newton import balance_batch, gather_motions, linear_response
+from quartering.motion.steady.newton import balance_batch, gather_motions, linear_response, room_for_balance
 
 
 @kernel
@@ -24,7 +24,7 @@ def _add_linear_harmonics(first, last, program, parts, tables, fundamental, answ
     factors = tables[2]
     nb, known = factors.size, fundamental.shape[2]
     lanes = row_of_lanes(parts, WIDTH)
-    room = room_for(program, lanes)
+    room = room_for_balance(program, lanes, tables)
     row, residual = np.zeros((3, nb, WIDTH)), np.zeros((3 * nb, WIDTH))
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from quartering._machine.compiled import batch_kernel, kernel
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.basis import waves_at
-from quartering.motion.equations.rates import enter_inputs, forces, gather, room_for, row_of_lanes
+from quartering.motion.equations.rates import WIDTH, enter_inputs, forces, gather, room_for, row_of_lanes
 from quartering.motion.equations.system import Floats, System
 
 RAISED_IN: Final = 3
@@ -26,9 +26,6 @@ PERIODS: Final = 10
 
 STEPS: Final = 48
 """Runge-Kutta steps a cycle, twice, four times, .. as many where the ship itself is faster than the wave."""
-
-BATCH: Final = 32
-"""Conditions of a row: few are asked of most maps, and a row that is not full costs as much as a full one."""
 
 SETTLED: Final = 1e-4
 """Change of every state over a cycle, as a share of its largest size in it, at which a history has come to its motion."""
@@ -121,12 +118,11 @@ def _march(first, last, program, parts, waves, cycles, limit, states, times):
                         going -= 1
 
 
-def capsizes_before(system: System, limit: Floats, width: int = BATCH) -> Floats:
+def capsizes_before(system: System, limit: Floats) -> Floats:
     """When ships capsize that meet their wave upright, and such whose wave is raised in three steps.
 
     system: n conditions, all numbers finite
     limit (n,): roll angle that counts as a capsize [rad]
-    width: conditions in a batch; with one width no condition feels its neighbours to the last digit
     Returns (n, 2): time from the beginning: at rest in the whole wave, ten periods; at rest in a third of it, then two
         thirds and the whole, ten periods each; NaN where the ship does not capsize [s]
 
@@ -138,14 +134,14 @@ def capsizes_before(system: System, limit: Floats, width: int = BATCH) -> Floats
     for each in np.unique(steps):
         chosen = np.flatnonzero(steps == each)
         some = system.each(lambda array, chosen=chosen: array[chosen])  # type: ignore[misc]
-        times[chosen] = _capsizes(some, np.asarray(limit, dtype=float)[chosen], int(each), width)
+        times[chosen] = _capsizes(some, np.asarray(limit, dtype=float)[chosen], int(each))
     return times * (2 * np.pi / system.frequency)[:, None]
 
 
-def _capsizes(system: System, limit: Floats, steps: int, width: int) -> Floats:
+def _capsizes(system: System, limit: Floats, steps: int) -> Floats:
     """`capsizes_before` in cycles, with a number of steps each."""
-    rows = -(-system.count // width)
-    lanes = np.minimum(np.arange(rows * width), system.count - 1).reshape(rows, width)
+    rows = -(-system.count // WIDTH)
+    lanes = np.minimum(np.arange(rows * WIDTH), system.count - 1).reshape(rows, WIDTH)
     waves = waves_at(np.pi * np.arange(2 * steps) / steps, system.inputs.shape[2])
     angle = np.ascontiguousarray(limit[lanes])
 
@@ -153,9 +149,9 @@ def _capsizes(system: System, limit: Floats, steps: int, width: int) -> Floats:
         at = system.raised(np.array([share]))
         in_threads(_march, rows, at.program, at.parts, waves, PERIODS, angle, states, times, smallest=1)
 
-    found = np.full((2, rows, width), np.nan)
-    further(1.0, np.zeros((rows, system.states, width)), found[0])
-    states = np.zeros((rows, system.states, width))
+    found = np.full((2, rows, WIDTH), np.nan)
+    further(1.0, np.zeros((rows, system.states, WIDTH)), found[0])
+    states = np.zeros((rows, system.states, WIDTH))
     for i in range(RAISED_IN):
         before = np.isfinite(found[1])
         further((i + 1) / RAISED_IN, states, found[1])

@@ -37,7 +37,7 @@ def _march(first, last, equations, h, forcing, begin, steps, limit, states, time
     ``begin`` steps, whole periods, have been taken before. ``states`` (rows, 4 to 6, W) of a start go on until |roll| passes
     `limit`; ``times`` (rows, W) is when it did, NaN before.
     """
-    room, excitation, none = room_to_march(equations), np.empty((3, 3, WIDTH)), np.empty((3, 0, WIDTH))
+    room, excitation = room_to_march(equations), np.empty((3, 3, WIDTH))
     lanes, total, waves = room[0], room[4], np.empty((3, forcing.shape[1]))
     roll = equations.program.displacements[1]
     for row in range(first, last):
@@ -53,7 +53,7 @@ def _march(first, last, equations, h, forcing, begin, steps, limit, states, time
                     for l in range(WIDTH):
                         wave = lanes.cos[k, l] * waves[j, 1] + lanes.sin[k, l] * waves[j, 2]
                         excitation[j, k, l] = lanes.mean[k, l] + wave
-            step_sum(equations, h, excitation, none, waves, y, room)
+            step_sum(equations, h, excitation, waves, y, room)
             for s in range(y.shape[0]):
                 for l in range(WIDTH):
                     if np.isnan(times[row, l]):

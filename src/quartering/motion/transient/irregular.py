@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering._machine.compiled import kernel
+from quartering._machine.simd import all_at_most, every, load, size, store, where_less
 from quartering._machine.threads import in_threads
 from quartering.conventions import STATE, InputError, RangeWarning
 from quartering.doors import takes
@@ -21,6 +22,9 @@ from quartering.options import quoted
 
 if TYPE_CHECKING:
     import xarray as xr
+
+_TOGETHER = 8
+"""Rows whose excitation stands together."""
 
 _CHUNK = 256
 """Steps whose excitation is computed together."""
@@ -37,13 +41,14 @@ _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s",
 def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
     """Runge-Kutta steps for rows first..last of realisations, a row being a batch.
 
-    ``forcing`` (steps + 7, 3 + e + z, n) begins 3 steps before the first step: accelerations, known inputs, water.
+    ``forcing`` (groups of rows, steps + 7, 3 + e + z, rows, W) begins 3 steps before the first step: accelerations, known
+    inputs, water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.
     """
-    kinds = forcing.shape[1]
-    room, given = room_to_march(equations), np.zeros((3, kinds, WIDTH))
+    samples, kinds, together = forcing.shape[1:4]
+    room, given, still = room_to_march(equations), np.zeros((3, kinds, WIDTH)), np.zeros(WIDTH)
     waves, total, roll_angle = (
         np.zeros((3, equations.parts.inputs.shape[2])),
         room[4],
@@ -51,27 +56,31 @@ def _march(first, last, equations, forcing, between, h, begin, limit, states, pe
     )
     waves[:, 0], waves[:, 1] = 1.0, 1.0  # a series stands where the mean of an input and the cosine of the water would
     for row in range(first, last):
-        y, own = states[row], forcing[:, :, row * WIDTH : (row + 1) * WIDTH]
-        for n in range(forcing.shape[0] - between.size + 1):
+        y, group, own = states[row], row // together, row % together
+        for l in range(WIDTH):
+            still[l] = 1.0 if np.isnan(capsize[row, l]) else 0.0
+        highest, total_square = load(peak, row), load(square, row)
+        for n in range(samples - between.size + 1):
             for k in range(kinds):
-                for l in range(WIDTH):
-                    given[0, k, l], given[2, k, l] = own[n + _BEFORE, k, l], own[n + _BEFORE + 1, k, l]
-                    given[1, k, l] = 0.0
+                store(given, (0, k), load(forcing, (group, n + _BEFORE, k, own)))
+                store(given, (2, k), load(forcing, (group, n + _BEFORE + 1, k, own)))
+                middle = every(0.0)
                 for i in range(between.size):
-                    for l in range(WIDTH):
-                        given[1, k, l] += between[i] * own[n + i, k, l]
-            step_sum(equations, h, given[:, :3], given[:, 3:], waves, y, room)
+                    middle += between[i] * load(forcing, (group, n + i, k, own))
+                store(given, (1, k), middle)
+            step_sum(equations, h, given, waves, y, room)
+            going = load(still, ())
             for s in range(y.shape[0]):
+                store(y, s, load(y, s) + going * (h / 6.0) * load(total, s))
+            roll = size(load(y, roll_angle))
+            highest = where_less(highest, roll, roll, highest)
+            total_square += going * roll * roll
+            if not all_at_most(roll, limit):
                 for l in range(WIDTH):
-                    going = 1.0 if np.isnan(capsize[row, l]) else 0.0
-                    y[s, l] += going * h / 6.0 * total[s, l]
-            for l in range(WIDTH):
-                going = 1.0 if np.isnan(capsize[row, l]) else 0.0
-                roll = abs(y[roll_angle, l])
-                peak[row, l] = max(peak[row, l], roll)
-                square[row, l] += going * roll * roll
-                if going > 0.0 and not roll <= limit:
-                    capsize[row, l] = begin + (n + 1) * h
+                    if still[l] > 0.0 and not abs(y[roll_angle, l]) <= limit:
+                        capsize[row, l], still[l] = begin + (n + 1) * h, 0.0
+        store(peak, row, highest)
+        store(square, row, total_square)
 
 
 @takes(model="Model")
@@ -136,14 +145,18 @@ def irregular(
         )
     known = _known_inputs(model, w.size, water)
     count, steps = phases.shape[0], round(duration / step)
-    rows = -(-count // WIDTH)
+    together = min(_TOGETHER, -(-count // WIDTH))
+    groups = -(-count // (WIDTH * together))
+    rows = groups * together
     acceleration = np.concatenate([np.linalg.solve(model.inertia, f.T), known])  # (3 + m, c)
     turned = acceleration[:, None, :] * np.exp(1j * phases)  # (3 + m, n, c)
     amplitude = np.zeros((2 * w.size + 1, len(acceleration), rows * WIDTH))
     amplitude[: w.size, :, :count] = turned.real.transpose(2, 0, 1)
     amplitude[w.size : -1, :, :count] = -turned.imag.transpose(2, 0, 1)
     amplitude[-1, :3] = model.system.mean[0][:, None]
-    amplitude = amplitude.reshape(2 * w.size + 1, -1)
+    # of a few rows at a time (groups, 2 c + 1, kinds rows W), so that what a step takes stands close together
+    amplitude = amplitude.reshape(2 * w.size + 1, len(acceleration), groups, -1).transpose(2, 0, 1, 3)
+    amplitude = np.ascontiguousarray(amplitude).reshape(groups, 2 * w.size + 1, -1)
     states = np.zeros((rows, model.system.states, WIDTH))
     peak, square = np.zeros((rows, WIDTH)), np.zeros((rows, WIDTH))
     capsize, equations = np.full((rows, WIDTH), np.nan), alike(model.system)
@@ -151,7 +164,7 @@ def irregular(
         samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
         angle = np.multiply.outer((begin - _BEFORE + np.arange(samples)) * step, w)
         waves = np.concatenate([np.cos(angle), np.sin(angle), np.ones((samples, 1))], axis=1)
-        forcing = (waves @ amplitude).reshape(samples, len(acceleration), -1)
+        forcing = (waves @ amplitude).reshape(groups, samples, len(acceleration), together, WIDTH)
         arrays = (equations, forcing, _BETWEEN, step, begin * step, angle_of_capsize, states, peak, square, capsize)
         in_threads(_march, rows, *arrays, smallest=1)
     result = _dataset(model, states, peak, square, capsize, count, steps * step, step)

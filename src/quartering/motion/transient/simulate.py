@@ -13,7 +13,7 @@ from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.told import number
-from quartering.motion.equations.rates import enter_inputs, fill, forces, room_for, row_of_lanes
+from quartering.motion.equations.rates import WIDTH, enter_inputs, fill, forces, room_for, row_of_lanes
 from quartering.motion.equations.steering import HEADING, RUDDER
 from quartering.motion.equations.system import Floats, Model
 from quartering.motion.of_ship import equations
@@ -74,7 +74,7 @@ def _derivative(program, lanes, time, y, waves, room, out):
 @kernel
 def _integrate(program, parts, times, start, tolerance, scale, limit, nodes, stages, error, dense, out):
     """Dormand-Prince 5(4) with fourth-order dense output at ``times``; returns the number of samples written."""
-    lanes = row_of_lanes(parts, 1)
+    lanes = row_of_lanes(parts, WIDTH)
     fill(0, 1.0, parts, lanes)
     room, waves = room_for(program, lanes), np.empty(parts.inputs.shape[2])
     states = start.size

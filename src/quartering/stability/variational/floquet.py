@@ -1,13 +1,17 @@
 """Floquet multipliers: what decides whether a periodic motion is stable."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.compiled import inner, kernel, summing
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.batch import rows
 from quartering.motion.equations.steering import HEADING, RUDDER, holds_heading
 from quartering.motion.equations.system import Floats, System
@@ -93,23 +97,51 @@ def fastest_rate(phasors: Complex, mean_jacobian: Complex) -> Floats:
     >>> fastest_rate(stiff, np.zeros((1, 4))).tolist()
     [2.0]
     """
-    sizes = np.abs(phasors).sum(axis=1)
-    diagonal = np.maximum.reduce([sizes[:, 0, 0], sizes[:, 1, 2], sizes[:, 2, 3]])
-    largest = np.abs(mean_jacobian).max(axis=1)
-    if np.isnan(largest).any():
-        largest = np.where(np.isnan(largest), _spectral_bound(phasors[:, 0].real), largest)
-    return np.maximum.reduce([largest, np.sqrt(sizes[:, 1, 1]), diagonal])
+    rate = np.empty(len(phasors))
+    in_threads(_fastest, len(phasors), np.require(phasors, requirements=("C", "W")), np.asarray(mean_jacobian), rate)
+    return rate
 
 
-def _spectral_bound(mean: Floats) -> Floats:
-    """Bound (n,) on the moduli of the eigenvalues of the mean matrix (n, 3, 4): |A^8|^(1/8)."""
-    power = np.zeros((mean.shape[0], 4, 4))
-    power[:, [0, 2, 3]] = mean
-    power[:, 1, 2] = 1.0
-    with np.errstate(invalid="ignore", over="ignore"):  # a condition of numbers that are not finite has no bound
-        for _ in range(3):
-            power = power @ power
-    return np.asarray(np.sqrt((power**2).sum(axis=(1, 2))) ** (1 / 8))
+@kernel
+def _fastest(first, last, phasors, mean_jacobian, rate):
+    """Fastest rates (n,) of `fastest_rate`."""
+    power, other = np.empty((4, 4)), np.empty((4, 4))
+    for i in range(first, last):
+        stiffness, sway, roll, yaw, largest = 0.0, 0.0, 0.0, 0.0, 0.0
+        for m in range(phasors.shape[1]):
+            stiffness += abs(phasors[i, m, 1, 1])
+            sway += abs(phasors[i, m, 0, 0])
+            roll += abs(phasors[i, m, 1, 2])
+            yaw += abs(phasors[i, m, 2, 3])
+        for s in range(mean_jacobian.shape[1]):
+            own = abs(mean_jacobian[i, s])
+            largest = own if own > largest or np.isnan(own) else largest
+        if np.isnan(largest):
+            largest = _spectral_bound(phasors[i, 0], power, other)
+        for own in (math.sqrt(stiffness), sway, roll, yaw):
+            largest = own if own > largest or np.isnan(own) else largest
+        rate[i] = largest
+
+
+@inner
+def _spectral_bound(mean, power, other):
+    """Bound on the moduli of the eigenvalues of the mean matrix (3, 4): |A^8|^(1/8)."""
+    for c in range(4):
+        power[0, c], power[1, c] = mean[0, c].real, 1.0 if c == 2 else 0.0
+        power[2, c], power[3, c] = mean[1, c].real, mean[2, c].real
+    total = 0.0
+    for n in range(3):
+        total = 0.0
+        for a in range(4):
+            for b in range(4):
+                own = power[a, 0] * power[0, b] + power[a, 1] * power[1, b]
+                other[a, b] = own + power[a, 2] * power[2, b] + power[a, 3] * power[3, b]
+                total += other[a, b] * other[a, b]
+        if n < 2:
+            for a in range(4):
+                for b in range(4):
+                    power[a, b] = other[a, b]
+    return math.sqrt(math.sqrt(math.sqrt(math.sqrt(total))))
 
 
 def floquet(
@@ -151,24 +183,35 @@ def floquet(
     values, share = _modes(phi, detail)
     if np.any(free):
         values[free, -1] = 1.0
-    full = values**2 if symmetric else values
     frequency = np.where(found, system.frequency, 1.0)
-    turns = (frequency / (2 * np.pi))[:, None]
-    exponents = np.empty_like(full)
-    with np.errstate(divide="ignore"):  # a multiplier too small for the number range is zero: its exponent is -inf
-        exponents.real = np.log(np.abs(full)) * turns
-    exponents.imag = np.angle(full) * turns
-    expected = np.exp(np.where(found, trace, 0.0) * 2 * np.pi / frequency)
-    with np.errstate(over="ignore", invalid="ignore"):  # of multipliers of 1e80: endless, as its error
-        product = np.prod(full, axis=1).real
-    liouville = np.where(
-        expected > _SMALLEST_DETERMINANT, np.abs(product - expected) / np.maximum(expected, 1e-300), np.nan
-    )
+    full, exponents = np.empty_like(values), np.empty_like(values)
+    liouville = np.empty(system.count)
+    in_threads(_of_cycle, system.count, values, symmetric, frequency, trace, full, exponents, liouville)
     gone = ~found
     for array in (full, values, exponents, share, liouville):
         array[gone] = np.nan
     half = values if symmetric else np.full_like(values, np.nan)
-    return Floquet(full, half, exponents, share, np.asarray(liouville))
+    return Floquet(full, half, exponents, share, liouville)
+
+
+@summing
+def _of_cycle(first, last, values, symmetric, frequency, trace, full, exponents, liouville):
+    """Multipliers of a whole cycle from those of the integrated span, their exponents, and how far Liouville's formula misses.
+
+    A multiplier too small for the number range is zero: its exponent is -inf.
+    """
+    for i in range(first, last):
+        turns, product = frequency[i] / (2.0 * np.pi), 1.0 + 0.0j
+        for s in range(values.shape[1]):
+            own = values[i, s] * values[i, s] if symmetric else values[i, s]
+            full[i, s] = own
+            product *= own
+            size = abs(own)
+            growth = math.log(size) * turns if size > 0.0 else -np.inf
+            exponents[i, s] = complex(growth, math.atan2(own.imag, own.real) * turns)
+        expected = math.exp(trace[i] / turns)
+        large = expected > _SMALLEST_DETERMINANT
+        liouville[i] = abs(product.real - expected) / expected if large else np.nan
 
 
 FINEST_WITH_KINKS: Final = 1e-6

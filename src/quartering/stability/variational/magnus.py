@@ -9,7 +9,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.compiled import batch_kernel, kernel, summing
+from quartering._machine.simd import every, load, store
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
 from quartering.stability.variational.exponential import ROW, commutator, exponential, product
@@ -26,73 +27,81 @@ _TIERS = (14, 18, 22, 24, 26, 28)
 take tens of megabytes."""
 _CONSTANT = 40.0
 _NODE = math.sqrt(15.0) / 10.0
-_POINTS = 40
+_POINTS = 8
+_BESIDE, _BEFORE = 3, 2
+"""Values that a polynomial takes on either side, and how many a step takes before the one it begins at."""
 _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
 
 
 @batch_kernel
-def _exponent(a, h, a1, a2, a3, c1, c2, scratch, out):
+def _exponent(a, h, a1, a2, a3, c1, c2, out):
     """Magnus' exponent of one step to sixth order from the matrices (3, 4, 4, W) at Gauss' three nodes."""
+    step = load(h, ())
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                low, middle, high = a[0, i, j, l], a[1, i, j, l], a[2, i, j, l]
-                a1[i, j, l] = h[l] * middle
-                a2[i, j, l] = h[l] * _ROOT * (high - low)
-                a3[i, j, l] = _THIRDS * h[l] * (high - 2.0 * middle + low)
-    commutator(a1, a2, scratch, c1)
+            low, middle, high = load(a, (0, i, j)), load(a, (1, i, j)), load(a, (2, i, j))
+            store(a1, (i, j), step * middle)
+            store(a2, (i, j), step * (_ROOT * (high - low)))
+            store(a3, (i, j), step * (_THIRDS * (high - 2.0 * middle + low)))
+    commutator(a1, a2, c1)
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                out[i, j, l] = 2.0 * a3[i, j, l] + c1[i, j, l]
-    commutator(a1, out, scratch, c2)
+            store(out, (i, j), 2.0 * load(a3, (i, j)) + load(c1, (i, j)))
+    commutator(a1, out, c2)
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                c1[i, j, l] += -20.0 * a1[i, j, l] - a3[i, j, l]
-                c2[i, j, l] = a2[i, j, l] - c2[i, j, l] * (1.0 / 60.0)
-    commutator(c1, c2, scratch, out)
+            store(c1, (i, j), load(c1, (i, j)) - 20.0 * load(a1, (i, j)) - load(a3, (i, j)))
+            store(c2, (i, j), load(a2, (i, j)) - load(c2, (i, j)) * (1.0 / 60.0))
+    commutator(c1, c2, out)
     for i in range(4):
         for j in range(4):
-            for l in range(ROW):
-                out[i, j, l] = a1[i, j, l] + a3[i, j, l] * (1.0 / 12.0) + out[i, j, l] * (1.0 / 240.0)
+            first = load(a1, (i, j)) + load(a3, (i, j)) * (1.0 / 12.0)
+            store(out, (i, j), first + load(out, (i, j)) * (1.0 / 240.0))
 
 
 @batch_kernel
-def _at_nodes(values, weights, node, matrix):
-    """Variational matrices (3, 4, 4, W) at the three nodes from ``node`` on, interpolated from equal intervals (s, 12, W)."""
-    for m in range(3):
-        for e in range(12):
-            i = 0 if e < 4 else e // 4 + 1
-            j = e % 4
-            for l in range(ROW):
-                matrix[m, i, j, l] = 0.0
-            for s in range(0, values.shape[0], 4):
-                a, b, c, d = weights[node + m, s : s + 4]
-                for l in range(ROW):
-                    two = a * values[s, e, l] + b * values[s + 1, e, l]
-                    matrix[m, i, j, l] += two + c * values[s + 2, e, l] + d * values[s + 3, e, l]
+def _at_nodes(values, begin, count, weights, node, matrix):
+    """Variational matrices (3, 4, 4, W) at three nodes from ``node`` on, of ``count`` values (s, 12, W) from ``begin`` on."""
+    for e in range(12):
+        i = 0 if e < 4 else e // 4 + 1
+        j = e % 4
+        low, middle, high = every(0.0), every(0.0), every(0.0)
+        for s in range(count):
+            own = load(values, (begin + s, e))
+            low += weights[node, s] * own
+            middle += weights[node + 1, s] * own
+            high += weights[node + 2, s] * own
+        store(matrix, (0, i, j), low)
+        store(matrix, (1, i, j), middle)
+        store(matrix, (2, i, j), high)
 
 
 @kernel
-def _transition(first, last, along, weights, rows, starts, counts, scale, cycle, transition):
+def _transition(first, last, along, weights, rows, starts, widths, counts, scale, cycle, transition):
     """Transition matrices (n, 4, 4) of the conditions in rows first..last over `cycle` seconds.
 
-    Row r holds the conditions rows[r], all of counts[r] steps; its last one fills up what is empty.
+    Row r holds the conditions rows[r], all of counts[r] steps; its last one fills up what is empty. A step takes widths[r]
+    values about it, which go on beyond the ends of the period; all, where that is their number.
     """
-    matrix, values = np.zeros((3, 4, 4, ROW)), np.zeros((weights.shape[1], 12, ROW))
+    matrix, values = np.zeros((3, 4, 4, ROW)), np.zeros((along.shape[1] + 2 * _BESIDE + 2, 12, ROW))
     a1, a2, a3, c1 = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
-    c2, scratch, exponent = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
+    c2, exponent = np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
     phi, g, h = np.empty((4, 4, ROW)), np.empty(ROW), np.empty(ROW)
-    norm, halvings = np.empty(ROW), np.empty(ROW, np.int64)
+    norm, halvings = np.empty(ROW), np.empty(ROW)
+    samples = along.shape[1]
     for r in range(first, last):
+        local = widths[r] != samples
         for l in range(ROW):
             i = rows[r, l]
             g[l], h[l] = scale[i], cycle[i] / counts[r]
             for e in range(12):  # sway velocity in units of g, so that all entries are of one size
                 unit = (g[l] if e % 4 == 0 else 1.0) / (g[l] if e < 4 else 1.0)
-                for s in range(along.shape[1]):
-                    values[s, e, l] = along[i, s, e] * unit
+                for s in range(samples):
+                    values[s + _BEFORE, e, l] = along[i, s, e] * unit
+                for s in range(_BEFORE):
+                    values[s, e, l] = along[i, samples - _BEFORE + s, e] * unit
+                for s in range(2 * _BESIDE - _BEFORE):
+                    values[samples + _BEFORE + s, e, l] = along[i, s, e] * unit
             for a in range(4):
                 for b in range(4):
                     phi[a, b, l] = 1.0 if a == b else 0.0
@@ -102,14 +111,14 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
         # a3 = 10/3 h (A3 - 2 A2 + A1), Omega = a1 + a3/12 + [-20 a1 - a3 + [a1, a2], a2 - [a1, 2 a3 + [a1, a2]]/60]/240
         # errs by h^7; with the equations nearly constant few steps do.
         for n in range(counts[r]):
-            _at_nodes(values, weights, starts[r] + 3 * n, matrix)
-            _exponent(matrix, h, a1, a2, a3, c1, c2, scratch, exponent)
-            exponential(exponent, c1, c2, scratch, norm, halvings, a1)
+            begin = samples * n // counts[r] if local else _BEFORE
+            _at_nodes(values, begin, widths[r], weights, starts[r] + 3 * n, matrix)
+            _exponent(matrix, h, a1, a2, a3, c1, c2, exponent)
+            exponential(exponent, c1, c2, a3, norm, halvings, a1)
             product(a1, phi, a2)
             for a in range(4):
                 for b in range(4):
-                    for l in range(ROW):
-                        phi[a, b, l] = a2[a, b, l]
+                    store(phi, (a, b), load(a2, (a, b)))
         for l in range(ROW):
             for a in range(4):
                 for b in range(4):
@@ -118,31 +127,50 @@ def _transition(first, last, along, weights, rows, starts, counts, scale, cycle,
 
 
 @lru_cache(maxsize=16)
-def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64]]:
-    """Weights (nodes, samples, filled up to a multiple of 4) of a periodic function's equally spaced values at the nodes of
-    the first numbers of steps in turn, and where each begins: trigonometric interpolation, exact for the harmonics that
-    the samples can hold.
+def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
+    """Weights (nodes, most) of a periodic function's equally spaced values at the nodes of the first numbers of steps in turn,
+    where each number begins, and how many values a step of it takes: trigonometric interpolation, exact for the harmonics
+    that the samples can hold.
 
-    With kinks the values at the nodes are those of the parabola that comes nearest to the interpolated function over the step
-    in the mean square: Gauss' rule then has its integral and first moments without error, wherever in the step the kink lies.
+    With kinks the values at the nodes are those of the parabola that comes nearest to the function over the step in the mean
+    square: Gauss' rule then has its integral and first moments without error, wherever in the step the kink lies. There the
+    function between its values is that of the polynomial through six of them, so that a step takes those near it alone.
     """
     starts = (3 * np.concatenate([[0], np.cumsum(STEPS[:kinds])[:-1]])).astype(np.int64)
-    if kinks:
-        place, weight = np.polynomial.legendre.leggauss(_POINTS)
-        powers = np.arange(3)
-        parabola = np.polynomial.legendre.legvander(np.array([-2 * _NODE, 0.0, 2 * _NODE]), 2)
-        project = parabola @ (
-            (powers[:, None] + 0.5) * np.polynomial.legendre.legvander(place, 2).T * weight
-        )  # (3, points)
-        rows = [
-            np.einsum("ap,nps->nas", project, _cardinals((np.arange(n)[:, None] + 0.5 + 0.5 * place) / n, samples))
-            for n in STEPS[:kinds]
-        ]
-        weights = np.concatenate([row.reshape(-1, samples) for row in rows])
-    else:
+    if not kinks:
         nodes = [((np.arange(n)[:, None] + [0.5 - _NODE, 0.5, 0.5 + _NODE]) / n).ravel() for n in STEPS[:kinds]]
-        weights = _cardinals(np.concatenate(nodes), samples)
-    return np.pad(weights, ((0, 0), (0, -samples % 4))), starts  # four are taken at a time
+        return _cardinals(np.concatenate(nodes), samples), starts, np.full(kinds, samples)
+    local = [_local(samples, n) for n in STEPS[:kinds]]
+    widths = np.array([part.shape[1] for part in local])
+    return np.concatenate([np.pad(part, ((0, 0), (0, widths.max() - part.shape[1]))) for part in local]), starts, widths
+
+
+def _local(samples: int, count: int) -> Floats:
+    """Weights (3 count, values) of each of ``count`` steps, on the values from two before the one where it begins."""
+    ends = samples * np.arange(count + 1) / count
+    first = samples * np.arange(count) // count
+    pieces = int(np.ceil(samples / count)) + 1
+    cuts = np.clip(first[:, None] + np.arange(pieces + 1), ends[:-1, None], ends[1:, None])  # (n, pieces + 1)
+    place, weight = np.polynomial.legendre.leggauss(_POINTS)
+    half = 0.5 * np.diff(cuts)[..., None]
+    x = cuts[:, :-1, None] + half * (1.0 + place)  # (n, pieces, points)
+    length = samples / count
+    # the parabola's values at the nodes: its Legendre coefficients are integrals over the step
+    across = 2.0 * (x - ends[:-1, None, None]) / length - 1.0
+    moments = (
+        np.polynomial.legendre.legvander(across, 2) * (2.0 * np.arange(3) + 1.0) * (half * weight / length)[..., None]
+    )
+    at_nodes = moments @ np.polynomial.legendre.legvander(np.array([-2 * _NODE, 0.0, 2 * _NODE]), 2).T
+    t = x - first[:, None, None] - np.arange(pieces)[:, None]  # from the value before: 0 to 1
+    beside = np.arange(-_BEFORE, _BESIDE * 2 - _BEFORE)
+    lagrange = np.ones((*t.shape, beside.size))
+    for j, own in enumerate(beside):
+        for other in beside[beside != own]:
+            lagrange[..., j] *= (t - other) / (own - other)
+    out = np.zeros((count, 3, pieces + 2 * _BESIDE - 1))
+    for p in range(pieces):
+        out[:, :, p : p + beside.size] += np.einsum("nga,ngj->naj", at_nodes[:, p], lagrange[:, p])
+    return out.reshape(3 * count, -1)
 
 
 def _cardinals(nodes: Floats, samples: int) -> Floats:
@@ -170,19 +198,42 @@ def magnus_steps(
     (stiffness) and w (damping), r = rate/w >= 1 and C = 40, the largest found on seven loadings of four hulls in 2,400
     conditions each.  Source: [Blanes09] order of the method; the constant is measured, see tests.
     """
-    sizes, mean = np.abs(phasors[:, 1:]).sum(axis=1), np.abs(phasors[:, 0])
-    out, back = mean[:, 0, 1:].sum(axis=1), mean[:, 1:, 0].sum(axis=1)
-    usable = (out > 0) & (back > 0)
-    scale = np.sqrt(np.where(usable, out, 1.0) / np.where(usable, back, 1.0))
-    unit = np.stack([scale, np.ones_like(scale), np.ones_like(scale)], axis=1)
-    sizes = sizes / unit[:, :, None]
-    sizes[:, :, 0] *= scale[:, None]
-    stiffness, damping = sizes[:, :, 1].max(axis=1), sizes[:, :, [0, 2, 3]].max(axis=(1, 2))
-    w = np.where(frequency > 0, frequency, np.nan)
-    strength = np.maximum(stiffness / w**2, damping / w) * np.maximum(rate / w, 1.0) ** 4
-    wanted = 2 * span * (_CONSTANT * strength / max(accuracy, FINEST)) ** (1 / 6)
-    index = np.searchsorted(STEPS, wanted)  # NaN sorts last
-    return np.array([*STEPS, 0], dtype=np.int64)[index], scale
+    steps, scale = np.empty(frequency.size, np.int64), np.empty(frequency.size)
+    given = (np.require(phasors, requirements=("C", "W")), frequency, rate, span, _CONSTANT / max(accuracy, FINEST))
+    in_threads(_choose, frequency.size, *given, _STEPS, steps, scale)
+    return steps, scale
+
+
+_STEPS = np.array([*STEPS, 0], dtype=np.int64)
+
+
+@summing
+def _choose(first, last, phasors, frequency, rate, span, by_accuracy, kinds, steps, scale):
+    """Numbers of steps and units of sway velocity of `magnus_steps`."""
+    for i in range(first, last):
+        out, back = 0.0, 0.0
+        for k in range(1, 4):
+            out += abs(phasors[i, 0, 0, k])
+        for k in range(1, 3):
+            back += abs(phasors[i, 0, k, 0])
+        g = math.sqrt(out / back) if out > 0.0 and back > 0.0 else 1.0
+        stiffness, damping = 0.0, 0.0
+        for k in range(3):
+            for s in range(4):
+                own = 0.0
+                for m in range(1, phasors.shape[1]):
+                    own += abs(phasors[i, m, k, s])
+                own *= (g if s == 0 else 1.0) / (g if k == 0 else 1.0)
+                if s == 1:
+                    stiffness = own if own > stiffness or np.isnan(own) else stiffness
+                else:
+                    damping = own if own > damping or np.isnan(own) else damping
+        w = frequency[i] if frequency[i] > 0.0 else np.nan
+        strength = max(stiffness / (w * w), damping / w) * max(rate[i] / w, 1.0) ** 4
+        wanted, place = 2.0 * span * (by_accuracy * strength) ** (1.0 / 6.0), 0
+        while place < kinds.size - 1 and not kinds[place] >= wanted:  # not a number goes to the end
+            place += 1
+        steps[i], scale[i] = kinds[place], g
 
 
 def magnus_transition(
@@ -203,10 +254,10 @@ def magnus_transition(
     samples = along.shape[1]
     where = np.searchsorted(STEPS, np.maximum(steps, STEPS[0]))
     kinds = next(tier for tier in _TIERS if where.max(initial=0) < tier)
-    weights, starts = _tables(samples, kinds, kinks)
+    weights, starts, widths = _tables(samples, kinds, kinks)
     transition = np.full((along.shape[0], 4, 4), np.nan)
     rows = _rows(steps)
-    of_row = (starts[where[rows[:, 0]]], steps[rows[:, 0]])
+    of_row = (starts[where[rows[:, 0]]], widths[where[rows[:, 0]]], steps[rows[:, 0]])
     in_threads(
         _transition, rows.shape[0], along.reshape(-1, samples, 12), weights, rows, *of_row, scale, cycle, transition
     )

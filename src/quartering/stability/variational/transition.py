@@ -4,20 +4,26 @@
 from __future__ import annotations
 
 import math
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.simd import every, load, store
 from quartering._machine.threads import in_threads
-from quartering.motion.equations.rates import enter_inputs, fill_lane, note_equal_lanes, room_for, row_of_lanes, slopes
+from quartering.motion.equations.rates import (
+    WIDTH,
+    enter_inputs,
+    fill_lane,
+    note_equal_lanes,
+    room_for,
+    row_of_lanes,
+    slopes,
+)
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.newton import states
 
-BATCH: Final = 32
-"""Most conditions in a row: their matrices (s, s) stay near the processor."""
 _OCTAVE = 8
 
 
@@ -52,28 +58,27 @@ def _matrix_at(program, parts_lanes, factors, angle, periods, u, value, rate, wa
 @batch_kernel
 def _slope(program, jacobian, phi, out):
     """Derivative of phi (s, s, W): a state's row is that of the state it follows, or the right-hand side's."""
-    size, width = phi.shape[0], phi.shape[2]
+    size = phi.shape[0]
     for s in range(size):
         follows, k = program.follows[s], program.rows[s]
         for c in range(size):
             if follows >= 0:
-                for l in range(width):
-                    out[s, c, l] = phi[follows, c, l]
+                store(out, (s, c), load(phi, (follows, c)))
                 continue
-            for l in range(width):
-                out[s, c, l] = 0.0
+            own = every(0.0)
             for j in range(size):
-                for l in range(width):
-                    out[s, c, l] += jacobian[k, j, l] * phi[j, c, l]
+                own += load(jacobian, (k, j)) * load(phi, (j, c))
+            store(out, (s, c), own)
 
 
 @batch_kernel
 def _advance(phi, slope, ahead, weight, stage, total):
+    by = load(ahead, ())
     for a in range(phi.shape[0]):
         for b in range(phi.shape[0]):
-            for l in range(phi.shape[2]):
-                total[a, b, l] += weight * slope[a, b, l]
-                stage[a, b, l] = phi[a, b, l] + ahead[l] * slope[a, b, l]
+            own = load(slope, (a, b))
+            store(total, (a, b), load(total, (a, b)) + weight * own)
+            store(stage, (a, b), load(phi, (a, b)) + by * own)
 
 
 @kernel
@@ -149,6 +154,6 @@ def transition_matrices(
     given = (system.program, system.parts, factors, system.periods, moving, float(span))
     for count in np.unique(steps):
         own = np.flatnonzero(steps == count)
-        rows = np.pad(own, (0, -own.size % min(own.size, BATCH)), mode="edge").reshape(-1, min(own.size, BATCH))
+        rows = np.pad(own, (0, -own.size % WIDTH), mode="edge").reshape(-1, WIDTH)
         in_threads(_march, len(rows), *given, int(count), rows, transition, smallest=1)
     return transition

@@ -13,7 +13,7 @@ from quartering._machine.threads import in_threads
 from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_lanes, slopes
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System, kernel_arguments
-from quartering.motion.steady.newton import at_sample, gather_motions
+from quartering.motion.steady.newton import at_sample, gather_motions, project
 
 EVEN_HARMONICS = (0, 2, 4, 6)
 """Harmonics of the variational matrix that first-order theory uses."""
@@ -27,33 +27,32 @@ PER_HARMONIC_OF_TABLE: Final = 64
 
 
 @kernel
-def _harmonics(first, last, program, parts, tables, u, project, out, along):
+def _harmonics(first, last, program, parts, tables, u, functions, out, along):
     """d(acceleration)/d(state) along each motion (n, samples, 3, 4), and its projections (m, samples) in out (n, m, 3, 4)."""
     waves = tables[4]
-    nb, wanted = tables[0].shape[0], project.shape[0]
+    nb, wanted = tables[0].shape[0], functions.shape[0]
     lanes = row_of_lanes(parts, WIDTH)
-    columns, _, jacobian, strips = room_for(program, lanes)
-    motion, sums = np.empty((3, nb, WIDTH)), np.empty((wanted, 3, 4, WIDTH))
+    columns, _, _, strips = room_for(program, lanes)
+    samples = tables[0].shape[1]
+    jacobian, sums = np.empty((samples, 3, 4, WIDTH)), np.empty((3, 4, wanted, WIDTH))
+    motion = np.empty((3, nb, WIDTH))
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)
         gather_motions(begin, last, u, motion)
         count = min(WIDTH, last - begin)
-        for n in range(tables[0].shape[1]):
+        for n in range(samples):
             at_sample(program, tables, n, motion, lanes, columns)
-            slopes(program, lanes, waves[1, n], waves[2, n], columns, strips, jacobian)
-            for k in range(3):
-                for s in range(4):
-                    for l in range(count):
-                        along[begin + l, n, k, s] = jacobian[k, s, l]
-                    for m in range(wanted):
-                        for l in range(WIDTH):
-                            before = sums[m, k, s, l] if n > 0 else 0.0
-                            sums[m, k, s, l] = before + project[m, n] * jacobian[k, s, l]
+            slopes(program, lanes, waves[1, n], waves[2, n], columns, strips, jacobian[n])
+        project(jacobian, functions, sums)
         for l in range(count):
-            for m in range(wanted):
+            for n in range(samples):
                 for k in range(3):
                     for s in range(4):
-                        out[begin + l, m, k, s] = sums[m, k, s, l]
+                        along[begin + l, n, k, s] = jacobian[n, k, s, l]
+            for m in range(out.shape[1]):
+                for k in range(3):
+                    for s in range(4):
+                        out[begin + l, m, k, s] = sums[k, s, m, l]
 
 
 def variational_harmonics(
@@ -108,7 +107,7 @@ def variation_along(
         system.count,
         *kernel_arguments(system, table),
         np.require(u, requirements=("C", "W")),
-        np.array(rows),
+        np.array(rows + [np.zeros(samples)] * (-len(rows) % 4)),
         out,
         along,
         smallest=WIDTH,

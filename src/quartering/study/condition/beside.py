@@ -27,8 +27,6 @@ Way = Literal["upright", "raised"]
 
 _STEEP: Final = 0.5
 """Share of the capsize limit past which a stable motion is asked for the way to it."""
-_FEW: Final = 4
-"""Lanes of a row for one condition: as many as a processor works on together."""
 _SAME_ROLL = 0.02
 OTHERS: Final = 2
 """Other stable motions that a cell of a map has room for: of more, those that roll most."""
@@ -46,7 +44,7 @@ def capsizes_on_the_way(model: Model) -> dict[Way, float]:
     A stable motion attracts only what is near it: a transient may pass the model's ``capsize_limit`` first.
     Source: [H71] eq. (3), integrated; [Thompson89] for the use.
     """
-    times = capsizes_before(model.system, np.array([model.capsize_limit.radians]), width=_FEW)[0]
+    times = capsizes_before(model.system, np.array([model.capsize_limit.radians]))[0]
     return {way: float(time) for way, time in zip(get_args(Way), times, strict=True) if np.isfinite(time)}
 
 

@@ -21,9 +21,8 @@ from numpy.typing import NDArray
 from quartering._machine.publish import publish
 from quartering._machine.threads import spread
 from quartering.conventions import InputError
-from quartering.motion.equations.rates import WIDTH
 from quartering.motion.sea.march import NONE, RUN_UP, SUMS, march
-from quartering.motion.sea.synthesis import Record, series_of
+from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.transient.rk4 import Alike
 
 Floats = NDArray[np.float64]
@@ -66,9 +65,9 @@ class Plan:
     def row(self, number: int) -> Row:
         """Sums, largest values and failures of 64 blocks."""
         steps = self.first + round(BLOCK / self.step)
-        forcing = series_of(self.record, self.seed, self.condition, WIDTH * number)
-        sums, largest = np.zeros((SUMS, WIDTH)), np.zeros((2, WIDTH))
-        until, cause = np.full(WIDTH, BLOCK), np.full(WIDTH, NONE, dtype=np.int64)
+        forcing = series_of(self.record, self.seed, self.condition, RECORDS * number)
+        sums, largest = np.zeros((SUMS, RECORDS)), np.zeros((2, RECORDS))
+        until, cause = np.full(RECORDS, BLOCK), np.full(RECORDS, NONE, dtype=np.int64)
         march(
             self.equations, forcing, steps, self.first, self.step, self.speed, *self.place, *self.limits, sums, largest,
             until, cause,
@@ -146,9 +145,9 @@ class Tally:
         found = (row.largest[0], row.largest[1], row.until, row.cause)
         pairs: Any = zip(self._blocks, found, strict=True)
         for one, values in pairs:
-            one[done : done + WIDTH] = values
+            one[done : done + RECORDS] = values
         self.state = (
-            done + WIDTH,
+            done + RECORDS,
             total + row.sums.sum(axis=1),
             products + np.einsum("al,bl->ab", row.sums, row.sums),
         )
@@ -183,12 +182,12 @@ def run_blocks(plan: Plan, hours: float, enough: Callable[[Tally], bool] | None,
     file: where finished rows are kept, and gone on from; None: nowhere
     key: of the condition, which the file must be of
     """
-    rows = max(1, math.ceil(hours * 3600.0 / (BLOCK * WIDTH)))
+    rows = max(1, math.ceil(hours * 3600.0 / (BLOCK * RECORDS)))
     tally = Tally() if file is None else _read(file, key)
-    tally.reserve(rows * WIDTH)
+    tally.reserve(rows * RECORDS)
     written = time.monotonic()
     try:
-        for row in _in_order(plan, tally.state[0] // WIDTH, rows):
+        for row in _in_order(plan, tally.state[0] // RECORDS, rows):
             if enough is not None and enough(tally):
                 break
             tally.add(row)

@@ -1,16 +1,16 @@
 """Rare rolls without extrapolation: the likeliest sea that leads to one, and importance sampling about it."""
 
-# A record is linear in independent normal variables u: z_j = sum_e V_je a_je in the eigenvectors of each root C_j, real and
-# imaginary part of each a one variable. Of all records from rest whose roll at the end is f, the likeliest is the shortest u
-# with phi(u) = f, at the distance b (first-order reliability): P(phi > f) is about N(-b), and exactly so for a linear ship,
-# for which u is its impulse response run backwards. It is found by steps along the gradient (Hasofer and Lind, Rackwitz and
-# Fiessler):
+# A record is linear in independent normal variables, of which those that roll the ship are searched: at each frequency one
+# complex direction, that of the closure's roll. Of all records from rest whose roll at the end is f, the likeliest is the
+# shortest u with phi(u) = f, at the distance b (first-order reliability): P(phi > f) is about N(-b), and exactly so for a
+# linear ship, for which u is its impulse response run backwards. It is found by steps along the gradient (Hasofer and Lind,
+# Rackwitz and Fiessler):
 #
 #     u <- u + s {[g.u + f - phi(u)] g/|g|^2 - u} ,   g = d phi/du by differences, 64 runs at a time
 #
-# Records drawn about it, z + u, count by w = exp(-z.u - |u|^2/2): their mean over those with phi > f is unbiased whatever u
-# is, and has an error measured from the weights. Where some few weights are most of their sum, (sum w)^2/sum w^2 is small and
-# the estimate is refused.
+# Records drawn about it, z + u in all variables, count by w = exp(-z.u - |u|^2/2): their mean over those with phi > f is
+# unbiased whatever u is, and has an error measured from the weights. Where some few weights are most of their sum,
+# (sum w)^2/sum w^2 is small and the estimate is refused.
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Model
+from quartering.motion.sea.closure import linear_response
 from quartering.motion.sea.equations import Force
-from quartering.motion.sea.synthesis import Record, record_of, series_from
+from quartering.motion.sea.synthesis import RECORDS, Record, cross_spectra, record_of, series_from
 from quartering.motion.sea.windows import roll_of_windows
 from quartering.motion.transient.rk4 import Alike
 from quartering.study.dataset import made_by
@@ -49,7 +49,7 @@ FEWEST_EFFECTIVE: Final = 50.0
 _WINDOW, _TIMES = 220.0, 6.0
 _OVER: Final = 4.0
 """Length of the record over that of a window: its frequencies stand so near that a narrow resonance is not smeared [1]."""
-_HELD, _SMALLEST = 1e-4, 1e-7
+_HELD, _SMALLEST = 1e-4, 1e-3
 _DIFFERENCE: Final = 0.02
 _ITERATIONS, _LONG, _SHORT = 40, 0.6, 0.3
 _CLOSE: Final = 2e-3
@@ -67,18 +67,18 @@ class _Windows(NamedTuple):
 
     def rolls(self, draws: NDArray[np.float32]) -> Floats:
         """Roll (steps + 1, W) of windows of given draws (W, j, m, 2) [rad]."""
-        found = np.zeros((self.steps + 1, WIDTH))
+        found = np.zeros((self.steps + 1, RECORDS))
         roll_of_windows(self.equations, series_from(self.record, draws), self.steps, self.step, self.limit, found)
         return found
 
     def at_end(self, many: Floats) -> Floats:
         """Roll at the end of windows of many draws (n, j, m, 2), 64 at a time."""
         bins, m = self.record.roots.shape[:2]
-        rows = math.ceil(len(many) / WIDTH)
-        padded = np.zeros((rows * WIDTH, bins, m, 2), dtype=np.float32)
+        rows = math.ceil(len(many) / RECORDS)
+        padded = np.zeros((rows * RECORDS, bins, m, 2), dtype=np.float32)
         padded[: len(many)] = many
-        found = np.zeros(rows * WIDTH)
-        parts = [slice(i * WIDTH, (i + 1) * WIDTH) for i in range(rows)]
+        found = np.zeros(rows * RECORDS)
+        parts = [slice(i * RECORDS, (i + 1) * RECORDS) for i in range(rows)]
         for i, values in spread(lambda part: self.rolls(padded[part])[-1], parts):
             found[parts[i]] = values
         return found[: len(many)]
@@ -152,10 +152,10 @@ def design_point(
             f"roll = {math.degrees(level):.3g} deg; it is below {limit.words}: beyond it a ship does not come back, and one"
             " design point does not tell how it got there; take failure_rate_at of higher seas"
         )
-    many = count("windows", windows, WIDTH, 4096)
+    many = count("windows", windows, RECORDS, 4096)
     ready = planned(asked)
     own = _windows(ready, asked.sea, limit.radians)
-    basis, u, linear = _start(own, level)
+    basis, u, linear = _start(own, ready, asked.sea, level)
     u, beta, steps = _found(own, basis, u, level)
     sampled = _sampled(own, basis.draws(u), beta, level, many, (asked.seed, ready.plan.condition), ready.roll_frequency)
     about = {
@@ -163,7 +163,7 @@ def design_point(
         "seas": asked.sea.words, "speed": asked.speed, "seed": asked.seed, "windows": many, "iterations": steps,
         "variables": u.size, "window": own.steps * own.step, "level": math.degrees(level),
     }  # fmt: skip
-    history = own.rolls(np.repeat(basis.draws(u)[None], WIDTH, axis=0).astype(np.float32))[:, 0]
+    history = own.rolls(np.repeat(basis.draws(u)[None], RECORDS, axis=0).astype(np.float32))[:, 0]
     return _dataset(asked.sea, own, beta, linear, sampled, history, about)
 
 
@@ -175,47 +175,54 @@ def _windows(ready: Ready, sea: Sea, limit: float) -> _Windows:
     return _Windows(ready.plan.equations, record, steps, step, limit)
 
 
-def _start(own: _Windows, level: float) -> tuple[_Basis, Floats, float]:
-    """Directions that matter, the design point of the linear ship in them, and its distance."""
-    whole = _directions(own.record)
-    small = _DIFFERENCE * whole
-    slope = (own.at_end(small) - own.at_end(-small)) / (2.0 * _DIFFERENCE)
-    size = float(np.sqrt((slope**2).sum()))
-    if not size > 0:
+def _start(own: _Windows, ready: Ready, sea: Sea, level: float) -> tuple[_Basis, Floats, float]:
+    """Directions that roll the ship, a first point in them, and the distance of the level for the linear ship."""
+    energy, equations = ready.cells.energy(sea), ready.equations
+    linear = math.sqrt(float(energy @ np.abs(linear_response(equations)[1]) ** 2))
+    if not linear > 0:
         raise InputError(
             "this sea does not roll the ship: from ahead or astern there is no moment; give another heading"
         )
-    order = np.argsort(-np.abs(slope))
-    left = 1.0 - np.cumsum(slope[order] ** 2) / size**2
-    kept = order[: int((left > _HELD).sum()) + 1]
-    u = level * slope[kept] / float((slope[kept] ** 2).sum())
-    return _Basis(whole[kept]), np.asarray(u), level / size
+    directions = _directions(own, ready, sea)
+    rolls = own.at_end(np.concatenate([_DIFFERENCE * directions, -_DIFFERENCE * directions]))
+    slope = (rolls[: len(directions)] - rolls[len(directions) :]) / (2.0 * _DIFFERENCE)
+    return _Basis(directions), np.asarray(level * slope / float(slope @ slope)), level / linear
 
 
-def _directions(record: Record) -> Floats:
-    """Draws (n, j, m, 2) along the eigenvectors of each root, those of hardly any energy left out."""
+def _directions(own: _Windows, ready: Ready, sea: Sea) -> Floats:
+    """Draws (n, j, m, 2) that roll the closure's motion: of each frequency one, and the same a quarter of a period later.
+
+    At one frequency the channels are F = C z and roll is k^H z but for what differs between its cells: k is the least squares
+    solution of E[F conj(roll)] = C k.
+    """
+    record, solution = own.record, ready.solution
+    roll = np.zeros(len(ready.channels), dtype=complex)
+    roll[solution.cells] = solution.motion[1]
+    spacing = 2.0 * math.pi / (record.samples * record.interval)
+    both = np.concatenate([ready.channels, roll[:, None]], axis=1)
+    bins, m, _ = record.roots.shape
+    cross = cross_spectra(ready.cells, sea, both, spacing, record.samples // 2)[:bins, :m, m]
     roots = record.roots.astype(complex)
-    bins, m, _ = roots.shape
     deviation = np.sqrt(np.maximum(np.einsum("jab,jab->a", roots, roots.conj()).real, 1e-300))
-    scaled = roots / deviation[:, None]
-    _, sizes, right = np.linalg.svd(scaled)
-    energy = sizes**2
-    j, e = np.nonzero(energy > _SMALLEST * energy.sum())
-    out = np.zeros((2 * j.size, bins, m, 2))
-    vectors = right[j, e].conj()
+    k = np.einsum("jab,jb->ja", np.linalg.pinv(roots / deviation[:, None], rcond=_SMALLEST), cross / deviation)
+    size = np.linalg.norm(k, axis=1)
+    order = np.argsort(-size)
+    left = 1.0 - np.cumsum(size[order] ** 2) / (size**2).sum()
+    kept = order[: int((left > _HELD).sum()) + 1]
+    vectors = k[kept] / size[kept, None]
+    out = np.zeros((2 * kept.size, bins, m, 2))
     for half, turned in enumerate((vectors, 1j * vectors)):
-        at = np.arange(half, 2 * j.size, 2)
-        out[at, j, :, 0], out[at, j, :, 1] = turned.real, turned.imag
+        at = np.arange(half, 2 * kept.size, 2)
+        out[at, kept, :, 0], out[at, kept, :, 1] = turned.real, turned.imag
     return out
 
 
 def _found(own: _Windows, basis: _Basis, u: Floats, level: float) -> tuple[Floats, float, int]:
     """Nearest variables whose window ends at the level: their place, distance, and the steps it took."""
-    n = u.size
     for turn in range(_ITERATIONS):
-        tried = np.concatenate([u[None], u + _DIFFERENCE * np.eye(n), u - _DIFFERENCE * np.eye(n)])
-        rolls = own.at_end(np.einsum("tn,njmk->tjmk", tried, basis.directions))
-        value, slope = float(rolls[0]), (rolls[1 : n + 1] - rolls[n + 1 :]) / (2.0 * _DIFFERENCE)
+        here = basis.draws(u)
+        rolls = own.at_end(np.concatenate([here[None], here + _DIFFERENCE * basis.directions]))
+        value, slope = float(rolls[0]), (rolls[1:] - rolls[0]) / _DIFFERENCE
         square = float(slope @ slope)
         if not (square > 0 and abs(value) < own.limit):
             u = 0.7 * u  # past the capsize: back towards rest
@@ -245,13 +252,13 @@ def _sampled(
     own: _Windows, shift: Floats, beta: float, level: float, many: int, seeds: tuple[int, int], frequency: float
 ) -> _Sampled:
     """Importance sampling about a point: windows of draws z + shift, each with the weight exp(-z.shift - beta^2/2)."""
-    rows = math.ceil(many / WIDTH)
+    rows = math.ceil(many / RECORDS)
     last = max(1, round(0.1 * 2.0 * math.pi / frequency / own.step))
 
     def row(i: int) -> tuple[Floats, Floats, Floats, Floats]:
-        draws = np.empty((WIDTH, *shift.shape), dtype=np.float32)
-        for l in range(WIDTH):
-            seed = np.random.SeedSequence(seeds[0], spawn_key=(seeds[1], 1, i * WIDTH + l))
+        draws = np.empty((RECORDS, *shift.shape), dtype=np.float32)
+        for l in range(RECORDS):
+            seed = np.random.SeedSequence(seeds[0], spawn_key=(seeds[1], 1, i * RECORDS + l))
             np.random.Generator(np.random.PCG64(seed)).standard_normal(dtype=np.float32, out=draws[l])
         weight = np.exp(-np.einsum("ljmk,jmk->l", draws.astype(float), shift) - 0.5 * beta**2)
         rolls = own.rolls(draws + shift.astype(np.float32))

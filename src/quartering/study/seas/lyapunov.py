@@ -16,10 +16,9 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Model
 from quartering.motion.sea.equations import Force
-from quartering.motion.sea.synthesis import series_of
+from quartering.motion.sea.synthesis import RECORDS, series_of
 from quartering.motion.sea.windows import growth_of_disturbances
 from quartering.study.dataset import made_by
 from quartering.study.seas.blocks import BLOCK, Plan
@@ -79,7 +78,7 @@ def lyapunov(
     """
     asked = asked_of(ship, sea, speed, heading, seed, memory, force, form)
     plan = planned(asked).plan
-    rows = max(1, math.ceil(number(None, "simulated_hours", hours) * 3600.0 / (BLOCK * WIDTH)))
+    rows = max(1, math.ceil(number(None, "simulated_hours", hours) * 3600.0 / (BLOCK * RECORDS)))
     found: list[Any] = [None] * rows
     for i, part in spread(lambda row: _row(plan, row), list(range(rows))):
         found[i] = part
@@ -92,15 +91,15 @@ def lyapunov(
         )
     return _dataset(asked.sea, growth[whole] / BLOCK, whole.size, {
         "ship": ship.name if isinstance(ship, Ship) else str(ship.source.get("ship", "a model given by numbers")),
-        "seas": asked.sea.words, "speed": asked.speed, "seed": asked.seed, "hours": rows * WIDTH * BLOCK / 3600.0,
+        "seas": asked.sea.words, "speed": asked.speed, "seed": asked.seed, "hours": rows * RECORDS * BLOCK / 3600.0,
     })  # fmt: skip
 
 
 def _row(plan: Plan, row: int) -> tuple[Floats, Floats]:
     """Growth of the logarithm and its time (W,), of 64 blocks."""
     steps = plan.first + round(BLOCK / plan.step)
-    forcing = series_of(plan.record, plan.seed, plan.condition, WIDTH * row)
-    growth, time = np.zeros(WIDTH), np.zeros(WIDTH)
+    forcing = series_of(plan.record, plan.seed, plan.condition, RECORDS * row)
+    growth, time = np.zeros(RECORDS), np.zeros(RECORDS)
     states = plan.equations.program.states
     start = np.full(states, 1.0 / math.sqrt(states))
     growth_of_disturbances(

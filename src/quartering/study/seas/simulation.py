@@ -94,6 +94,8 @@ class Ready:
     roll_frequency: float
     damping: float
     channels: NDArray[np.complex128]
+    equations: SeaEquations
+    solution: Solution
 
 
 @overload
@@ -353,6 +355,8 @@ def planned(asked: Asked) -> Ready:
     return Ready(
         plan, cells, equations.terms.drag.size, memory, errors, first * step, wanted, arm, shares, frequency, damping,
         frozen.channels,
+        equations,
+        solution,
     )  # fmt: skip
 
 

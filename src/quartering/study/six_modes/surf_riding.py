@@ -168,7 +168,7 @@ def surf_riding(
     >>> from quartering.hull.file.read import ship
     >>> found = surf_riding(ship("s175"), Wave(175.0, 8.0), speed="20 kn")
     >>> found.kind, found.estimated, 0.2 < found.froude < found.froude_exact < 0.4
-    ('periodic surging', True, True)
+    ('surf-riding from some starts', True, True)
     """
     nominal = math.nan if speed is None else number(ship, "speed", speed)
     if not wave.height > 0:

@@ -90,7 +90,7 @@ def sea_polar_answer(
         lambda: facts(ds) | {"processor_time": took, "dataset": str(data), "picture": str(picture)},
         [File(data, lambda part: ds.to_netcdf(part)), *picture_files(picture, draw)],
         written=f"Wrote {data} and {picture}",
-        next_steps=[f"quartering sea {ship} {_worst(ds, typed)}{option_words(changes)}"],
+        next_steps=[f"quartering sea {ship} {_worst(ds, typed)}{option_words(changes)}", f"quartering report {data}"],
     )
 
 

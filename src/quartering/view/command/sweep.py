@@ -90,7 +90,7 @@ def _of_seas(folder: Path, count: int, seconds: float) -> Answer:
         guidance_lines(ds),
         lambda: facts(ds) | {"total": count, "seconds": seconds, "result": str(folder)},
         written=f"Wrote {folder}",
-        next_steps=[f"quartering show {folder} -o guidance.png"],
+        next_steps=[f"quartering show {folder} -o guidance.png", f"quartering report {folder}"],
     )
 
 

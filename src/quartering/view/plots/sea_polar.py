@@ -142,7 +142,7 @@ def _legend(part: xr.Dataset) -> Iterator[Line2D | Patch]:
 
 def _notes(ds: xr.Dataset, part: xr.Dataset, rows: list[int], columns: list[int]) -> Iterator[str]:
     yield "Bow up, the sea comes from the side of the cell; radius is speed. The two sides mirror each other."
-    yield f"{ds.attrs['threshold_words'].capitalize()} ({ds.attrs['threshold_source']}): {_limits(ds)}."
+    yield f"{ds.attrs['threshold_words'].capitalize()} ({ds.attrs['threshold_source']}): {limit_words(ds)}."
     hours = float(ds.attrs["hours"])
     simulated = (
         f"Where that does not decide, up to {hours:g} h were simulated (seed {ds.attrs['seed']})."
@@ -159,7 +159,8 @@ def _notes(ds: xr.Dataset, part: xr.Dataset, rows: list[int], columns: list[int]
         yield f"Estimated: {part.attrs['estimated_by']}."
 
 
-def _limits(ds: xr.Dataset) -> str:
+def limit_words(ds: xr.Dataset) -> str:
+    """What a failure is."""
     felt = ds.attrs["acceleration_limit"]
     other = f" or {felt:.3g} m/s² across the deck" if isinstance(felt, (int, float)) else ""
     return f"a failure is a roll of {float(ds.attrs['roll_limit']):.3g} deg{other}"

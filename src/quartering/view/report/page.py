@@ -21,6 +21,7 @@ from quartering.references import cite
 from quartering.stability.kind import Kind
 from quartering.view.report.client import first_page
 from quartering.view.report.conditions import judged, sensitivities, worst_conditions
+from quartering.view.report.failure_modes import criteria_section
 from quartering.view.report.guidance import guidance
 from quartering.view.report.pictures import hull_svg, map_svgs
 from quartering.view.report.source import Source, axes_of
@@ -28,9 +29,10 @@ from quartering.view.report.tables import coefficients_table, hydrostatics_table
 from quartering.view.wording import estimated_words, estimates_of, speed_words
 
 
-def report_page(source: Source) -> str:
+def report_page(source: Source, service_speed: float | None = None) -> str:
     """The report as HTML: ship, coefficients, maps, verdicts, sensitivities, sources.
 
+    service_speed: with one the five failure modes are judged too [m/s]
     Returns a whole page, pictures inside it; every text that comes from a file is escaped
     """
     ship, result = source.ship, source.result
@@ -55,6 +57,7 @@ def report_page(source: Source) -> str:
         judged=[judged(source, "Least stable motion of all", by_margin[0])],
         sensitivities=sensitivities(source, by_margin[0] if by_margin[0].exponent > 0 else by_roll[0]),
         counts=_counts(source),
+        criteria=None if service_speed is None else criteria_section(ship, service_speed),
     )
 
 
@@ -90,8 +93,28 @@ def write_pdf(page: str, path: Path) -> None:
 
 def _render(template: str, source: Source, **content: Any) -> str:
     """Fill a template of the folder ``templates`` with what every page says beside its own content."""
+    hull = source.ship.hull
+    sizes = {"ship_length": hull.length, "ship_beam": hull.beam, "ship_draught": hull.draught}
+    attributes = source.result.attrs
+    return filled(
+        template,
+        ship=source.ship,
+        attributes=attributes | sizes,
+        estimated=estimated_words(estimates_of(attributes), source.ship.provenance),
+        warnings=_warnings(source),
+        origin=source.origin,
+        digest=source.digest,
+        axes=_axes_words(source),
+        case=axes_of(source.result),
+        citation=cite(source.result).splitlines(),
+        **content,
+    )
+
+
+def filled(template: str, **content: Any) -> str:
+    """A template of the folder ``templates`` filled, with today's date and the version."""
     folder = files("quartering.view.report") / "templates"
-    names = ("report.html", "guidance.html", "page.html", "style.css")
+    names = ("report.html", "guidance.html", "seas.html", "page.html", "style.css")
     environment = Environment(
         loader=DictLoader({name: (folder / name).read_text(encoding="utf-8") for name in names}),
         autoescape=True,
@@ -99,21 +122,9 @@ def _render(template: str, source: Source, **content: Any) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    attributes = source.result.attrs
     return environment.get_template(template).render(
-        ship=source.ship,
-        attributes=attributes,
-        estimated=estimated_words(estimates_of(attributes), source.ship.provenance),
-        warnings=_warnings(source),
-        origin=source.origin,
-        digest=source.digest,
-        axes=_axes_words(source),
-        case=axes_of(source.result),
-        version=version("quartering"),
-        today=date.today().isoformat(),
-        citation=cite(source.result).splitlines(),
-        **content,
-    )
+        version=version("quartering"), today=date.today().isoformat(), **content
+    )  # fmt: skip
 
 
 def _counts(source: Source) -> list[tuple[str, int, str]]:
