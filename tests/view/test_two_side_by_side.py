@@ -116,7 +116,7 @@ def test_cases_that_are_one_loading_and_names_given_twice_are_told(run, loaded):
     [
         (["polar", "wigley", "wigley"], "one ship, loaded alike"),
         (["polar", "wigley", "nothing"], "neither a file nor a built-in ship"),
-        (["polar", "wigley", "box", "--extend"], "carries one map on"),
+        (["polar", "wigley", "box", "--extend"], "are of one map"),
         (["booklet", "wigley"], "has no loading cases; name some"),
     ],
 )
