@@ -355,7 +355,7 @@ def test_a_page_full_of_hatched_cells_is_a_small_pdf(tmp_path):
     # one path on each side of each of two panels
     assert len(re.findall(r'id="[^"]*unstable"', svg)) == 4
     write_pdf(f"<!DOCTYPE html>{svg}", tmp_path / "map.pdf")
-    assert (tmp_path / "map.pdf").stat().st_size < 500_000
+    assert (tmp_path / "map.pdf").stat().st_size < 400_000
 
 
 def test_the_first_page_answers_with_the_steps_of_a_loading(page, result):
