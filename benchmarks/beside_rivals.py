@@ -6,9 +6,9 @@
 
 Jobs: `cubic`, periodic motion in three harmonics, multipliers, K2 and S of a made-up ship over ground; `relative`, the same of
 a ship as it is read, drag by strips in moving water, the rivals given the water's velocity at every strip; `ensemble`, the
-cubic ship through half hours of a sea of 50 components. Each rival stands in a file of its own in `rivals/`; heyoka and jax come
-with the extra `bench`, and one that is missing is named as not run. Times are of the processor, so that other work on the
-machine hardly counts, and ratios are of neighbours in time. What is told is the median, in brackets the least and the most.
+cubic ship through half hours of a sea of 50 components. Each rival stands in a file of its own in `rivals/`; heyoka and jax
+come with the extra `bench`, and one that is missing is named as not run. Times are of the processor, so that other work on
+the machine hardly counts, and ratios are of neighbours in time: the median, in brackets the least and the most.
 """
 
 import os
