@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering import threads
+from quartering._machine import threads
 from quartering.motion.sea.march import march
 from quartering.motion.sea.rational import rational_fit
 from quartering.motion.sea.synthesis import RECORDS, Record, series_of
