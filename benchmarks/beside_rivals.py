@@ -7,8 +7,8 @@
 Jobs: `cubic`, periodic motion in three harmonics, multipliers, K2 and S of a made-up ship over ground; `relative`, the same of
 a ship as it is read, drag by strips in moving water, the rivals given the water's velocity at every strip; `ensemble`, the
 cubic ship through half hours of a sea of 50 components. Each rival stands in a file of its own in `rivals/`; heyoka and jax
-come with the extra `bench`, and one that is missing is named as not run. Times are of the processor, so that other work on the
-machine hardly counts, and ratios are of neighbours in time. What is told is the median, in brackets the least and the most.
+come with the extra `bench`, and one that is missing is named as not run. Times are of the processor, so that other work on
+the machine hardly counts, and ratios are of neighbours in time: the median, in brackets the least and the most.
 """
 
 import os
@@ -16,7 +16,7 @@ import os
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"):
     os.environ[_name] = "1"  # before anybody counts the cores
 if hasattr(os, "sched_setaffinity"):
-    os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
 
 import argparse
 import json
@@ -68,7 +68,7 @@ def by_us(system, accuracy):
 
 def cubic(count, turns, others=True):
     """Every tool on the cubic system, slow rivals on fewer of its conditions; ``others``: with those that packages bring."""
-    job, checked = systems.cubic(count), 24
+    job, checked = systems.cubic(count), 12
     own = job.system()
     solve = {
         OURS: (count, lambda job: by_us(job.system() if job.w.size != count else own, MULTIPLIERS)),

@@ -32,9 +32,9 @@ def _harmonics(first, last, program, parts, tables, u, functions, out, along):
     waves = tables[4]
     nb, wanted = tables[0].shape[0], functions.shape[0]
     lanes = row_of_lanes(parts, WIDTH)
-    columns, _, _, strips = room_for(program, lanes)
+    columns, _, one, strips = room_for(program, lanes)  # with an autopilot there are more states than the four wanted
     samples = tables[0].shape[1]
-    jacobian, sums = np.empty((samples, 3, 4, WIDTH)), np.empty((3, 4, wanted, WIDTH))
+    jacobian, sums = np.empty((samples, *one.shape)), np.empty((3, 4, wanted, WIDTH))
     motion = np.empty((3, nb, WIDTH))
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)
