@@ -72,7 +72,7 @@ COMMANDS = [
     (["hull", "wigley", "-o", f"{LONG}.png"], "cannot be written (File name too long)"),
     (["verdict", "wigley", *CONDITION, "--harmonics", "1001"], "up to 199"),
     (["verdict", "wigley", *CONDITION, "--autopilot", "1e30,1s,1s"], "from 0 to 100"),
-    (["polar", "wigley", "-o", ""], 'its name must end in .nc; try "my.nc"'),
+    (["polar", "wigley", "-o", ""], 'its name must end in .nc or .csv or .xlsx; try "my.nc"'),
     (["polar", "wigley", "--headings", "0:180:1000000"], "up to 100,000"),
     (["polar", "wigley", "--harmonics", "201"], "up to 199"),
     (["branch", "wigley", *CONDITION, "--over", "gm", "--limits", "1:1e6"], "below the keel"),

@@ -148,7 +148,7 @@ def _linearise(program, lanes, given, time, waves, y, work, rate, matrix):
                 matrix[s, t, l] = (1.0 if t == follows else 0.0) if follows >= 0 else jacobian[row, t, l]
 
 
-@batch_kernel
+@inner
 def _carry(at, h, d):
     """One step of d' = J d with J at its begin, middle and end."""
     states, width = d.shape

@@ -32,6 +32,8 @@ _SECTIONS, _ROUNDS = 9, 5
 """Of a step of the ladder, and how often: 9^5 parts of 5 % are 1e-6."""
 _SMOOTH, _SECANTS, _FARTHEST = 0.02, 4, 0.1
 """Change of the exponent between two neighbours that is no jump [1/s]; steps of the secant, and the longest (of log factor)."""
+_BACK = 1e-6
+"""Share of a value by which a cure stays away from a fold: nearer, rounding decides to which motion rest leads."""
 _NUDGES = np.array([1e-4, 1e-3, 1e-2])
 _UNITS = 4
 """Units of the last digit that are tried at once where the rounded value is not stable."""
@@ -175,8 +177,9 @@ def _by_the_ship(factor: float, slope: float, away: float, target: float) -> Sea
             break
         before = factor, growth
         factor *= math.exp(step)
-    if good is not None:
-        return good
+    if good is not None:  # the exponent bends down to a fold here: a step back from where motions end
+        back = good * (1.0 + _BACK * away)
+        return back if (yield Asked(np.array([back]), True))[0] < target + 0.5 * INSIDE else good
     beyond = factor * (1.0 + _NUDGES * away)  # the equations were interpolated, or the exponent jumps here
     inside = (yield Asked(beyond, True)) < target + 0.5 * INSIDE
     return float(beyond[inside.argmax()]) if inside.any() else None
