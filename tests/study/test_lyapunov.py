@@ -5,9 +5,8 @@ import pytest
 
 import quartering as qt
 from quartering.motion.equations.layout import SHIP as LAYOUT
-from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import System
-from quartering.motion.sea.synthesis import Record, series_of
+from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.sea.windows import growth_of_disturbances
 from quartering.motion.transient.rk4 import alike
 from quartering.stability.sea import growth_with_stiffness_noise
@@ -37,8 +36,8 @@ def exponents(damping, variance, bandwidth, rows, h=0.1, steps=20_000):
     roots[:, 3, 3] = np.sqrt(2 * variance * bandwidth / np.pi / (bandwidth**2 + w**2) * spacing)
     record, found = Record(samples, h / 2, roots, 0.0), []
     for row in range(rows):
-        growth, time = np.zeros(WIDTH), np.zeros(WIDTH)
-        forcing = series_of(record, 11, 5, row * WIDTH)
+        growth, time = np.zeros(RECORDS), np.zeros(RECORDS)
+        forcing = series_of(record, 11, 5, row * RECORDS)
         start = np.array([0.0, 1.0, 0.0, 0.0])
         growth_of_disturbances(equations, forcing, steps, 500, h, np.inf, start, growth, time)
         found.append(growth / time)
