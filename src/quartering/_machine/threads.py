@@ -62,6 +62,12 @@ def alone(work: Callable[[Item], Result], item: Item) -> Result:
         _inside.busy = before
 
 
+def spread_in_order(work: Callable[[Item], Result], items: Sequence[Item]) -> list[Result]:
+    """Results of a piece of work for each item, done on all cores, in the order of the items; see `spread`."""
+    found = dict(spread(work, items))
+    return [found[i] for i in range(len(items))]
+
+
 def spread(work: Callable[[Item], Result], items: Sequence[Item]) -> Iterator[tuple[int, Result]]:
     """Do a piece of work for each item on all cores, and hand the results over as they are done.
 

@@ -206,12 +206,24 @@ def _attributes(
         "references": "H71, STF70, Kazakov54, Vanmarcke75, Rice44",
         "source": made_by(),
     }
+    known["ship"] = name_of(ship)
     if isinstance(ship, Model):
-        return known | {"ship": str(ship.source.get("ship", "a model given by numbers"))}
+        return known
     return known | {
-        "ship": ship.name,
         "velocities": ship.velocities,
         "drag": ship.drag,
         "righting_curve": ship.righting,
         "diffraction": form_words(ship, given["form"]),
+    }
+
+
+def name_of(ship: Ship | Model) -> str:
+    """What results call a ship, or a model."""
+    return ship.name if isinstance(ship, Ship) else str(ship.source.get("ship", "a model given by numbers"))
+
+
+def scalars(rows: Mapping[str, tuple[float, str, str]]) -> dict[str, xr.Variable]:
+    """Variables without dimensions of values, each with its unit and meaning."""
+    return {
+        name: xr.Variable((), value, {"units": unit, "long_name": words}) for name, (value, unit, words) in rows.items()
     }

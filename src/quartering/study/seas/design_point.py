@@ -23,7 +23,7 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.special import ndtr
 
-from quartering._machine.threads import spread
+from quartering._machine.threads import spread_in_order
 from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.ship import Ship
@@ -37,7 +37,7 @@ from quartering.motion.sea.synthesis import RECORDS, Record, cross_spectra, reco
 from quartering.motion.sea.windows import roll_of_windows
 from quartering.motion.transient.rk4 import Alike
 from quartering.study.dataset import made_by
-from quartering.study.seas.dataset import sea_coordinates
+from quartering.study.seas.dataset import name_of, scalars, sea_coordinates
 from quartering.study.seas.response import limit_of
 from quartering.study.seas.simulation import Ready, asked_of, planned
 
@@ -77,11 +77,9 @@ class _Windows(NamedTuple):
         rows = math.ceil(len(many) / RECORDS)
         padded = np.zeros((rows * RECORDS, bins, m, 2), dtype=np.float32)
         padded[: len(many)] = many
-        found = np.zeros(rows * RECORDS)
         parts = [slice(i * RECORDS, (i + 1) * RECORDS) for i in range(rows)]
-        for i, values in spread(lambda part: self.rolls(padded[part])[-1], parts):
-            found[parts[i]] = values
-        return found[: len(many)]
+        found = spread_in_order(lambda part: self.rolls(padded[part])[-1], parts)
+        return np.concatenate(found)[: len(many)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,7 +157,7 @@ def design_point(
     u, beta, steps = _found(own, basis, u, level)
     sampled = _sampled(own, basis.draws(u), beta, level, many, (asked.seed, ready.plan.condition), ready.roll_frequency)
     about = {
-        "ship": ship.name if isinstance(ship, Ship) else str(ship.source.get("ship", "a model given by numbers")),
+        "ship": name_of(ship),
         "seas": asked.sea.words, "speed": asked.speed, "seed": asked.seed, "windows": many, "iterations": steps,
         "variables": u.size, "window": own.steps * own.step, "level": math.degrees(level),
     }  # fmt: skip
@@ -266,9 +264,7 @@ def _sampled(
         before = (np.abs(rolls[: -2 * last]) >= own.limit).any(axis=0)
         return weight, (rolls[-1] > level).astype(float), crossed.astype(float), before.astype(float)
 
-    found: list[Any] = [None] * rows
-    for i, part in spread(row, list(range(rows))):
-        found[i] = part
+    found = spread_in_order(row, range(rows))
     weight, above, crossed, before = (np.concatenate([part[k] for part in found]) for k in range(4))
     own_weight = weight * above
     total = float(own_weight.sum())
@@ -310,9 +306,7 @@ def _dataset(
         "crossing_rate_error": (sampled.rate_error, "s-1", "its standard error"),
         "effective": (sampled.effective, "1", "effective number of windows"),
     }  # fmt: skip
-    data = {
-        name: xr.Variable((), value, {"units": unit, "long_name": words}) for name, (value, unit, words) in rows.items()
-    }
+    data = scalars(rows)
     data["roll"] = xr.Variable(
         ("time",), np.degrees(history), {"units": "deg", "long_name": "roll of the likeliest window"}
     )

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from quartering._machine.threads import spread
+from quartering._machine.threads import spread_in_order
 from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.ship import Ship
@@ -22,7 +22,7 @@ from quartering.motion.sea.synthesis import RECORDS, series_of
 from quartering.motion.sea.windows import growth_of_disturbances
 from quartering.study.dataset import made_by
 from quartering.study.seas.blocks import BLOCK, Plan
-from quartering.study.seas.dataset import sea_coordinates
+from quartering.study.seas.dataset import name_of, scalars, sea_coordinates
 from quartering.study.seas.simulation import asked_of, planned
 
 Floats = NDArray[np.float64]
@@ -79,9 +79,7 @@ def lyapunov(
     asked = asked_of(ship, sea, speed, heading, seed, memory, force, form)
     plan = planned(asked).plan
     rows = max(1, math.ceil(number(None, "simulated_hours", hours) * 3600.0 / (BLOCK * RECORDS)))
-    found: list[Any] = [None] * rows
-    for i, part in spread(lambda row: _row(plan, row), list(range(rows))):
-        found[i] = part
+    found = spread_in_order(lambda row: _row(plan, row), range(rows))
     growth, time = (np.concatenate([part[k] for part in found]) for k in (0, 1))
     whole = time > (1.0 - 1e-9) * BLOCK
     if whole.sum() < FEWEST:
@@ -90,7 +88,7 @@ def lyapunov(
             " more hours, or take a lower sea"
         )
     return _dataset(asked.sea, growth[whole] / BLOCK, whole.size, {
-        "ship": ship.name if isinstance(ship, Ship) else str(ship.source.get("ship", "a model given by numbers")),
+        "ship": name_of(ship),
         "seas": asked.sea.words, "speed": asked.speed, "seed": asked.seed, "hours": rows * RECORDS * BLOCK / 3600.0,
     })  # fmt: skip
 
@@ -126,8 +124,5 @@ def _dataset(sea: Sea, rates: Floats, blocks: int, about: dict[str, Any]) -> xr.
         "blocks": (n, "1", "blocks of half an hour that count"),
         "failed": (blocks - n, "1", "blocks that ended with a failure, which do not"),
     }
-    data = {
-        name: xr.Variable((), value, {"units": unit, "long_name": words}) for name, (value, unit, words) in rows.items()
-    }
     heads = {"title": "Stability of the motion in an irregular sea", "references": "H71, Tucker84", "source": made_by()}
-    return xr.Dataset(data, sea_coordinates([sea], {}, {}), heads | about)
+    return xr.Dataset(scalars(rows), sea_coordinates([sea], {}, {}), heads | about)

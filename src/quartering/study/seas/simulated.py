@@ -11,11 +11,10 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT
-from quartering.hull.ship import Ship
 from quartering.motion.sea.march import ACCELERATION, NONE, ROLL, RUN_UP
 from quartering.study.dataset import made_by
 from quartering.study.seas.blocks import BLOCK, ROLL_SQUARED, Blocks, Tally
-from quartering.study.seas.dataset import MEANINGS, pile_up_lines, sea_coordinates
+from quartering.study.seas.dataset import MEANINGS, name_of, pile_up_lines, scalars, sea_coordinates
 from quartering.study.seas.failures import failure_rate, waiting_times_p
 
 Floats = NDArray[np.float64]
@@ -48,7 +47,7 @@ def simulated_dataset(tally: Tally, known: Mapping[str, Any]) -> xr.Dataset:
         "reference_point": REFERENCE_POINT,
         "references": "H71, STF70, Tucker84",
         "source": made_by(),
-        "ship": ship.name if isinstance(ship, Ship) else str(ship.source.get("ship", "a model given by numbers")),
+        "ship": name_of(ship),
     }
     return xr.Dataset(data, sea_coordinates([sea], {}, {}), attributes)
 
@@ -143,9 +142,7 @@ def _failures(tally: Tally) -> dict[str, xr.Variable]:
             "probability of times to failure as far from exponential ones; NaN of fewer than five",
         ),
     }
-    data = {
-        name: xr.Variable((), value, {"units": unit, "long_name": words}) for name, (value, unit, words) in rows.items()
-    }
+    data = scalars(rows)
     data["failure_time"] = xr.Variable(
         ("block",),
         np.where(failed, times, math.nan),
