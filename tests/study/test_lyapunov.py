@@ -10,6 +10,7 @@ from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.sea.windows import growth_of_disturbances
 from quartering.motion.transient.rk4 import alike
 from quartering.stability.sea import growth_with_stiffness_noise
+from quartering.study.seas.simulation import asked_of, planned
 from tests.study.sea_cases import CASES, MODEL, force
 
 
@@ -107,3 +108,13 @@ def test_what_cannot_be_is_refused():
         qt.lyapunov(MODEL, 3.0, 5.0)
     with pytest.raises(qt.InputError, match="hours = 0"):
         qt.lyapunov(MODEL, qt.Sea(hs=1, tp=8, heading=60), 5.0, force=force, hours=0)
+
+
+def test_outputs_without_room_for_every_record_are_refused():
+    """They would be written past their end."""
+    plan = planned(asked_of(qt.ship("wigley"), qt.Sea(hs=1, tp=8, heading=60), 5.0, None, 0, True, None, "stf")).plan
+    forcing = series_of(plan.record, 0, 0, 0)
+    start = np.array([0.0, 1.0, 0.0, 0.0])
+    short = np.zeros(RECORDS // 2)
+    with pytest.raises(ValueError, match="room for all of them"):
+        growth_of_disturbances(plan.equations, forcing, 4, 2, plan.step, 1.0, start, short, short.copy())

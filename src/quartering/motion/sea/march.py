@@ -40,6 +40,7 @@ def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_lim
     """
     own_sums, own_largest = np.empty((sums.shape[0], WIDTH)), np.empty((2, WIDTH))
     own_time, own_cause = np.empty(WIDTH), np.empty(WIDTH, np.int64)
+    check_room(forcing.shape[2], min(sums.shape[1], largest.shape[1], time.size, cause.size))
     for begin in range(0, forcing.shape[2], WIDTH):
         own_sums[:, :], own_largest[:, :] = 0.0, 0.0
         own_time[:], own_cause[:] = time[begin : begin + WIDTH], cause[begin : begin + WIDTH]
@@ -103,6 +104,13 @@ def _march_vector(equations, forcing, begin, steps, first, h, at, limits, sums, 
                 given[0, k, l] = given[2, k, l]
         if n % _CHECK == 0 and not alive:
             return
+
+
+@inner
+def check_room(records, room):
+    """Refuse outputs with less room than there are records: a vector would be written past their end."""
+    if records % WIDTH != 0 or room < records:
+        raise ValueError("records come in whole vectors, and outputs have room for all of them")
 
 
 @batch_kernel

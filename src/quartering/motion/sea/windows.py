@@ -17,7 +17,7 @@ import numpy as np
 
 from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering.motion.equations.rates import WIDTH, enter_inputs, fill, forces, room_for, row_of_lanes, slopes
-from quartering.motion.sea.march import take
+from quartering.motion.sea.march import check_room, take
 from quartering.motion.transient.rk4 import hold, room_to_march, step_sum
 
 
@@ -29,6 +29,7 @@ def roll_of_windows(equations, forcing, steps, h, limit, rolls):
     limit: roll beyond which a record stays where it is [rad]
     rolls (steps + 1, n): to write [rad]
     """
+    check_room(forcing.shape[2], rolls.shape[1])
     for begin in range(0, forcing.shape[2], WIDTH):
         _roll_of_vector(equations, forcing, begin, steps, h, limit, rolls[:, begin : begin + WIDTH])
 
@@ -69,6 +70,7 @@ def growth_of_disturbances(equations, forcing, steps, first, h, limit, start, gr
     start (s,): the disturbance at the begin, of length 1
     growth, time (n,): to write; [s]
     """
+    check_room(forcing.shape[2], min(growth.size, time.size))
     for begin in range(0, forcing.shape[2], WIDTH):
         end = begin + WIDTH
         _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, growth[begin:end], time[begin:end])
