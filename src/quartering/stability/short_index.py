@@ -73,7 +73,7 @@ def roll_cubics(system: System, displacement: Complex) -> Floats:
 
 @summing
 def _add_cubics_of_strips(first, last, strips, push, scale, cubics):
-    """Add kappa sum c (e of roll) e^3/u0 over the strips (n, z, 5), u0 = scale (n,), e their (1, -h, x), to ``cubics`` (n, 6)."""
+    """Add kappa sum c (e of roll) e^3/u0 over the strips (n, z, 5), e their (1, -h, x), u0 = ``scale``, to ``cubics``."""
     for i in range(first, last):
         if not scale[i] > 0.0:
             continue
