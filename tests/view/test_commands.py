@@ -320,7 +320,6 @@ def test_an_interrupt_that_the_compiler_let_go_is_no_traceback(run, monkeypatch)
     assert result.stderr == "quartering: interrupted; nothing was written\n"
 
 
-
 def test_a_disk_that_fills_up_leaves_the_old_file_and_no_half_of_the_new(tmp_path):
     old, other = tmp_path / "map.nc", tmp_path / "map.png"
     old.write_text("old")
