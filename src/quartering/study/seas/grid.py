@@ -19,7 +19,7 @@ from quartering.loads.sea.sea import STEEPEST_SEA, Sea
 from quartering.loads.sea.shape import mean_period_ratio
 from quartering.loads.sea.spreading import Spreading, checked_spreading
 from quartering.loads.sea.systems import JONSWAP_POWER
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.study.criteria.constants import constant
 from quartering.study.grid import Grid, axis, check_count, combinations, loading_columns
 

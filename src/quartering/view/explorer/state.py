@@ -19,7 +19,8 @@ from pydantic import (
 
 from quartering.conventions import InputError
 from quartering.hull.file.refusals import allowed, user_words
-from quartering.options import OPTIONS, checked, line_of, ship_options, unknown
+from quartering.option_checks import checked
+from quartering.options import OPTIONS, line_of, ship_options, unknown
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
 
