@@ -27,9 +27,10 @@ def recalled_words(found: Criteria) -> str:
 
 
 def criteria_facts(found: Criteria) -> dict[str, object]:
-    """Everything for programs, the cases of sums and the constants with their status among it."""
+    """Everything for programs, the cases of sums and the constants with their status among it; no sentence of level 1 alone."""
+    whole = any(one.level == 2 for one in found.judgements)
     return {
-        "ship": found.ship, "loading": found.loading, "sentence": found.sentence,
+        "ship": found.ship, "loading": found.loading, "sentence": found.sentence if whole else None,
         "judgements": [
             {
                 "mode": one.mode, "level": one.level, "verdict": one.verdict, "vulnerable": one.vulnerable,

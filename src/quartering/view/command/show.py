@@ -73,6 +73,7 @@ def _guidance(
     """What a stored result in irregular seas holds: advice in each sea, and its diagrams."""
     from quartering.study.maps.zarr_store import write_zarr
     from quartering.view.command._sea_polar import guidance_lines
+    from quartering.view.sea_words import guidance_facts
     from quartering.view.stored import sea_part
 
     part = sea_part(ds, where)

@@ -84,6 +84,7 @@ def _of_seas(folder: Path, count: int, seconds: float) -> Answer:
     """What a study in irregular seas found."""
     from quartering.study.maps.result import open_result
     from quartering.view.command._sea_polar import guidance_lines
+    from quartering.view.sea_words import guidance_facts
 
     ds = open_result(folder)
     return Answer(

@@ -1,11 +1,11 @@
-"""The same answers as a service: one verdict by GET, and by POST with JSON what takes longer, its cures and maps."""
+"""The same answers as a service: one condition by GET, and by POST with JSON what takes longer: cures, maps, the criteria."""
 
 from __future__ import annotations
 
 import asyncio
 import html
 import json
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Awaitable, Callable, Iterator, Mapping
 from typing import Annotated, Any
 
 import numpy as np
@@ -28,11 +28,13 @@ from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
 from quartering.view.console.printed import plain
-from quartering.view.explorer.calls import MOST_CELLS, PolarCall, VerdictCall
+from quartering.view.explorer.calls import MOST_CELLS, PolarCall, ShipCall, VerdictCall
 from quartering.view.explorer.computations import joined, noting, sought
+from quartering.view.explorer.criteria_api import CriteriaCall, criteria_answer, criteria_steps
 from quartering.view.explorer.guard import METHODS
 from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
+from quartering.view.explorer.sea_api import GuidanceCall, SeaCall, guidance_answer, guidance_pieces, sea_answer
 from quartering.view.explorer.ship_registry import ShipRegistry
 
 _AT_ONCE = 1024
@@ -40,7 +42,11 @@ _RESULTS = ("roll", "roll_peak", "other_roll_peak", "sway", "yaw", "k2", "expone
 _BUSY, _CLIENT_LEFT = 503, 499
 _MOST_CALLS, _MOST_SEARCHES = 32, 4
 _OF_POST = (400, 403, 408, 413, 415, 422, 500, 503)
-_TAKEN = {"verdict": "GET, POST", "polar": "POST", "docs": "GET", "openapi.json": "GET"}
+_CALLS: dict[str, tuple[type[ShipCall], str]] = {
+    "verdict": (VerdictCall, "GET, POST"), "polar": (PolarCall, "POST"), "sea": (SeaCall, "GET, POST"),
+    "guidance": (GuidanceCall, "POST"), "criteria": (CriteriaCall, "POST"),
+}  # fmt: skip
+_TAKEN = {name: methods for name, (_, methods) in _CALLS.items()} | {"docs": "GET", "openapi.json": "GET"}
 
 
 def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
@@ -128,6 +134,49 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
         """Nested lists [speed][heading][wave length] with their units; null where there is no answer."""
         return await answered(request, lambda: mapped(call))
 
+    async def stepped(steps: Iterator[tuple[Any, Any]]) -> tuple[Any, list[str]]:
+        """The last of some steps, others being served between."""
+        last, notes = None, []
+        while True:
+            step, said = await take_long(lambda: next(steps, None))
+            notes += said
+            if step is None:
+                return last, list(dict.fromkeys(notes))
+            last = step[1]
+
+    async def at_sea(call: SeaCall) -> JSONResponse:
+        return _json(*await take(lambda: sea_answer(call, registry)))
+
+    async def guided(call: GuidanceCall) -> JSONResponse:
+        whole, notes = await stepped((await take(lambda: guidance_pieces(call, registry)))[0])
+        return _json(guidance_answer(whole), notes)
+
+    async def judged_by_criteria(call: CriteriaCall) -> JSONResponse:
+        found, notes = await stepped((await take(lambda: criteria_steps(call, registry)))[0])
+        return _json(criteria_answer(found), notes)
+
+    @routes.get(
+        "/sea", dependencies=once, summary="One ship in one irregular sea", responses=responses(400, 403, 422, 500, 503)
+    )
+    async def get_sea(request: Request, call: Annotated[SeaCall, Query()]) -> JSONResponse:
+        """What `quartering sea --json` prints without its simulation: linear response and statistical linearisation."""
+        return await answered(request, lambda: at_sea(call))
+
+    @routes.post("/sea", dependencies=once, summary="One ship in one irregular sea", responses=responses(*_OF_POST))
+    async def post_sea(request: Request, call: SeaCall) -> JSONResponse:
+        """What `quartering sea --json` prints without its simulation: linear response and statistical linearisation."""
+        return await answered(request, lambda: at_sea(call))
+
+    @routes.post("/guidance", dependencies=once, summary="Map over seas", responses=responses(*_OF_POST))
+    async def post_guidance(request: Request, call: GuidanceCall) -> JSONResponse:
+        """What `quartering polar --hs --json` prints: nested lists [loading][hs][tz][speed][heading], recommended in words."""
+        return await answered(request, lambda: guided(call))
+
+    @routes.post("/criteria", dependencies=once, summary="Five failure modes", responses=responses(*_OF_POST))
+    async def post_criteria(request: Request, call: CriteriaCall) -> JSONResponse:
+        """What `quartering criteria --json` prints, prepared in the form of MSC.1/Circ.1627; it shows no compliance."""
+        return await answered(request, lambda: judged_by_criteria(call))
+
     @routes.get("/docs", include_in_schema=False)
     async def docs() -> HTMLResponse:
         return HTMLResponse(_page(server.openapi()))
@@ -150,7 +199,7 @@ def _refuse_the_rest(server: FastAPI, routes: APIRouter) -> None:
 
     @server.exception_handler(RequestValidationError)
     async def invalid(request: Request, error: RequestValidationError) -> JSONResponse:
-        fields = (PolarCall if request.url.path.endswith("polar") else VerdictCall).model_fields
+        fields = _CALLS[request.url.path.rsplit("/", 1)[-1]][0].model_fields
         return refused(without_paths("; ".join(_problem(one, tuple(fields)) for one in error.errors()[:5])))
 
     @server.exception_handler(StarletteError)
@@ -264,12 +313,13 @@ def _problem(one: Any, fields: tuple[str, ...]) -> str:
 def _page(schema: dict[str, Any]) -> str:
     """The documentation of the service as one page that needs nothing from elsewhere."""
     rows = []
-    for call, path, how in ((VerdictCall, "/api/verdict", "GET or POST"), (PolarCall, "/api/polar", "POST")):
+    for name, (call, methods) in _CALLS.items():
+        path, how = f"/api/{name}", methods.replace(", ", " or ")
         said = schema["paths"][path]["post"]
         fields = "".join(
-            f"<tr><td><code>{name}</code></td><td>{'yes' if field.is_required() else ''}</td>"
+            f"<tr><td><code>{key}</code></td><td>{'yes' if field.is_required() else ''}</td>"
             f"<td>{html.escape(field.description or '')}</td></tr>"
-            for name, field in call.model_fields.items()
+            for key, field in call.model_fields.items()
         )
         rows.append(
             f"<h2>{how} {path}</h2><p>{html.escape(str(call.__doc__))} {html.escape(said['description'])}</p>"
@@ -286,7 +336,7 @@ def _page(schema: dict[str, Any]) -> str:
     return (
         f"<!doctype html><html lang=en><meta charset=utf-8><title>quartering: service</title><style>{style}</style>"
         f"<h1>quartering as a service</h1><pre>{html.escape(example)}</pre>"
-        "<p>GET answers the verdict; POST takes JSON and seeks cures too. The machine-readable description is"
+        "<p>GET answers one condition; POST takes JSON, and of a verdict seeks cures too. The machine-readable description is"
         f" <a href=openapi.json>openapi.json</a>.</p>{''.join(rows)}<h2>Refusals</h2><p>Every refusal is"
         f" <code>{{&quot;error&quot;: &quot;why&quot;}}</code>, with the status</p><table>{refusals}</table></html>"
     )

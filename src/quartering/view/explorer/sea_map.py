@@ -1,0 +1,140 @@
+"""The map of an irregular sea on the page: over heading and speed the largest roll of three hours, and what guidance says."""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Iterator
+from typing import Any, Final
+
+import numpy as np
+import xarray as xr
+from nicegui import ui
+from nicegui.events import GenericEventArguments
+
+from quartering.study.seas.advice import Advice
+from quartering.units import quantity
+from quartering.view.explorer.computations import HEADINGS
+from quartering.view.explorer.map_panel import PolarMap, palette
+from quartering.view.explorer.sea_scene import FROUDE, SeaScene
+from quartering.view.plots.guidance import round_knots
+
+_DASHES: Final = {"synchronous": "none", "parametric": "5 2.5"}
+_LEAST_TOP: Final = 5.0
+_KNOT: Final = quantity("1 kn", "speed")
+_LABEL: Final = "Polar map of the mean largest roll of three hours; arrow keys choose heading and speed"
+Take = Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]]
+
+
+class SeaMap:
+    """Map, colour scale and legend of a sea; filled speed by speed."""
+
+    def __init__(self, choose: Callable[[float, float], None]) -> None:
+        self._speeds: tuple[float, ...] = tuple(FROUDE)
+        with ui.element("div").classes("map-box q-sea-map") as self.box:
+            self._map = PolarMap()
+            self._map.props.update(
+                headings=HEADINGS.tolist(), radii=FROUDE.tolist(), palette=list(palette()), label=_LABEL, size="largest of 3 h",
+                kinds={str(int(one)): one.label for one in Advice}, hatched=[int(Advice.NOT_RECOMMENDED)],
+                dotted=[int(Advice.UNDECIDED)], crossed=[], also={}, chosen=[0.0, 0.16], lines=[], rings=[], rows=[],
+                top=_LEAST_TOP, roll=[], kind=[],
+            )  # fmt: skip
+            with ui.element("div").classes("scale"):
+                ui.label("mean largest roll of 3 h 0°")
+                ui.element("div").classes("scale-bar").style(f"background:linear-gradient(90deg,{','.join(palette())})")
+                self._top = ui.label("")
+            self._legend = ui.html("", sanitize=False).classes("legend")
+        self._empty()
+
+        def chosen(event: GenericEventArguments) -> None:
+            choose(float(HEADINGS[int(event.args["heading"])]), self._speeds[int(event.args["length"])])
+
+        self._map.on("choose", chosen)
+
+    def place(self, of: SeaScene) -> None:
+        """Show which heading and speed the page is about, and the speeds of the rings in knots."""
+        self._speeds, one = of.speeds, of.speeds[-1] / float(FROUDE[-1])
+        self._map.props["chosen"] = [of.heading, min(of.speed / one, float(FROUDE[-1]))]
+        self._map.props["rings"] = [[ring * _KNOT / one, f"{ring:g} kn"] for ring in round_knots(of.speeds[-1] / _KNOT)]
+        self._map.props["rows"] = [f"{speed / _KNOT:.3g} kn" for speed in of.speeds]
+
+    def show(self, part: xr.Dataset, done: int) -> None:
+        """Show the map as far as it goes.
+
+        part: from `map_pieces`
+        done: its conditions that are computed, speed by speed
+        """
+        one = part.isel(loading=0, hs=0, tz=0).transpose("heading", "speed", ...)
+        roll, advice = one["roll_mean_3h_max"].values, one["recommended"].values
+        known = done > np.arange(roll.size).reshape(roll.shape[::-1]).T
+        limit = float(part.attrs["roll_limit"])
+        top = min(max(_LEAST_TOP, float(np.ceil(np.nanmax(roll, initial=0.0)))), limit)
+        self._map.props["roll"] = [round(float(r), 2) if np.isfinite(r) else None for r in roll.ravel()]
+        self._map.props["kind"] = [int(a) if k else None for a, k in zip(advice.flat, known.flat, strict=True)]
+        self._map.props["top"] = top
+        unit = float(part["speed"][-1]) / float(FROUDE[-1])
+        self._map.props["lines"] = list(_danger_lines(part, unit))
+        self._top.set_text(f"{top:.3g}°{' and more' if np.nanmax(roll, initial=0.0) > top else ''}")
+        self._legend.set_content(_legend(part, advice[known], roll[known]))
+
+    def _empty(self) -> None:
+        count = HEADINGS.size * FROUDE.size
+        self._map.props["roll"] = [None] * count
+        self._map.props["kind"] = [None] * count
+
+
+async def fill(
+    shown: SeaMap,
+    pieces: Iterator[tuple[int, xr.Dataset]],
+    take: Take,
+    wanted: Callable[[], bool],
+    tell: Callable[[str], object],
+) -> bool:
+    """Every piece of a map, in turn; False when it is wanted no more."""
+    total, done, begun = HEADINGS.size * FROUDE.size, 0, False
+    while done < total:
+        found, _notes = await take(lambda: next(pieces, None))
+        if not wanted() or found is None:
+            tell(f"stopped at {done} of {total} conditions; any change begins again" if begun else "")
+            return False
+        done, part = found
+        begun = True
+        shown.show(part, done)
+        tell(f"{done} of {total} conditions" if done < total else "")
+    return True
+
+
+def _danger_lines(part: xr.Dataset, unit: float) -> Iterator[dict[str, Any]]:
+    """The lines U cos mu = constant as far as the map goes; speed in Froude numbers, `unit` of which is one [m/s]."""
+    largest = 1.5 * float(FROUDE[-1]) - 0.5 * float(FROUDE[-2])
+    for name, speed in zip(part["line"].values.tolist(), part["pile_up"].values / unit, strict=True):
+        if speed < largest:
+            mu = np.linspace(0.0, np.arccos(speed / largest), 60)
+            yield {
+                "points": [np.column_stack([np.degrees(mu), speed / np.cos(mu)]).round(4).tolist()],
+                "dash": _DASHES[name],
+            }
+
+
+def _legend(part: xr.Dataset, advice: np.ndarray, roll: np.ndarray) -> str:
+    """What the patterns and lines mean, and how many cells there are of each."""
+    counts = {kind: int((advice == int(kind)).sum()) for kind in Advice}
+    line, half = part["pile_up"].values / _KNOT
+    rows = [
+        ("", "every cell is recommended", counts[Advice.RECOMMENDED] == advice.size),
+        ("hatch", f"{counts[Advice.NOT_RECOMMENDED]} of {advice.size} not recommended", counts[Advice.NOT_RECOMMENDED]),
+        ("dots", f"{counts[Advice.UNDECIDED]} undecided: the interval straddles the limit", counts[Advice.UNDECIDED]),
+        ("grey", f"{int(np.isnan(roll).sum())} without an answer", np.isnan(roll).any()),
+        ("line", f"U cos μ = {line:.3g} kn: roll in step with the waves", True),
+        ("dash", f"{half:.3g} kn: parametric roll", True),
+    ]
+    about = part.attrs
+    limit = (
+        f"{about['threshold_words']} ({about['threshold_source']}); a failure is a roll of {about['roll_limit']:.3g}°"
+    )
+    return (
+        "".join(
+            f'<span>{f"""<i class="key {key}"></i>""" if key else ""}{words}</span>'
+            for key, words, there in rows
+            if there
+        )
+        + f"<div>{limit[0].upper()}{limit[1:]}.</div>"
+    )

@@ -1,0 +1,104 @@
+"""The chosen condition in an irregular sea: the sentence on top, and the numbers at the right."""
+
+from __future__ import annotations
+
+import html
+import math
+from typing import Final
+
+import numpy as np
+import xarray as xr
+
+from quartering.hydro.coefficients import coefficients
+from quartering.hydro.terms import estimates
+from quartering.loads.sea.encounter import wave_frequencies_met
+from quartering.study.seas.response import SeaStatus
+from quartering.view.explorer import charts
+from quartering.view.explorer.cell_panel import Part, hull_parts
+from quartering.view.explorer.sea_scene import SeaScene
+from quartering.view.sea_words import METHODS, sea_remarks, sea_sentence
+
+_VANMARCKE: Final = "Vanmarcke: swings in groups count once"
+_RICE: Final = "Rice: every swing counts"
+_SAMPLES: Final = 240
+
+
+def sea_headline(of: SeaScene, found: xr.Dataset) -> str:
+    """The sentence of the sea: the condition quiet, what the ship does bold, its numbers in a smaller line below."""
+    where, _, said = sea_sentence(of.ship, of.sea, of.speed, found).partition(": ")
+    look = "stable" if int(found["status"]) == SeaStatus.ANSWERED else "unstable"
+    numbers, _, end = said.removesuffix(".").rpartition(", ")
+    first = f"<h1><span class='when'>{html.escape(where)}:</span> <b class='{look}'>{html.escape(end)}</b>.</h1>"
+    return first + (f"<p>{html.escape(numbers[:1].upper() + numbers[1:])}.</p>" if numbers else "")
+
+
+def sea_notes() -> list[str]:
+    """What the numbers of a sea are, said below the sentence."""
+    return [
+        f"By statistical linearisation, with sway, roll and yaw: roll RMS {METHODS['closure'][1]} of that simulated in twelve"
+        " seas of one ship."
+    ]
+
+
+def sea_parts(panel: str, of: SeaScene, found: xr.Dataset) -> list[Part]:
+    """What the tab of a page shows of a sea."""
+    if panel == "hull":
+        return hull_parts(
+            of.ship, estimates(list(coefficients(of.ship, float(found["n2"].fillna(0.0)), of.speed).table()))
+        )
+    remarks = "".join(f"<p class='hint'>{html.escape(line)}</p>" for line in sea_remarks(found))
+    return [
+        _table(found),
+        "<h2>The sea</h2>",
+        _spectrum(of, found),
+        f"{remarks}<p class='hint'>Cut: {html.escape(found.attrs['cut'])}. Lateral acceleration at"
+        f" {html.escape(found.attrs['place'])}, gravity of the heeled deck in it.</p>",
+    ]
+
+
+def _table(found: xr.Dataset) -> str:
+    """Numbers of the response, each with what it is."""
+    hours = f"{float(found.attrs['hours']):g} h"
+    rows = [
+        ("roll, root mean square", "roll_rms", "°", "about its mean"),
+        ("mean period of roll", "roll_period", "s", "between upward crossings"),
+        (f"largest roll of {hours}, most probable", "roll_most_probable", "°", _VANMARCKE),
+        ("", "roll_most_probable_bound", "°", f"at most; {_RICE}"),
+        (f"<b>largest roll of {hours}, mean</b>", "roll_mean_largest", "°", _VANMARCKE),
+        ("", "roll_mean_largest_bound", "°", f"at most; {_RICE}"),
+        ("lateral acceleration, root mean square", "lateral_acceleration_rms", "m/s²", ""),
+        (f"largest of {hours}, mean", "lateral_acceleration_mean_largest", "m/s²", _VANMARCKE),
+        ("roll frequency n₂ about the motion", "n2", "rad/s", ""),
+        ("K₂ of the sea", "k2", "1/s²", "below 0 is stable"),
+    ]
+    body = "".join(
+        f"<tr><td>{what}</td><td>{_number(float(found[name]), unit)}</td><td class='hint'>{remark}</td></tr>"
+        for what, name, unit, remark in rows
+    )
+    slow = ", ".join(_number(float(rate), "") for rate in found["slow"].values)
+    said = "<td class='hint'>averaged over the sea; below 0 is stable</td>"
+    body += f"<tr><td>slow sway-yaw modes</td><td>{slow} 1/s</td>{said}</tr>"
+    body += "".join(
+        f"<tr><td>{what}</td><td>{100 * float(found[name]):.3g} %</td><td class='hint'>{remark}</td></tr>"
+        for what, name, remark in (
+            ("energy overtaken by the ship", "overtaken", "encounter frequency below 0"),
+            ("energy near encounter frequency 0", "near_zero", "above 20 % not valid: surf-riding, broaching"),
+        )
+    )
+    return f"<table class='judges told'><tr><th>quantity</th><th>value</th><th>remark</th></tr>{body}</table>"
+
+
+def _number(value: float, unit: str) -> str:
+    if not math.isfinite(value):
+        return "none"
+    return f"{value:.3g}{'' if unit in ('', '°') else ' '}{unit}"
+
+
+def _spectrum(of: SeaScene, found: xr.Dataset) -> charts.Chart:
+    """Density of the sea over wave frequency, and the waves that meet the ship at its roll frequency."""
+    bands = [one.band for one in of.sea.partitions]
+    high = max(band[1] for band in bands)
+    sigma = np.linspace(1e-3, high, _SAMPLES)
+    n2 = float(found["n2"]) if math.isfinite(float(found["n2"])) else float(found.attrs["roll_frequency"])
+    met = wave_frequencies_met(n2, of.speed, of.heading)[0]
+    return charts.spectrum(sigma, of.sea.density(sigma), [float(s) for s in met if np.isfinite(s) and s < high])
