@@ -65,24 +65,38 @@ def number_words(of: xr.Dataset, name: str) -> str:
 
 def sea_remarks(best: xr.Dataset) -> list[str]:
     """Energy, danger lines, slow modes and several motions, a line each."""
+    slow = ", ".join(f"{rate:.3g}" for rate in best["slow"].values)
+    return [
+        f"Wave energy: {float(best['overtaken']):.2%} overtaken by the ship, {float(best['near_zero']):.2%} near encounter"
+        f" frequency 0, {float(best['cut_off']):.2%} beyond the cut ({best.attrs['cut']}).",
+        *danger_lines(best),
+        f"Slow sway-yaw modes averaged over the sea {slow} 1/s; below 0 is stable.",
+        *several_motions(best),
+    ]
+
+
+def danger_lines(best: xr.Dataset) -> list[str]:
+    """Where waves of many periods arrive at the frequency of roll, or twice it, a line each."""
     import numpy as np
 
-    said = [
-        f"Wave energy: {float(best['overtaken']):.2%} overtaken by the ship, {float(best['near_zero']):.2%} near encounter"
-        f" frequency 0, {float(best['cut_off']):.2%} beyond the cut ({best.attrs['cut']})."
-    ]
+    said = []
     line, at = best["pile_up"].values, best["pile_up_heading"].values
     for speed, heading, words in zip(line, at, ("roll in step with the waves", "parametric roll"), strict=True):
         where = f"heading {heading:.3g} deg here" if np.isfinite(heading) else "the ship is too slow for it"
         said.append(
             f"Danger line whatever the period, {words}: speed times cosine of the heading {speed:.3g} m/s; {where}."
         )
-    slow = ", ".join(f"{rate:.3g}" for rate in best["slow"].values)
-    said.append(f"Slow sway-yaw modes averaged over the sea {slow} 1/s; below 0 is stable.")
-    rolls = [roll for roll in np.atleast_1d(best["roll_of_each"].values) if np.isfinite(roll)]
-    if len(rolls) > 1:
-        said.append(f"Several motions: roll RMS {', '.join(f'{roll:.3g}' for roll in rolls)} deg; the ship may jump.")
     return said
+
+
+def several_motions(best: xr.Dataset) -> list[str]:
+    """That the sea has more than one motion for the ship, where it has."""
+    import numpy as np
+
+    rolls = [roll for roll in np.atleast_1d(best["roll_of_each"].values) if np.isfinite(roll)]
+    if len(rolls) < 2:
+        return []
+    return [f"Several motions: roll RMS {', '.join(f'{roll:.3g}' for roll in rolls)} deg; the ship may jump."]
 
 
 def sea_facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, xr.Dataset]) -> dict[str, Any]:

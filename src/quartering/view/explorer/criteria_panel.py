@@ -31,12 +31,13 @@ class CriteriaPanel:
         self._key: object = None
         self._first: Criteria | None = None
         self._ask: Callable[[], Awaitable[None]] | None = None
-        self._table = ui.html("", sanitize=False).classes("w-full").mark("criteria")
+        self._table = ui.html("", sanitize=False).classes("w-full q-criteria").mark("criteria")
         with ui.element("div").classes("progress"):
             self._button = ui.button("Judge level 2", color=None, on_click=self._asked)
             self._button.props("outline dense no-caps").classes("q-judge").mark("level 2")
             self._progress = ui.label("").mark("criteria progress").props("aria-live=polite")
         self._button.set_visibility(False)
+        self._about = ui.html("", sanitize=False).classes("w-full")
 
     async def follow(self, ship: Ship, speed: float, key: object, take: Take, wanted: Callable[[], bool]) -> None:
         """Judge a ship at level 1, unless it is the one that is there.
@@ -52,14 +53,19 @@ class CriteriaPanel:
             found = await self._judged(ship, speed, key, take, (1,))
         except InputError as error:
             self._table.set_content(f"<p>{html.escape(without_paths(str(error)))}</p>")
+            self._about.set_content("")
             return
         if found is None or not wanted():
             self._key = None if self._key == key else self._key
             return
         self._first = found
-        self._table.set_content(criteria_table(found))
+        self._show(found)
         self._button.set_visibility(True)
         self._ask = lambda: self._second(ship, speed, key, take)
+
+    def _show(self, found: Criteria) -> None:
+        self._table.set_content(criteria_table(found))
+        self._about.set_content(about_criteria(found))
 
     def _asked(self) -> None:
         if self._ask is not None:
@@ -89,7 +95,7 @@ class CriteriaPanel:
             share, found = step
             if self._key == key and levels == (2,) and self._first is not None:
                 self._progress.set_text(f"level 2: {share:.0%}".replace("%", " %"))
-                self._table.set_content(criteria_table(_both(self._first, found)))
+                self._show(_both(self._first, found))
         return None
 
 
@@ -104,8 +110,17 @@ def _both(first: Criteria, second: Criteria) -> Criteria:
 
 
 def criteria_table(found: Criteria) -> str:
-    """Every judgement with its value and limit, its numbers behind a mark, and in which form all this is."""
+    """Every judgement with its value and limit, its numbers behind a mark."""
     rows = "".join(_row(one) for one in found.judgements)
+    return (
+        f"<p class='hint'>{html.escape(found.loading[:1].upper() + found.loading[1:])}.</p>"
+        "<table class='judges'><tr><th>failure mode</th><th>level</th><th>verdict</th><th>value and limit</th></tr>"
+        f"{rows}</table>"
+    )
+
+
+def about_criteria(found: Criteria) -> str:
+    """In which form the judgements are, what was assumed, and every constant with its place and status."""
     notes = "; ".join(dict.fromkeys(note for one in found.judgements for note in one.notes))
     assumed = f"<p class='hint'>Assumed: {html.escape(notes)}.</p>" if notes else ""
     constants = "".join(
@@ -114,9 +129,7 @@ def criteria_table(found: Criteria) -> str:
         for one in found.constants
     )
     return (
-        f"<p class='hint'>{html.escape(found.loading[:1].upper() + found.loading[1:])}.</p>"
-        "<table class='judges'><tr><th>failure mode</th><th>level</th><th>verdict</th><th>value and limit</th></tr>"
-        f"{rows}</table>{assumed}<p><b>{html.escape(recalled_words(found))}.</b> It shows no compliance.</p>{_WHAT}"
+        f"<p><b>{html.escape(recalled_words(found))}.</b> It shows no compliance.</p>{assumed}{_WHAT}"
         "<details><summary>Constants, with place and status</summary><table class='judges told'>"
         f"<tr><th>name</th><th>value</th><th>place</th><th>status</th></tr>{constants}</table></details>"
     )

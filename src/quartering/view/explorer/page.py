@@ -295,6 +295,8 @@ class Page:
             wanted = partial(self._wants, state)
             if await fill(self._sea_map, pieces, self._take, wanted, self._progress.set_text):
                 self._sea_map_of = asked
+            elif self._stopped:
+                self._progress.set_text("stopped; any change begins again")
         finally:
             self._stop.set_visibility(False)
 
@@ -390,7 +392,8 @@ def _of_map(state: State) -> State:
 
 
 _FOOT = (
-    "Regular long-crested waves on deep water; no heave, pitch or flooding. Estimated coefficients are named under <i>Hull</i>."
+    "Regular long-crested waves, or an irregular sea, on deep water; no heave, pitch or flooding."
+    " Estimated coefficients are named under <i>Hull</i>."
     " For study and design; it shows compliance with no rule. The map: bow up, waves come from the side of the cell; the right"
     " half mirrors the left. Arrow keys on the map choose a cell. The same answers as a service:"
     " <a href='/api/docs'>/api/docs</a>."

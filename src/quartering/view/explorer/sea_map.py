@@ -21,6 +21,8 @@ _DASHES: Final = {"synchronous": "none", "parametric": "5 2.5"}
 _LEAST_TOP: Final = 5.0
 _KNOT: Final = quantity("1 kn", "speed")
 _LABEL: Final = "Polar map of the mean largest roll of three hours; arrow keys choose heading and speed"
+CONDITIONS: Final = HEADINGS.size * FROUDE.size
+"""Of the whole map."""
 Take = Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]]
 
 
@@ -52,7 +54,7 @@ class SeaMap:
     def place(self, of: SeaScene) -> None:
         """Show which heading and speed the page is about, and the speeds of the rings in knots."""
         self._speeds, one = of.speeds, of.speeds[-1] / float(FROUDE[-1])
-        self._map.props["chosen"] = [of.heading, min(of.speed / one, float(FROUDE[-1]))]
+        self._map.props["chosen"] = [of.heading, of.speed / one]
         self._map.props["rings"] = [[ring * _KNOT / one, f"{ring:g} kn"] for ring in round_knots(of.speeds[-1] / _KNOT)]
         self._map.props["rows"] = [f"{speed / _KNOT:.3g} kn" for speed in of.speeds]
 
@@ -76,9 +78,8 @@ class SeaMap:
         self._legend.set_content(_legend(part, advice[known], roll[known]))
 
     def _empty(self) -> None:
-        count = HEADINGS.size * FROUDE.size
-        self._map.props["roll"] = [None] * count
-        self._map.props["kind"] = [None] * count
+        self._map.props["roll"] = [None] * CONDITIONS
+        self._map.props["kind"] = [None] * CONDITIONS
 
 
 async def fill(
@@ -88,17 +89,15 @@ async def fill(
     wanted: Callable[[], bool],
     tell: Callable[[str], object],
 ) -> bool:
-    """Every piece of a map, in turn; False when it is wanted no more."""
-    total, done, begun = HEADINGS.size * FROUDE.size, 0, False
-    while done < total:
-        found, _notes = await take(lambda: next(pieces, None))
-        if not wanted() or found is None:
-            tell(f"stopped at {done} of {total} conditions; any change begins again" if begun else "")
+    """Every piece of a map, in turn; False when it is wanted no more. `tell` says how far it is."""
+    done = 0
+    while done < CONDITIONS:
+        found, _notes = await take(lambda: next(pieces))
+        if not wanted():
             return False
         done, part = found
-        begun = True
         shown.show(part, done)
-        tell(f"{done} of {total} conditions" if done < total else "")
+        tell(f"{done} of {CONDITIONS} conditions" if done < CONDITIONS else "")
     return True
 
 

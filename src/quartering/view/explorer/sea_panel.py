@@ -16,7 +16,7 @@ from quartering.study.seas.response import SeaStatus
 from quartering.view.explorer import charts
 from quartering.view.explorer.cell_panel import Part, hull_parts
 from quartering.view.explorer.sea_scene import SeaScene
-from quartering.view.sea_words import METHODS, sea_remarks, sea_sentence
+from quartering.view.sea_words import METHODS, danger_lines, sea_sentence, several_motions
 
 _VANMARCKE: Final = "Vanmarcke: swings in groups count once"
 _RICE: Final = "Rice: every swing counts"
@@ -24,12 +24,12 @@ _SAMPLES: Final = 240
 
 
 def sea_headline(of: SeaScene, found: xr.Dataset) -> str:
-    """The sentence of the sea: the condition quiet, what the ship does bold, its numbers in a smaller line below."""
+    """The sentence of the sea: the condition quiet, what becomes of the ship bold."""
     where, _, said = sea_sentence(of.ship, of.sea, of.speed, found).partition(": ")
     look = "stable" if int(found["status"]) == SeaStatus.ANSWERED else "unstable"
-    numbers, _, end = said.removesuffix(".").rpartition(", ")
-    first = f"<h1><span class='when'>{html.escape(where)}:</span> <b class='{look}'>{html.escape(end)}</b>.</h1>"
-    return first + (f"<p>{html.escape(numbers[:1].upper() + numbers[1:])}.</p>" if numbers else "")
+    numbers, comma, end = said.removesuffix(".").rpartition(", ")
+    numbers, comma, end = (html.escape(text) for text in (numbers, comma, end))
+    return f"<h1><span class='when'>{html.escape(where)}:</span> {numbers}{comma}<b class='{look}'>{end}</b>.</h1>"
 
 
 def sea_notes() -> list[str]:
@@ -46,13 +46,15 @@ def sea_parts(panel: str, of: SeaScene, found: xr.Dataset) -> list[Part]:
         return hull_parts(
             of.ship, estimates(list(coefficients(of.ship, float(found["n2"].fillna(0.0)), of.speed).table()))
         )
-    remarks = "".join(f"<p class='hint'>{html.escape(line)}</p>" for line in sea_remarks(found))
+    remarks = "".join(
+        f"<p class='hint'>{html.escape(line)}</p>" for line in (*danger_lines(found), *several_motions(found))
+    )
     return [
         _table(found),
         "<h2>The sea</h2>",
         _spectrum(of, found),
-        f"{remarks}<p class='hint'>Cut: {html.escape(found.attrs['cut'])}. Lateral acceleration at"
-        f" {html.escape(found.attrs['place'])}, gravity of the heeled deck in it.</p>",
+        f"{remarks}<p class='hint'>The waves that act: {html.escape(found.attrs['cut'])}, without {float(found['cut_off']):.2%}"
+        f" of the energy. Lateral acceleration at {html.escape(found.attrs['place'])}, gravity of the heeled deck in it.</p>",
     ]
 
 

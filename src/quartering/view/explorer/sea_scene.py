@@ -45,7 +45,7 @@ def sea_scene(state: State, known: Known) -> SeaScene:
     own = known.ship
     changes = {name: number(own, name, value) for name in LOADING if (value := getattr(state, name)) is not None}
     one = quantity("1 Fn", "speed", length=own.hull.length)
-    speed = 0.16 * one if state.speed is None else state.speed
+    speed = 0.25 * one if state.speed is None else state.speed
     speeds = tuple(float(froude) * one for froude in FROUDE)
     told = told_of(state, own.hull.length)
     return SeaScene(known, loaded(own, changes), sea_of(state, told), told, speed, state.heading, speeds)
