@@ -57,7 +57,9 @@ class CellPanel:
                 with ui.tab_panel(name).classes("p-0"):
                     if name == "curve":
                         self._over = ui.toggle(_OVER, on_change=lambda event: change(over=event.value))
-                        self._over.classes("choices").props('dense unelevated aria-label="curve over"')
+                        self._over.classes("choices").props(
+                            'dense unelevated toggle-color=chosen toggle-text-color=on-chosen aria-label="curve over"'
+                        )
                     self._area[name] = ui.element("div").classes("w-full")
                     if name == "criteria":
                         with self._area[name]:

@@ -35,7 +35,9 @@ class Controls:
         self._speed = Dial("speed", lambda value, _: change(speed=value))
         ui.label("Sea").classes("group")
         self._mode = ui.toggle(_MODES, value="wave", on_change=lambda event: change(mode=event.value))
-        self._mode.classes("choices q-mode").props('dense unelevated no-caps aria-label="wave or sea"').mark("mode")
+        self._mode.classes("choices q-mode").props(
+            'dense unelevated toggle-color=chosen toggle-text-color=on-chosen no-caps aria-label="wave or sea"'
+        ).mark("mode")
         self._sea_dials = SeaDials(change)
         with ui.element("div") as self._of_wave:
             self._wave_length = Dial("wave_length", lambda value, _: change(wave_length=value))

@@ -28,7 +28,7 @@ from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.problems import without_paths
 from quartering.view.explorer.sea_map import SeaMap, fill
 from quartering.view.explorer.sea_panel import sea_headline, sea_notes, sea_parts
-from quartering.view.explorer.sea_scene import SeaScene, map_pieces, of_sea_map, response, sea_scene
+from quartering.view.explorer.sea_scene import SeaScene, advice, map_pieces, of_sea_map, response, sea_scene
 from quartering.view.explorer.sea_state import NO_SEA
 from quartering.view.explorer.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.state import LOADING, State, read_link
@@ -76,7 +76,7 @@ class Page:
         self._following: asyncio.Task[None] | None = None
         self._stopped = False
         self._map_of: State | None = None
-        self._sea_map_of: State | None = None
+        self._sea_map_of: tuple[State, float] | None = None
         self._build(problem)
 
     def _build(self, problem: str) -> None:
@@ -228,14 +228,18 @@ class Page:
                 )
 
     async def _send(self, make: downloads.File, of_sea: sea_downloads.File) -> None:
+        state = self.state
+
         def made() -> tuple[str, bytes]:
-            known = self._registry.known(self.state.ship)
-            if self.state.mode == "sea":
-                return of_sea(self.state, sea_scene(self.state, known))
-            return make(self.state, scene(self.state, known))
+            return make(state, scene(state, self._registry.known(state.ship)))
 
         try:
-            (name, content), _ = await self._jobs.take(self._client.id, noting(made))
+            if state.mode == "sea":
+                of, _ = await self._take(lambda: sea_scene(state, self._registry.known(state.ship)))
+                whole = self._sea_map.whole if self._sea_map_of == of_sea_map(state, of) else None
+                name, content = await sea_downloads.made(of_sea, state, of, whole, self._take)
+            else:
+                (name, content), _ = await self._take(made)
         except InputError as error:
             self._say_wrong(str(error))
             return
@@ -277,7 +281,8 @@ class Page:
     async def _settle_sea(self, state: State) -> None:
         of, _ = await self._take(lambda: sea_scene(state, self._registry.known(state.ship)))
         found, notes = await self._take(lambda: response(of))
-        self._say(sea_headline(of, found), [*notes, *sea_notes()])
+        said, _ = await self._take(lambda: advice(state, of))
+        self._say(sea_headline(of, found, said), [*notes, *sea_notes()])
         await self._show_scene(state, of)
         if state.panel == "criteria":
             await self._judge(state, of)
@@ -285,7 +290,7 @@ class Page:
             shown, _ = await self._take(lambda: sea_parts(state.panel, of, found))
             if self.state is state:
                 self._panel.show(state.panel, shown)
-        asked = of_sea_map(state)
+        asked = of_sea_map(state, of)
         if self.state is not state or asked == self._sea_map_of:
             return
         self._sea_map_of = None

@@ -14,63 +14,76 @@ import xarray as xr
 
 from quartering.view.explorer.computations import HEADINGS
 from quartering.view.explorer.downloads import stem
+from quartering.view.explorer.sea_map import Take
 from quartering.view.explorer.sea_scene import SeaScene, map_pieces
 from quartering.view.explorer.state import LOADING, State
 
 _REPORT = "quartering.view.report.seas"
 
-File = Callable[[State, SeaScene], tuple[str, bytes]]
-"""Makes a file of a state and its scene: name and content."""
+File = Callable[[State, SeaScene, xr.Dataset | None], tuple[str, bytes]]
+"""Makes a file of a state, its scene and its map: name and content."""
 
 
 def files() -> dict[str, File]:
     """What can be taken home, by the words of the menu, which are those of a regular wave."""
+
+    def of_map(ending: str, content: Callable[[xr.Dataset], bytes]) -> File:
+        def made(_: State, of: SeaScene, whole: xr.Dataset | None) -> tuple[str, bytes]:
+            assert whole is not None
+            return f"{stem(of.known)}-guidance.{ending}", content(whole.assign_attrs(ship_argument=of.known.key))
+
+        return made
+
     return {
         "Case file that gives this view": case_file,
-        "Map, PNG": lambda state, of: (_name(of, "png"), picture(state, of, "png")),
-        "Map, SVG": lambda state, of: (_name(of, "svg"), picture(state, of, "svg")),
-        "Map, netCDF": lambda state, of: (_name(of, "nc"), netcdf(state, of)),
-        "Report, HTML": lambda state, of: (_name(of, "html"), report(state, of)),
+        "Map, PNG": of_map("png", lambda whole: picture(whole, "png")),
+        "Map, SVG": of_map("svg", lambda whole: picture(whole, "svg")),
+        "Map, netCDF": of_map("nc", netcdf),
+        "Report, HTML": of_map("html", report),
     }
 
 
-def _name(of: SeaScene, ending: str) -> str:
-    return f"{stem(of.known)}-guidance.{ending}"
+async def made(make: File, state: State, of: SeaScene, whole: xr.Dataset | None, take: Take) -> tuple[str, bytes]:
+    """A file, the map it needs computed piece by piece where it is not at hand.
+
+    whole: the map, if it is there already
+    """
+    pieces = iter(()) if make is case_file or whole is not None else map_pieces(state, of)
+    while True:
+        step, _notes = await take(lambda: next(pieces, None))
+        if step is None:
+            break
+        whole = step[1]
+    content, _notes = await take(lambda: make(state, of, whole))
+    return content
 
 
-def map_dataset(state: State, of: SeaScene) -> xr.Dataset:
-    """The whole map of a page."""
-    *_, (_, whole) = map_pieces(state, of)
-    whole.attrs["ship_argument"] = of.known.key
-    return whole
-
-
-def picture(state: State, of: SeaScene, ending: str) -> bytes:
+def picture(whole: xr.Dataset, ending: str) -> bytes:
     """The map as a picture, "png" or "svg"."""
     from quartering.view.plots import style
     from quartering.view.plots.sea_polar import sea_polar
 
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"map.{ending}"
-        style.save(sea_polar(map_dataset(state, of)), path)
+        style.save(sea_polar(whole), path)
         return path.read_bytes()
 
 
-def netcdf(state: State, of: SeaScene) -> bytes:
+def netcdf(whole: xr.Dataset) -> bytes:
     """The map as netCDF."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "map.nc"
-        map_dataset(state, of).to_netcdf(path)
+        whole.to_netcdf(path)
         return path.read_bytes()
 
 
-def report(state: State, of: SeaScene) -> bytes:
+def report(whole: xr.Dataset) -> bytes:
     """The report on the map, in the form of guidance, one HTML file."""
-    page: str = importlib.import_module(_REPORT).seas_page(map_dataset(state, of), "computed for this report")
+    page: str = importlib.import_module(_REPORT).seas_page(whole, "computed for this report")
     return page.encode()
 
 
-def case_file(state: State, of: SeaScene) -> tuple[str, bytes]:
+def case_file(state: State, of: SeaScene, _: xr.Dataset | None = None) -> tuple[str, bytes]:
     """Name and content of the case that gives the map again; a zip with the lines for a hull that was uploaded."""
     known = of.known
     text = case_text(state, of, "ship.yaml" if known.files else known.key)

@@ -31,6 +31,7 @@ class SeaMap:
 
     def __init__(self, choose: Callable[[float, float], None]) -> None:
         self._speeds: tuple[float, ...] = tuple(FROUDE)
+        self.whole: xr.Dataset | None = None
         with ui.element("div").classes("map-box q-sea-map") as self.box:
             self._map = PolarMap()
             self._map.props.update(
@@ -64,6 +65,7 @@ class SeaMap:
         part: from `map_pieces`
         done: its conditions that are computed, speed by speed
         """
+        self.whole = part if done == CONDITIONS else None
         one = part.isel(loading=0, hs=0, tz=0).transpose("heading", "speed", ...)
         roll, advice = one["roll_mean_3h_max"].values, one["recommended"].values
         known = done > np.arange(roll.size).reshape(roll.shape[::-1]).T
@@ -118,7 +120,7 @@ def _legend(part: xr.Dataset, advice: np.ndarray, roll: np.ndarray) -> str:
     counts = {kind: int((advice == int(kind)).sum()) for kind in Advice}
     line, half = part["pile_up"].values / _KNOT
     rows = [
-        ("", "every cell is recommended", counts[Advice.RECOMMENDED] == advice.size),
+        ("", "every cell is recommended", counts[Advice.RECOMMENDED] == CONDITIONS),
         ("hatch", f"{counts[Advice.NOT_RECOMMENDED]} of {advice.size} not recommended", counts[Advice.NOT_RECOMMENDED]),
         ("dots", f"{counts[Advice.UNDECIDED]} undecided: the interval straddles the limit", counts[Advice.UNDECIDED]),
         ("grey", f"{int(np.isnan(roll).sum())} without an answer", np.isnan(roll).any()),

@@ -12,7 +12,7 @@ import xarray as xr
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.terms import estimates
 from quartering.loads.sea.encounter import wave_frequencies_met
-from quartering.study.seas.response import SeaStatus
+from quartering.study.seas.advice import Advice
 from quartering.view.explorer import charts
 from quartering.view.explorer.cell_panel import Part, hull_parts
 from quartering.view.explorer.sea_scene import SeaScene
@@ -23,13 +23,12 @@ _RICE: Final = "Rice: every swing counts"
 _SAMPLES: Final = 240
 
 
-def sea_headline(of: SeaScene, found: xr.Dataset) -> str:
-    """The sentence of the sea: the condition quiet, what becomes of the ship bold."""
-    where, _, said = sea_sentence(of.ship, of.sea, of.speed, found).partition(": ")
-    look = "stable" if int(found["status"]) == SeaStatus.ANSWERED else "unstable"
-    numbers, comma, end = said.removesuffix(".").rpartition(", ")
-    numbers, comma, end = (html.escape(text) for text in (numbers, comma, end))
-    return f"<h1><span class='when'>{html.escape(where)}:</span> {numbers}{comma}<b class='{look}'>{end}</b>.</h1>"
+def sea_headline(of: SeaScene, found: xr.Dataset, said: Advice) -> str:
+    """The sentence of the sea: the condition quiet, what becomes of the ship, and what guidance says of it bold."""
+    where, _, words = sea_sentence(of.ship, of.sea, of.speed, found).partition(": ")
+    look = {Advice.RECOMMENDED: "stable", Advice.UNDECIDED: "undecided"}.get(said, "unstable")
+    told = html.escape(words.removesuffix("."))
+    return f"<h1><span class='when'>{html.escape(where)}:</span> {told}; <b class='{look}'>{said.label}</b>.</h1>"
 
 
 def sea_notes() -> list[str]:
