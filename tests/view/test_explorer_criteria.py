@@ -6,7 +6,7 @@ import pytest
 
 import quartering as qt
 from quartering.view.criteria_words import criteria_facts
-from tests.view.pages import link, serious
+from tests.view.pages import filled, link, serious
 from tests.view.service import ask
 
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
@@ -73,7 +73,7 @@ def test_the_tab_has_level_one_at_once_and_level_two_by_a_button(visit):
     page.get_by_text("Constants, with place and status").focus()
     page.keyboard.press("Enter")
     assert "recalled" in page.inner_text(".panel details[open]")
-    assert serious(page) == []
+    filled(page)
     page.locator("#number-heading").fill("75")
     page.wait_for_function("location.search.includes('heading=75')")
     assert page.evaluate(ROWS.format(10))  # the heading is nothing to the criteria
@@ -81,6 +81,7 @@ def test_the_tab_has_level_one_at_once_and_level_two_by_a_button(visit):
     page.locator("#number-gm").fill(f"{0.9 * gm:.3g}")
     page.wait_for_function(ROWS.format(5))
     assert link(page)["panel"] == "criteria"
+    assert serious(page) == []
     assert page.wrong == page.elsewhere == []
 
 

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import html
-import json
-from collections.abc import Awaitable, Callable, Iterator, Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Annotated, Any
 
 import numpy as np
 import xarray as xr
-from fastapi import APIRouter, Depends, FastAPI, HTTPException, Query, Request
+from fastapi import APIRouter, FastAPI, HTTPException, Query, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException as StarletteError
@@ -27,21 +26,20 @@ from quartering.study.effects.cure import Cure
 from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
-from quartering.view.console.printed import plain
 from quartering.view.explorer.calls import MOST_CELLS, PolarCall, ShipCall, VerdictCall
 from quartering.view.explorer.computations import joined, noting, sought
-from quartering.view.explorer.criteria_api import CriteriaCall, criteria_answer, criteria_steps
+from quartering.view.explorer.criteria_api import CriteriaCall, serve_criteria
+from quartering.view.explorer.desk import OF_GET, OF_POST, ONCE, Desk, answer_json
 from quartering.view.explorer.guard import METHODS
 from quartering.view.explorer.job_queue import JobQueue
-from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
-from quartering.view.explorer.sea_api import GuidanceCall, SeaCall, guidance_answer, guidance_pieces, sea_answer
+from quartering.view.explorer.problems import STATUSES, refused, responses, without_paths
+from quartering.view.explorer.sea_api import GuidanceCall, SeaCall, serve_sea
 from quartering.view.explorer.ship_registry import ShipRegistry
 
 _AT_ONCE = 1024
 _RESULTS = ("roll", "roll_peak", "other_roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")
 _BUSY, _CLIENT_LEFT = 503, 499
 _MOST_CALLS, _MOST_SEARCHES = 32, 4
-_OF_POST = (400, 403, 408, 413, 415, 422, 500, 503)
 _CALLS: dict[str, tuple[type[ShipCall], str]] = {
     "verdict": (VerdictCall, "GET, POST"), "polar": (PolarCall, "POST"), "sea": (SeaCall, "GET, POST"),
     "guidance": (GuidanceCall, "POST"), "criteria": (CriteriaCall, "POST"),
@@ -56,7 +54,7 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
     jobs: all calls together are one client of it, so that they never crowd out the people on the pages
     """
     routes = APIRouter(prefix="/api", tags=["api"])
-    under_way, searches, once = [0], [0], [Depends(_once)]
+    under_way, searches, once = [0], [0], ONCE
 
     async def answered(request: Request, work: Callable[[], Awaitable[JSONResponse]]) -> JSONResponse:
         """The answer of some work, unless too many wait already; a caller who leaves gives its place to the next at once."""
@@ -96,7 +94,7 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
         else:
             healing = await cured(found) if with_cures else None
         told, _ = await take(lambda: facts(found, healing))
-        return _json(told, notes)
+        return answer_json(told, notes)
 
     async def mapped(call: PolarCall) -> JSONResponse:
         blocks, notes = [], []
@@ -110,11 +108,9 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
                 lambda: carried_on(whole, lambda axes: _further(call, registry, axes), MOST_CELLS)
             )
             notes += said
-        return _json(_map(whole), list(dict.fromkeys(notes)))
+        return answer_json(_map(whole), list(dict.fromkeys(notes)))
 
-    @routes.get(
-        "/verdict", dependencies=once, summary="Judge one condition", responses=responses(400, 403, 422, 500, 503)
-    )
+    @routes.get("/verdict", dependencies=once, summary="Judge one condition", responses=responses(*OF_GET))
     async def get_verdict(request: Request, call: Annotated[VerdictCall, Query()]) -> JSONResponse:
         """What `quartering verdict --json` prints, but no cures are sought: `cures` is null for an unstable motion."""
         return await answered(request, lambda: judged(call, False))
@@ -123,59 +119,20 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
         "/verdict",
         dependencies=once,
         summary="Judge one condition, and seek what cures it",
-        responses=responses(*_OF_POST),
+        responses=responses(*OF_POST),
     )
     async def post_verdict(request: Request, call: VerdictCall) -> JSONResponse:
         """What `quartering verdict --json` prints: motion, indices, multipliers, sentence, cures, sources."""
         return await answered(request, lambda: judged(call, True))
 
-    @routes.post("/polar", dependencies=once, summary="Map of roll and stability", responses=responses(*_OF_POST))
+    @routes.post("/polar", dependencies=once, summary="Map of roll and stability", responses=responses(*OF_POST))
     async def post_polar(request: Request, call: PolarCall) -> JSONResponse:
         """Nested lists [speed][heading][wave length] with their units; null where there is no answer."""
         return await answered(request, lambda: mapped(call))
 
-    async def stepped(steps: Iterator[tuple[Any, Any]]) -> tuple[Any, list[str]]:
-        """The last of some steps, others being served between."""
-        last, notes = None, []
-        while True:
-            step, said = await take_long(lambda: next(steps, None))
-            notes += said
-            if step is None:
-                return last, list(dict.fromkeys(notes))
-            last = step[1]
-
-    async def at_sea(call: SeaCall) -> JSONResponse:
-        return _json(*await take(lambda: sea_answer(call, registry)))
-
-    async def guided(call: GuidanceCall) -> JSONResponse:
-        whole, notes = await stepped((await take(lambda: guidance_pieces(call, registry)))[0])
-        return _json(guidance_answer(whole), notes)
-
-    async def judged_by_criteria(call: CriteriaCall) -> JSONResponse:
-        found, notes = await stepped((await take(lambda: criteria_steps(call, registry)))[0])
-        return _json(criteria_answer(found), notes)
-
-    @routes.get(
-        "/sea", dependencies=once, summary="One ship in one irregular sea", responses=responses(400, 403, 422, 500, 503)
-    )
-    async def get_sea(request: Request, call: Annotated[SeaCall, Query()]) -> JSONResponse:
-        """What `quartering sea --json` prints without its simulation: linear response and statistical linearisation."""
-        return await answered(request, lambda: at_sea(call))
-
-    @routes.post("/sea", dependencies=once, summary="One ship in one irregular sea", responses=responses(*_OF_POST))
-    async def post_sea(request: Request, call: SeaCall) -> JSONResponse:
-        """What `quartering sea --json` prints without its simulation: linear response and statistical linearisation."""
-        return await answered(request, lambda: at_sea(call))
-
-    @routes.post("/guidance", dependencies=once, summary="Map over seas", responses=responses(*_OF_POST))
-    async def post_guidance(request: Request, call: GuidanceCall) -> JSONResponse:
-        """What `quartering polar --hs --json` prints: nested lists [loading][hs][tz][speed][heading], recommended in words."""
-        return await answered(request, lambda: guided(call))
-
-    @routes.post("/criteria", dependencies=once, summary="Five failure modes", responses=responses(*_OF_POST))
-    async def post_criteria(request: Request, call: CriteriaCall) -> JSONResponse:
-        """What `quartering criteria --json` prints, prepared in the form of MSC.1/Circ.1627; it shows no compliance."""
-        return await answered(request, lambda: judged_by_criteria(call))
+    desk = Desk(answered, take, take_long)
+    serve_sea(routes, registry, desk)
+    serve_criteria(routes, registry, desk)
 
     @routes.get("/docs", include_in_schema=False)
     async def docs() -> HTMLResponse:
@@ -278,27 +235,6 @@ def _map(ds: xr.Dataset) -> dict[str, Any]:
         "largest_on_edge": [edge._asdict() for edge in edges_of_largest(ds)],
         "units": {name: ds[name].attrs["units"] for name in (*axes, *_RESULTS)},
     }
-
-
-def _json(content: dict[str, Any], notes: list[str]) -> JSONResponse:
-    return JSONResponse(plain_names(plain({**content, "notes": notes})))
-
-
-async def _once(request: Request) -> None:
-    """Refuse a field that is given twice, of which all but the last would be lost."""
-
-    def pairs(given: list[tuple[str, Any]]) -> dict[str, Any]:
-        names = [name for name, _ in given]
-        twice = next((name for name in names if names.count(name) > 1), None)
-        if twice is not None:
-            raise HTTPException(422, f"{twice} is given twice; leave one out")
-        return dict(given)
-
-    pairs(request.query_params.multi_items())
-    try:
-        json.loads(await request.body() or b"{}", object_pairs_hook=pairs)
-    except ValueError:  # what is no JSON is refused as the body is read
-        return
 
 
 def _problem(one: Any, fields: tuple[str, ...]) -> str:

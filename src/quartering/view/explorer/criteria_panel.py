@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import math
 from collections.abc import Awaitable, Callable, Iterator
-from typing import Any, Final
+from typing import Final
 
 from nicegui import background_tasks, ui
 
@@ -14,9 +14,9 @@ from quartering.hull.ship import Ship
 from quartering.study.criteria.judged import judging
 from quartering.study.criteria.record import LABELS, MODES, Criteria, Judgement
 from quartering.view.criteria_words import recalled_words
+from quartering.view.explorer.desk import Take
 from quartering.view.explorer.problems import without_paths
 
-Take = Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]]
 _LOOKS: Final = {"vulnerable": "unstable", "not vulnerable": "stable"}
 _WHAT: Final = (
     "<p class='hint'>Service speed: that of the dial. Sway-roll-yaw motion, which the rest of this page is about, is none of"

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, Final
+from typing import Annotated, Any, Final
 
 import xarray as xr
+from fastapi import APIRouter, Query, Request
+from fastapi.responses import JSONResponse
 from pydantic import Field, model_validator
 
 from quartering.arguments import ARGUMENTS
@@ -18,6 +20,8 @@ from quartering.study.seas.advice import Advice
 from quartering.study.seas.grid import Judge, sea_grid
 from quartering.study.seas.response import SeaStatus, sea_response
 from quartering.view.explorer.calls import ShipCall
+from quartering.view.explorer.desk import OF_GET, OF_POST, ONCE, Desk, answer_json
+from quartering.view.explorer.problems import responses
 from quartering.view.explorer.sea_state import SPREADING_WORDS, told_spreading
 from quartering.view.explorer.ship_registry import ShipRegistry
 from quartering.view.explorer.state import Value
@@ -129,3 +133,29 @@ def guidance_answer(ds: xr.Dataset) -> dict[str, Any]:
 def _named(codes: Any, words: list[str]) -> Any:
     """Codes in nested lists as words."""
     return [_named(one, words) for one in codes] if isinstance(codes, list) else words[codes]
+
+
+def serve_sea(routes: APIRouter, registry: ShipRegistry, desk: Desk) -> None:
+    """Add the calls about seas to a service."""
+
+    async def at_sea(call: SeaCall) -> JSONResponse:
+        return answer_json(*await desk.take(lambda: sea_answer(call, registry)))
+
+    async def guided(call: GuidanceCall) -> JSONResponse:
+        whole, notes = await desk.stepped(lambda: guidance_pieces(call, registry))
+        return answer_json(guidance_answer(whole), notes)
+
+    @routes.get("/sea", dependencies=ONCE, summary="One ship in one irregular sea", responses=responses(*OF_GET))
+    async def get_sea(request: Request, call: Annotated[SeaCall, Query()]) -> JSONResponse:
+        """What `quartering sea --json` prints without its simulation: linear response and statistical linearisation."""
+        return await desk.answered(request, lambda: at_sea(call))
+
+    @routes.post("/sea", dependencies=ONCE, summary="One ship in one irregular sea", responses=responses(*OF_POST))
+    async def post_sea(request: Request, call: SeaCall) -> JSONResponse:
+        """What `quartering sea --json` prints without its simulation: linear response and statistical linearisation."""
+        return await desk.answered(request, lambda: at_sea(call))
+
+    @routes.post("/guidance", dependencies=ONCE, summary="Map over seas", responses=responses(*OF_POST))
+    async def post_guidance(request: Request, call: GuidanceCall) -> JSONResponse:
+        """What `quartering polar --hs --json` prints: nested lists [loading][hs][tz][speed][heading], recommended in words."""
+        return await desk.answered(request, lambda: guided(call))

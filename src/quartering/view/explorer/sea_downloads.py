@@ -13,8 +13,8 @@ from pathlib import Path
 import xarray as xr
 
 from quartering.view.explorer.computations import HEADINGS
+from quartering.view.explorer.desk import Take
 from quartering.view.explorer.downloads import stem
-from quartering.view.explorer.sea_map import Take
 from quartering.view.explorer.sea_scene import SeaScene, map_pieces
 from quartering.view.explorer.state import LOADING, State
 

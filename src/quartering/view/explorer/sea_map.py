@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, Final
 
 import numpy as np
@@ -13,9 +13,11 @@ from nicegui.events import GenericEventArguments
 from quartering.study.seas.advice import Advice
 from quartering.units import quantity
 from quartering.view.explorer.computations import HEADINGS
+from quartering.view.explorer.desk import Take
 from quartering.view.explorer.map_panel import PolarMap, palette
 from quartering.view.explorer.sea_scene import FROUDE, SeaScene
 from quartering.view.plots.guidance import round_knots
+from quartering.view.plots.sea_polar import limit_words
 
 _DASHES: Final = {"synchronous": "none", "parametric": "5 2.5"}
 _LEAST_TOP: Final = 5.0
@@ -23,7 +25,6 @@ _KNOT: Final = quantity("1 kn", "speed")
 _LABEL: Final = "Polar map of the mean largest roll of three hours; arrow keys choose heading and speed"
 CONDITIONS: Final = HEADINGS.size * FROUDE.size
 """Of the whole map."""
-Take = Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]]
 
 
 class SeaMap:
