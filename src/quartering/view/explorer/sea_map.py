@@ -31,30 +31,36 @@ class SeaMap:
     """Map, colour scale and legend of a sea; filled speed by speed."""
 
     def __init__(self, choose: Callable[[float, float], None]) -> None:
+        self._choose, self._made = choose, False
         self._speeds: tuple[float, ...] = tuple(FROUDE)
         self.whole: xr.Dataset | None = None
-        with ui.element("div").classes("map-box q-sea-map") as self.box:
+        self.box = ui.element("div").classes("map-box q-sea-map")
+
+    def _make(self) -> None:
+        """Draw an empty map; not before a visitor asks for a sea."""
+        self._made = True
+        with self.box:
             self._map = PolarMap()
             self._map.props.update(
                 headings=HEADINGS.tolist(), radii=FROUDE.tolist(), palette=list(palette()), label=_LABEL, size="largest of 3 h",
                 kinds={str(int(one)): one.label for one in Advice}, hatched=[int(Advice.NOT_RECOMMENDED)],
                 dotted=[int(Advice.UNDECIDED)], crossed=[], also={}, chosen=[0.0, 0.16], lines=[], rings=[], rows=[],
-                top=_LEAST_TOP, roll=[], kind=[],
+                top=_LEAST_TOP, roll=[None] * CONDITIONS, kind=[None] * CONDITIONS,
             )  # fmt: skip
             with ui.element("div").classes("scale"):
                 ui.label("mean largest roll of 3 h 0°")
                 ui.element("div").classes("scale-bar").style(f"background:linear-gradient(90deg,{','.join(palette())})")
                 self._top = ui.label("")
             self._legend = ui.html("", sanitize=False).classes("legend")
-        self._empty()
+        self._map.on("choose", self._chosen)
 
-        def chosen(event: GenericEventArguments) -> None:
-            choose(float(HEADINGS[int(event.args["heading"])]), self._speeds[int(event.args["length"])])
-
-        self._map.on("choose", chosen)
+    def _chosen(self, event: GenericEventArguments) -> None:
+        self._choose(float(HEADINGS[int(event.args["heading"])]), self._speeds[int(event.args["length"])])
 
     def place(self, of: SeaScene) -> None:
         """Show which heading and speed the page is about, and the speeds of the rings in knots."""
+        if not self._made:
+            self._make()
         self._speeds, one = of.speeds, of.speeds[-1] / float(FROUDE[-1])
         self._map.props["chosen"] = [of.heading, of.speed / one]
         self._map.props["rings"] = [[ring * _KNOT / one, f"{ring:g} kn"] for ring in round_knots(of.speeds[-1] / _KNOT)]
@@ -79,10 +85,6 @@ class SeaMap:
         self._map.props["lines"] = list(_danger_lines(part, unit))
         self._top.set_text(f"{top:.3g}°{' and more' if np.nanmax(roll, initial=0.0) > top else ''}")
         self._legend.set_content(_legend(part, advice[known], roll[known]))
-
-    def _empty(self) -> None:
-        self._map.props["roll"] = [None] * CONDITIONS
-        self._map.props["kind"] = [None] * CONDITIONS
 
 
 async def fill(
@@ -129,9 +131,7 @@ def _legend(part: xr.Dataset, advice: np.ndarray, roll: np.ndarray) -> str:
         ("dash", f"{half:.3g} kn: parametric roll", True),
     ]
     about = part.attrs
-    limit = (
-        f"{about['threshold_words']} ({about['threshold_source']}); a failure is a roll of {about['roll_limit']:.3g}°"
-    )
+    limit = f"{about['threshold_words']} ({about['threshold_source']}); {limit_words(part)}"
     return (
         "".join(
             f'<span>{f"""<i class="key {key}"></i>""" if key else ""}{words}</span>'
