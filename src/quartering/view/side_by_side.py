@@ -15,7 +15,8 @@ if TYPE_CHECKING:
 
 ALIKE = "are one ship, loaded alike; give another ship or loading to compare it with"
 """What is said of two that have nothing to compare."""
-_THOUSANDS = 1e4
+_HUNDREDS, _THOUSANDS = 1e3, 1e4
+"""From here on a difference, and a value, is told in whole numbers."""
 _SAME = 1e-6
 """Lengths nearer than this are the same."""
 
@@ -43,9 +44,7 @@ def warned(ships: Sequence[Ship], labels: Sequence[str], *, same_name: bool, mea
     """
     said = []
     if same_name:
-        said.append(
-            f"Both are called {ships[0].name}; they are told apart by what was typed: {labels[0]}, {labels[1]}."
-        )
+        said.append(f"Both are called {ships[0].name}; here they are {labels[0]} and {labels[1]}.")
     sizes = [(one.hull.length, one.hull.beam) for one in ships]
     if any(not math.isclose(a, b, rel_tol=_SAME) for a, b in zip(*sizes, strict=True)):
         lengths = " and ".join(f"{length:.4g} x {beam:.4g} m" for length, beam in sizes)
@@ -91,7 +90,9 @@ def comparison_rows(
 
 def _row(words: str, values: Sequence[float]) -> tuple[str, str, str, str]:
     first, second = values
-    return words, _figures(first), _figures(second), f"{second - first:+.3g}" if abs(second - first) > 1e-9 else "0"
+    more = second - first
+    change = f"{more:+.0f}" if abs(more) >= _HUNDREDS else f"{more:+.3g}" if abs(more) > 1e-9 else "0"
+    return words, _figures(first), _figures(second), change
 
 
 def _figures(value: float) -> str:

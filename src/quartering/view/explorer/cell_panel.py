@@ -19,6 +19,7 @@ from quartering.stability.verdict import Verdict
 from quartering.study.condition.examine import Examined, estimated
 from quartering.view.explorer import charts
 from quartering.view.explorer.animation import Drawn, hull_form, ship_in_wave
+from quartering.view.explorer.compare_panel import ComparePanel
 from quartering.view.explorer.computations import History, Scene, causes, curve, history
 from quartering.view.explorer.state import State
 from quartering.view.wording import estimated_words, exponents_words
@@ -26,7 +27,14 @@ from quartering.view.wording import estimated_words, exponents_words
 Part = str | charts.Chart | Drawn
 """Text (HTML), a figure, or what a component of our own draws."""
 
-_TABS = {"motion": "Motion", "stability": "Stability", "curve": "Curve", "causes": "Causes", "hull": "Hull"}
+_TABS = {
+    "motion": "Motion",
+    "stability": "Stability",
+    "curve": "Curve",
+    "causes": "Causes",
+    "hull": "Hull",
+    "compare": "Compare",
+}
 _OVER = {"wave_height": "height", "wave_length": "length", "speed": "speed", "frequency": "frequency"}
 
 
@@ -39,7 +47,7 @@ _LEVEL = (
 class CellPanel:
     """Tabs, of which the one in front is kept up to date."""
 
-    def __init__(self, change: Callable[..., None]) -> None:
+    def __init__(self, change: Callable[..., None], compare: Callable[[], ComparePanel]) -> None:
         self._made: dict[str, list[Element]] = {name: [] for name in _TABS}
         self._area: dict[str, ui.element] = {}
         self._tabs = (
@@ -55,6 +63,8 @@ class CellPanel:
                         self._over = ui.toggle(_OVER, on_change=lambda event: change(over=event.value))
                         self._over.classes("choices").props('dense unelevated aria-label="curve over"')
                     self._area[name] = ui.element("div").classes("w-full")
+                    if name == "compare":
+                        self.compare = compare()
 
     def front(self, state: State) -> None:
         """Bring the tab of a state to the front."""
@@ -103,6 +113,8 @@ def parts(state: State, of: Scene, found: Examined) -> list[Part]:
         "causes": lambda: _causes(of),
         "hull": lambda: _hull(of, found),
     }
+    if state.panel not in make:  # what compares waits for the map
+        return []
     try:
         return make[state.panel]()
     except InputError as error:

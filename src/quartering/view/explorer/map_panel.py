@@ -32,12 +32,12 @@ def _words(kind: Kind) -> str:
     return kind.label.replace("-", " ") if kind <= Kind.STABLE else f"unstable ({kind.label})"
 
 
-def _key(name: str) -> str:
+def key(name: str) -> str:
     """Sample of a pattern or line for the legend."""
     return f'<i class="key {name}"></i>' if name else ""
 
 
-class _Map(Element, component="polar_map.js"):
+class PolarMap(Element, component="polar_map.js"):
     """The component in the browser."""
 
 
@@ -49,7 +49,7 @@ class MapPanel:
         self._lines: list[str] = []
         self._fitted = np.inf
         with ui.element("div").classes("map-box"):
-            self._map = _Map()
+            self._map = PolarMap()
             self._map.props["headings"], self._map.props["radii"] = HEADINGS.tolist(), RATIOS.tolist()
             self._map.props["kinds"] = {str(int(k)): _words(k) for k in Kind}
             self._map.props["palette"] = list(palette())
@@ -135,7 +135,7 @@ class MapPanel:
         beyond = int((np.nan_to_num(self._roll) > self._fitted).sum())
         words = f"{beyond} cells roll beyond {self._fitted:g}°, where the fit of the righting arm ends: extrapolated"
         return (f"<div>{words}</div>" if beyond else "") + "".join(
-            f"<span>{_key(key)}{words}</span>" for key, words, shown in rows if shown
+            f"<span>{key(name)}{words}</span>" for name, words, shown in rows if shown
         )
 
 

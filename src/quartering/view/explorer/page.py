@@ -19,6 +19,8 @@ from quartering.hydro.coefficients import coefficients
 from quartering.study.condition.examine import Examined
 from quartering.view.explorer import downloads
 from quartering.view.explorer.cell_panel import CellPanel, parts
+from quartering.view.explorer.compare_panel import ComparePanel
+from quartering.view.explorer.comparison import Comparison
 from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.damping_dials import damping_hint
@@ -72,6 +74,7 @@ class Page:
         self._following: asyncio.Task[None] | None = None
         self._stopped = False
         self._map_of: State | None = None
+        self._blocks: list[xr.Dataset] = []
         self._build(problem)
 
     def _build(self, problem: str) -> None:
@@ -87,17 +90,26 @@ class Page:
                 with ui.element("section").classes("dials"):
                     self._controls = Controls(self.change)
                 with ui.element("section").classes("map"):
-                    self._map = MapPanel(lambda heading, length: self.change(heading=heading, wave_length=length))
+                    self._map = MapPanel(self._choose_cell)
                     with ui.element("div").classes("progress"):
                         self._progress = ui.label("").mark("progress")
                         self._stop = ui.button("Stop", on_click=self._stop_map).props("flat dense no-caps")
                         self._stop.set_visibility(False)
                 with ui.element("section").classes("panel"):
-                    self._panel = CellPanel(self.change)
+                    self._panel = CellPanel(self.change, self._compare)
             ui.html(_FOOT, sanitize=False).classes("foot")
         if problem:
             self._say_wrong(problem)
         self._go()
+
+    def _choose_cell(self, heading: float, length: float) -> None:
+        self.change(heading=heading, wave_length=length)
+
+    def _compare(self) -> ComparePanel:
+        """The tab that compares, with what fills it."""
+        panel = ComparePanel(self.change, self._choose_cell, lambda: self._send_made(self._comparison.picture))
+        self._comparison = Comparison(panel, self._registry, self._take)
+        return panel
 
     def _bar(self) -> None:
         ui.label("quartering").classes("wordmark")
@@ -196,7 +208,7 @@ class Page:
 
     def _choose_ship(self, name: str) -> None:
         if name != self.state.ship:
-            kept = ("heading", "harmonics", "panel", "over")
+            kept = ("heading", "harmonics", "panel", "over", "beside")
             self.state = State(ship=name, **{key: getattr(self.state, key) for key in kept})
             self._accept()
             self._go()
@@ -222,9 +234,9 @@ class Page:
                 )
 
     async def _send(self, make: downloads.File) -> None:
-        def made() -> tuple[str, bytes]:
-            return make(self.state, scene(self.state, self._registry.known(self.state.ship)))
+        await self._send_made(lambda: make(self.state, scene(self.state, self._registry.known(self.state.ship))))
 
+    async def _send_made(self, made: Callable[[], tuple[str, bytes]]) -> None:
         try:
             (name, content), _ = await self._jobs.take(self._client.id, noting(made))
         except InputError as error:
@@ -254,10 +266,11 @@ class Page:
             self._say_wrong(str(error))
             await self._show_scene(state, of)
             await self._fill_map(state, of)
+            await self._fill_comparison(state, of)
             return
         self._say(headline(found), [*found.beside.sentences, *notes, *beyond(found)])
         await self._show_scene(state, of)
-        for step in (self._fill_panel, self._fill_map, self._fill_cures):
+        for step in (self._fill_panel, self._fill_map, self._fill_comparison, self._fill_cures):
             if self.state is not state:
                 return
             await step(state, of, found)
@@ -274,6 +287,7 @@ class Page:
         self._controls.show(of, state, damping)
         self._map.place(of)
         self._panel.front(state)
+        self._comparison.front(state, of)
         link = json.dumps(f"?{state.query()}")
         self._client.run_javascript(f"quarteringLink({link}, {json.dumps(self._first)})")
         self._first = False
@@ -300,19 +314,35 @@ class Page:
 
     async def _fill_blocks(self, state: State, of: Scene) -> bool:
         """Every block of a map, in turn; False when it is stopped, or the state moves on."""
-        done = 0
+        done, self._blocks = 0, []
         for block in map_blocks(of):
             part: xr.Dataset
             part, _notes = await self._take(block)
             if self.state is not state:
                 return False
             self._map.show(part, fresh=done == 0)
+            self._blocks.append(part)
             done += part.sizes["heading"]
             self._progress.set_text(f"{done} of {HEADINGS.size} headings" if done < HEADINGS.size else "")
             if self._stopped and done < HEADINGS.size:
                 self._progress.set_text(f"stopped at {done} of {HEADINGS.size} headings; any change begins again")
                 return False
         return True
+
+    async def _fill_comparison(self, state: State, of: Scene, _: Examined | None = None) -> None:
+        """The page beside what it keeps, where that tab stands open."""
+        if state.panel != "compare":
+            return
+
+        def going() -> str:
+            return "moved on" if self.state is not state else "stopped" if self._stopped else ""
+
+        own = self._blocks if self._map_of == _of_map(state) else []
+        self._stop.set_visibility(bool(state.beside))
+        try:
+            await self._comparison.follow(state, of, own, going, self._progress.set_text)
+        finally:
+            self._stop.set_visibility(False)
 
     async def _fill_cures(self, state: State, _: Scene, found: Examined) -> None:
         if found.verdict.stable or not found.motion.status.ok:
@@ -331,7 +361,9 @@ class Page:
 
 def _of_map(state: State) -> State:
     """The part of a state the map depends on."""
-    return state.model_copy(update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height"})
+    return state.model_copy(
+        update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height", "beside": None}
+    )
 
 
 _FOOT = (

@@ -23,7 +23,7 @@ from quartering.options import OPTIONS, checked, line_of, ship_options, unknown
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
 
-Panel = Literal["motion", "stability", "curve", "causes", "hull"]
+Panel = Literal["motion", "stability", "curve", "causes", "hull", "compare"]
 """What the right side of the page shows."""
 
 Over = Literal["wave_height", "wave_length", "speed", "frequency"]
@@ -97,6 +97,7 @@ class State(Loaded):
     wave_height, steepness : float          one of the two: the same height [m], or the same H/lambda, for all waves of the map
     harmonics : int                         of the steady motion
     panel, over : str                       what the right side shows
+    beside : str                            link of the ship and loading to compare with; None: nothing
 
     Examples
     --------
@@ -117,6 +118,7 @@ class State(Loaded):
     harmonics: Literal[1, 3, 5, 7, 9] = 1
     panel: Panel = "motion"
     over: Over = "wave_height"
+    beside: str | None = Field(default=None, max_length=2000)
 
     @model_validator(mode="before")
     @classmethod
