@@ -101,6 +101,12 @@ class ComparePanel:
         self._words.set_content(f"<p class='{'beside-wrong' if wrong else 'hint'}'>{html.escape(words)}</p>")
         self._box.set_visibility(False)
         self._table.set_content("")
+        self._settled()
+
+    def _settled(self) -> None:
+        """What stands there is of the state of the page."""
+        for one in (self._box, self._table):
+            one.classes(remove="later")
 
     def show(self, found: Compared) -> None:
         """Show a comparison."""
@@ -129,8 +135,7 @@ class ComparePanel:
         self._words.set_content(f"<p><b>{labels[1]}</b> less <b>{labels[0]}</b>: difference of the largest roll.</p>")
         self._table.set_content(_table_words(found))
         self._box.set_visibility(True)
-        for one in (self._box, self._table):
-            one.classes(remove="later")
+        self._settled()
 
 
 @lru_cache(maxsize=1)

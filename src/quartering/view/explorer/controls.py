@@ -39,7 +39,7 @@ class Controls:
         }
         ui.label("Roll damping").classes("group")
         self._damping = DampingDials(change)
-        self._own = ui.button("the ship's own loading", on_click=lambda: change(**dict.fromkeys(LOADING)))
+        self._own = ui.button("the ship's own loading", color=None, on_click=lambda: change(**dict.fromkeys(LOADING)))
         self._own.props("flat dense no-caps").classes("dial-unit")
         ui.label("Steady motion").classes("group")
         self._method = ui.select(_METHODS, value=1, on_change=lambda event: change(harmonics=event.value))

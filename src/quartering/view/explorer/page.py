@@ -24,10 +24,12 @@ from quartering.view.explorer.comparison import Comparison
 from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.damping_dials import damping_hint
+from quartering.view.explorer.first_steps import FirstSteps
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.problems import without_paths
+from quartering.view.explorer.saved_views import SavedViews
 from quartering.view.explorer.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.state import State, read_link
 from quartering.view.explorer.upload_dialog import UploadDialog
@@ -81,6 +83,7 @@ class Page:
         with ui.element("div").classes("sheet"):
             with ui.element("header").classes("bar"):
                 self._bar()
+            self._steps = FirstSteps()
             with ui.element("section").classes("says").props("aria-live=polite") as self._says:
                 self._sentence = ui.html("<h1 class='when'>…</h1>", sanitize=False).mark("sentence")
                 self._heal = ui.html("", sanitize=False)
@@ -93,7 +96,7 @@ class Page:
                     self._map = MapPanel(self._choose_cell)
                     with ui.element("div").classes("progress"):
                         self._progress = ui.label("").mark("progress")
-                        self._stop = ui.button("Stop", on_click=self._stop_map).props("flat dense no-caps")
+                        self._stop = ui.button("Stop", color=None, on_click=self._stop_map).props("flat dense no-caps")
                         self._stop.set_visibility(False)
                 with ui.element("section").classes("panel"):
                     self._panel = CellPanel(self.change, self._compare)
@@ -120,6 +123,7 @@ class Page:
             "flat dense no-caps"
         ).mark("upload")
         ui.element("span").classes("push")
+        SavedViews(self.back)
         ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
             for words, make in downloads.files().items():
@@ -142,6 +146,9 @@ class Page:
         show()
 
         theme.on_click(turn)
+        ui.button(icon="help_outline", color=None, on_click=lambda: self._steps.begin()).props(
+            'flat dense aria-label="what am I looking at" title="what am I looking at"'
+        )
 
     def _options(self) -> dict[str, str]:
         options = self._registry.options()
@@ -169,17 +176,19 @@ class Page:
             self._go()
 
     def back(self, query: str) -> None:
-        """Show what a link of the browser's history describes."""
+        """Show what a link of the browser's history, or of a saved view, describes."""
         try:
-            state, _ = read_link(dict(parse_qsl(query.removeprefix("?"))))
+            state, told = read_link(dict(parse_qsl(query.removeprefix("?"))))
             self._registry.check(state.ship)
         except InputError as error:
             self._say_wrong(str(error))
             return
         self._accept()
+        if told:
+            self._say_wrong(told)
         if state != self.state:
             self.state = state
-            self._ships.set_value(state.ship)
+            self._ships.set_options(self._options(), value=state.ship)
             self._go()
 
     def _refuse(self, problem: str) -> None:

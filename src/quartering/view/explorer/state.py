@@ -191,7 +191,7 @@ def read_link(query: Mapping[str, str]) -> tuple[State, str]:
 
 
 STARTING = State(ship="dtmb5415", speed=11.2, heading=50.0, wave_length=242.0)
-"""What a page opens with: a fast ship in quartering waves, where some of the map is unstable."""
+"""What a page opens with: a fast ship in quartering waves, inside the range of the theory."""
 
 
 def sentence(error: ValidationError) -> str:

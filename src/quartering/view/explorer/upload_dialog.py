@@ -21,7 +21,7 @@ class UploadDialog:
     def __init__(self, made: Callable[[Known], None]) -> None:
         self._made = made
         self._name, self._data = "", b""
-        with ui.dialog() as self._dialog, ui.card().classes("upload-box"):
+        with ui.dialog().props('aria-label="draw your hull"') as self._dialog, ui.card().classes("upload-box"):
             ui.label("Draw your hull").classes("text-lg")
             ui.label(
                 "Offset table or x, y, z (.csv), PDSTRIP sections (.out, .dat), WAMIT panels (.gdf) or STL; metres, x forward."
@@ -48,7 +48,7 @@ class UploadDialog:
                 ui.label("").style("color:var(--bad);font-weight:600").props("role=alert").mark("upload-problem")
             )
             with ui.row().classes("w-full justify-end"):
-                ui.button("Cancel", on_click=self._dialog.close).props("flat no-caps")
+                ui.button("Cancel", color=None, on_click=self._dialog.close).props("flat no-caps")
                 ui.button("Draw it", on_click=self._draw).props("unelevated no-caps")
 
     def open(self) -> None:
