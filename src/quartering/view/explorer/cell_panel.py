@@ -64,7 +64,7 @@ class CellPanel:
                         self._over.classes("choices").props('dense unelevated aria-label="curve over"')
                     self._area[name] = ui.element("div").classes("w-full")
                     if name == "compare":
-                        self.compare = compare()
+                        self.compare: ComparePanel = compare()
 
     def front(self, state: State) -> None:
         """Bring the tab of a state to the front."""

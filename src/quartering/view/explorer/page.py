@@ -71,7 +71,7 @@ class Page:
         self._client, self._registry, self._jobs, self._dark = client, registry, jobs, dark
         self._touched: tuple[str, ...] = ()
         self._first, self._refused = True, False
-        self.state = state
+        self.state: State = state
         self._shown: State | None = None
         self._following: asyncio.Task[None] | None = None
         self._stopped = False
