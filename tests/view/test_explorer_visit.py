@@ -96,3 +96,21 @@ def test_views_are_saved_opened_and_deleted_by_keyboard_and_old_ones_are_told(vi
         "light loading"
     ]
     assert page.wrong == page.elsewhere == []
+
+
+def test_a_hull_is_chosen_by_keyboard_in_a_dialog_whose_parts_have_names(visit):
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe-core comes with the extra `dev`")
+    page = visit(STABLE)
+    chosen = []
+    page.on("filechooser", lambda one: chosen.append(one))
+    page.get_by_role("button", name="Your hull").focus()
+    page.keyboard.press("Enter")
+    page.get_by_role("button", name="Choose a file").wait_for()
+    page.wait_for_function("document.getAnimations().every(one => one.playState !== 'running')")
+    found = axe.Axe().run(page).response["violations"]
+    assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
+    page.get_by_role("button", name="Choose a file").focus()
+    page.keyboard.press("Enter")
+    page.wait_for_timeout(500)
+    assert len(chosen) == 1
+    assert page.wrong == []

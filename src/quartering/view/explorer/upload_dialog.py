@@ -13,6 +13,9 @@ from quartering.view.explorer.ship_registry import Known
 from quartering.view.explorer.uploads import ENDINGS, LARGEST, Sizes, check_file, hull_of_upload
 
 _ONE_AT_A_TIME = asyncio.Semaphore(1)
+_HEAD = """<div class="upload-head"><button type="button" @click="props.pickFiles">Choose a file</button>
+<span>or drop one here</span><label>file of lines<q-uploader-add-trigger /></label></div>"""
+"""In place of Quasar's own, whose button has no name: a button for mouse and keyboard, and the field it opens, out of sight."""
 
 
 class UploadDialog:
@@ -34,9 +37,8 @@ class UploadDialog:
                 max_file_size=LARGEST,
                 max_files=1,
             )
-            self._upload.props(f'accept="{",".join(ENDINGS)}" flat bordered label="choose or drop a file"').classes(
-                "w-full"
-            )
+            self._upload.props(f'accept="{",".join(ENDINGS)}" flat bordered').classes("w-full")
+            self._upload.add_slot("header", _HEAD)
             with ui.element("div").classes("sizes"):
                 self._length = ui.number("length [m]").props("dense outlined")
                 self._beam = ui.number("beam [m]").props("dense outlined")
