@@ -45,7 +45,7 @@ tests-quick:
 tests-all:
 	$(PYTEST)
 
-# GALLERY=False builds every page but runs none of the examples, which take minutes.
+# The Python of the pages and of the gallery is run; GALLERY=False builds every page and runs none, which takes minutes.
 GALLERY ?= True
 
 docs: $(VENV)/.docs

@@ -24,6 +24,7 @@ extensions = [
     "aligned_docstrings",
     "equations",
     "generated_pages",
+    "page_examples",
 ]
 source_suffix = {".rst": "restructuredtext", ".md": "markdown"}
 exclude_patterns = ["_extensions", "**/sg_execution_times.rst", "sg_execution_times.rst", "gallery/README.rst"]

@@ -4,6 +4,7 @@ import doctest
 import re
 import shlex
 import shutil
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -19,11 +20,12 @@ PAGES = [
     ROOT / "README.md",
     *(page for page in sorted((ROOT / "docs").rglob("*.md")) if page.relative_to(ROOT / "docs").parts[0] not in MADE),
 ]
-LENIENT = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+sys.path.append(str(ROOT / "docs" / "_extensions"))
+import page_examples  # noqa: E402
 
 
 def blocks(page: Path, language: str) -> list[str]:
-    return re.findall(rf"```{language}\n(.*?)```", page.read_text(), re.DOTALL)
+    return page_examples.blocks(page.read_text(), language)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: p.name)
@@ -74,11 +76,15 @@ def test_python_of_the_readme_runs(capsys):
 
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "pycon")], ids=lambda p: p.name)
 def test_python_of_the_pages_gives_what_they_show(page):
-    example = doctest.DocTestParser().get_doctest("\n".join(blocks(page, "pycon")), {}, page.name, str(page), 0)
-    found: list[str] = []
-    failed, tried = doctest.DocTestRunner(optionflags=LENIENT).run(example, out=found.append)
-    assert tried
-    assert not failed, "".join(found)
+    count, wrong = page_examples.tried(page.read_text(), page.name)
+    assert count
+    assert not wrong, wrong
+
+
+def test_every_guide_page_has_python_that_runs():
+    guides = [page for page in PAGES if page.parent.name == "guide"]
+    assert len(guides) == 7  # the rooms
+    assert [page.name for page in guides if not blocks(page, "pycon")] == []
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if blocks(page, "console")], ids=lambda p: p.name)
@@ -95,7 +101,9 @@ def test_commands_of_the_pages_print_what_they_show(page, tmp_path, monkeypatch)
             ended = CliRunner().invoke(app, shlex.split(command))
             printed = ended.stdout or ended.stderr  # a note on stderr is not part of what is shown
             want = re.sub(r"\s+", " ", shown)
-            assert doctest.OutputChecker().check_output(want, re.sub(r"\s+", " ", printed), LENIENT), printed
+            assert doctest.OutputChecker().check_output(want, re.sub(r"\s+", " ", printed), page_examples.LENIENT), (
+                printed
+            )
 
 
 def test_commands_of_the_readme_exist():

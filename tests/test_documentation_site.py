@@ -98,7 +98,16 @@ def test_symbols_table_is_the_generated_one():
 
 
 @pytest.mark.parametrize(
-    "name", ["aligned_docstrings", "command_pages", "equations", "gallery_sources", "paper_code", "room_pages"]
+    "name",
+    [
+        "aligned_docstrings",
+        "command_pages",
+        "equations",
+        "gallery_sources",
+        "page_examples",
+        "paper_code",
+        "room_pages",
+    ],
 )
 def test_examples_of_the_page_makers(name):
     failed, tried = doctest.testmod(importlib.import_module(name))

@@ -1,5 +1,7 @@
 """What the main records show of themselves: one short line, and a verdict in words where it is printed."""
 
+from importlib import metadata
+
 import pytest
 
 import quartering as qt
@@ -56,6 +58,10 @@ def test_datasets_draw_themselves_and_refuse_what_they_are_not():
     assert (curve["roll_amplitude"] == curve["roll"]).all()
     with pytest.raises(qt.InputError, match="not a map"):
         curve.quartering.map()
+
+
+def test_the_version_is_that_of_the_installed_package():
+    assert qt.__version__ == metadata.version("quartering")
 
 
 def test_completion_offers_public_names_alone():

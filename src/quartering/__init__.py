@@ -78,6 +78,8 @@ if TYPE_CHECKING:
     from quartering.study.six_modes.surf_riding import surf_riding, surf_riding_map
     from quartering.study.solve import solve
 
+    __version__: str
+
 _HOMES = {
     "InputError": "conventions",
     "DamageWarning": "conventions",
@@ -241,6 +243,10 @@ def __getattr__(name: str) -> Any:
     """Import a public name from its room on first use, so that ``import quartering`` costs nothing."""
     if name == "stability":  # a room that can be called: see its own page
         return import_module("quartering.stability")
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("quartering")
     if name not in _HOMES:
         raise AttributeError(f"module 'quartering' has no attribute {name!r}")
     value = getattr(import_module(f"quartering.{_HOMES[name]}"), name)

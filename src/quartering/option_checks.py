@@ -29,7 +29,9 @@ class Refused(InputError):
 
     def __init__(self, option: str, words: str, where: str = "", group: str = "") -> None:
         super().__init__(f"{where}: {words}" if where else words)
-        self.option, self.words, self.group = option, words, group
+        self.option: str = option
+        self.words: str = words
+        self.group: str = group
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,9 @@ STABLE = "ship=series60-cb60&speed=7.5&heading=30&wave_length=150&wave_height=4"
 
 
 def filled(page):
-    """Wait until every cell of the map is known."""
+    """Wait until every cell of the map is known; the tab that compares has another."""
     page.wait_for_function(
-        "document.querySelectorAll('.q-cell').length === 740 && !document.querySelector('.q-awaited')"
+        "document.querySelectorAll('.map .q-cell').length === 740 && !document.querySelector('.map .q-awaited')"
     )
 
 

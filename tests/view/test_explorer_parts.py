@@ -42,7 +42,8 @@ def lengths(low, high):
     | st.fixed_dictionaries({"bilge_keel_length": st.floats(1.0, 99.0), "bilge_keel_breadth": st.floats(0.0, 3.0)}),
     sea=st.tuples(st.sampled_from(["wave_height", "steepness"]), st.floats(1e-3, 0.14)),
     harmonics=st.sampled_from([1, 3, 5]),
-    panel=st.sampled_from(["motion", "stability", "curve", "causes", "hull"]),
+    panel=st.sampled_from(["motion", "stability", "curve", "causes", "hull", "compare"]),
+    beside=st.sampled_from([None, "ship=wigley", "ship=series60-cb60&gm=0.6"]),
 )
 def test_a_link_carries_the_whole_state(sea, damping, **values):
     state = State(**values, **damping, **dict([sea]))

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.conventions import InputError
 from quartering.stability.kind import Kind
-from quartering.study.maps.compare import Change, map_difference
+from quartering.study.maps.compare import Change, OnlyOne, map_difference
 from quartering.view.cli import app
 from quartering.view.plots.difference_map import difference_map
 
@@ -75,6 +75,22 @@ def test_a_change_of_the_verdict_is_told_and_course_instability_of_calm_water_is
     hatched = {c.get_gid(): c.get_hatch() for axes in figure.axes for c in axes.collections if c.get_gid()}
     assert set(hatched) == {"unstable", "course", "no answer"}
     assert hatched["unstable"] != hatched["course"]
+
+
+def test_a_ship_that_alone_capsizes_on_the_way_is_marked_and_both_doing_it_is_no_difference():
+    first = qt.polar(qt.ship("wigley"), WAVES, [5.0], HEADINGS)
+    second = first.copy(deep=True)
+    for one in (first, second):
+        one["capsizes_on_the_way"][:] = 0
+    first["capsizes_on_the_way"][0, 0, 0] = second["capsizes_on_the_way"][0, 0, 0] = 3
+    first["capsizes_on_the_way"][0, 1, 1] = second["capsizes_on_the_way"][0, 2, 2] = 1
+    ds = map_difference([first, second], ["a", "b"])
+    expected = np.zeros((5, 3))
+    expected[1, 1], expected[2, 2] = OnlyOne.FIRST, OnlyOne.SECOND
+    np.testing.assert_array_equal(ds["only_one_capsizes"].values[0], expected)
+    drawn = [line for axes in difference_map(ds, 100.0, "b less a", "").axes for line in axes.lines if line.get_gid()]
+    marks = {str(line.get_gid()): line.get_marker() for line in drawn if "alone capsizes" in str(line.get_gid())}
+    assert len(marks) == len(set(marks.values())) == 2  # told apart by their form
 
 
 def test_maps_over_other_conditions_are_not_compared():

@@ -79,6 +79,7 @@ def ship_force_phasors(
     """Froude-Krylov and diffraction force of a ship at many conditions, per metre of wave amplitude.
 
     as in `wave_force_phasors`
+
     Returns as `wave_force_phasors`, from where `wave_source` has them. `ship_lift_phasors` is the third part of the
         force
 

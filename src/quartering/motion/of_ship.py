@@ -88,6 +88,7 @@ def excitation(
     """Wave force on the hull per metre of amplitude, without lift, and encounter frequency of a ship at many conditions.
 
     as in `ship_system`
+
     Returns force (m, 3): sway [N/m], roll and yaw about G [N m/m]: phasors of e^{i |omega| t}; omega (m,): negative
         where the ship overtakes the wave [rad/s]
 

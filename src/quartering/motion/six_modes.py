@@ -89,6 +89,7 @@ def lateral_motion(ship: Ship, wavenumber: Floats, speed: Floats, heading: Float
     """Sway, roll and yaw of a ship in many regular waves, per metre of wave amplitude, from its linear equations.
 
     as in `vertical_motion`
+
     Returns (n, 3): sway of G [m/m], roll and yaw [rad/m], in axes that move with the mean course; phasors as those of
         `vertical_motion`
 

@@ -164,7 +164,9 @@ def melnikov_quadratic(
 
     With T(u) - R(u) = [T - R](c) - sum A_i xi'^i and the lower separatrix xi' = -2 s cos(k xi/2), s^2 = f/(k M), whose
     integrals of cos^n over it are 4, pi, 8/3, 3 pi/4, 32/15:
+
         2 pi [T - R](c) + 8 A1 s - 4 pi A2 s^2 + (64/3) A3 s^3 - 12 pi A4 s^4 + (1024/15) A5 s^5 = 0.
+
     Only [T - R](c) and A1 hold n.
     """
     tau0, tau1, tau2 = propulsion.thrust_terms(density)

@@ -77,8 +77,10 @@ class Search:
     """Equilibria of a rider over one parameter: the heading ordered or the revolutions, the other one held."""
 
     def __init__(self, rider: Rider, over: Over, held: float) -> None:
-        self.rider, self.over, self.held = rider, over, held
-        self.sizes = np.append(_SIZES, _UNIT[over])
+        self.rider: Rider = rider
+        self.over: Over = over
+        self.held: float = held
+        self.sizes: Floats = np.append(_SIZES, _UNIT[over])
         self._start: Floats = np.zeros(2)
 
     def _split(self, parameter: Floats) -> tuple[Floats, Floats]:

@@ -51,10 +51,12 @@ class Rider:
     """Equations of a ship on one wave; gains of an autopilot of 0: the rudder amidships."""
 
     def __init__(self, ship: Ship, wave: Wave, propulsion: Propulsion, pilot: Autopilot | None) -> None:
-        self.ship, self.wave, self.propulsion = ship, wave, propulsion
-        self.gain, self.rate_gain, self.lag = (
-            (0.0, 0.0, 0.0) if pilot is None else (pilot.gain, pilot.rate_gain, pilot.lag)
-        )
+        self.ship: Ship = ship
+        self.wave: Wave = wave
+        self.propulsion: Propulsion = propulsion
+        self.gain: float = 0.0 if pilot is None else pilot.gain
+        self.rate_gain: float = 0.0 if pilot is None else pilot.rate_gain
+        self.lag: float = 0.0 if pilot is None else pilot.lag
         steered = ship if ship.autopilot is not None else ship.with_(autopilot=Autopilot(1.0))
         held = coefficients(steered, np.zeros(3), _SPEEDS * self.celerity)
         assert held.rudder is not None  # every ship with an autopilot has one

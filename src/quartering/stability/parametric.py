@@ -26,7 +26,7 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 STEPS: Final = 128
-"""Runge-Kutta steps of an encounter period no longer than two of roll: multipliers to 1e-8. Longer ones have more."""
+"""Runge-Kutta steps of an encounter period no longer than two of roll, with multipliers to 1e-8. Longer ones have more."""
 
 
 class RollGrowth(NamedTuple):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,9 +42,17 @@ RESULTS: dict[str, tuple[int, ...]] = {
 }  # fmt: skip
 """Name of every result and the shape it adds to the shape of the conditions; of more modes, with an autopilot, the largest."""
 
-FLAGS = {"verdict": Kind, "status": Status, "capsizes_on_the_way": OnTheWay}
+FLAGS: Final[dict[str, type[Kind] | type[Status] | type[OnTheWay]]] = {
+    "verdict": Kind,
+    "status": Status,
+    "capsizes_on_the_way": OnTheWay,
+}
 """Results that are small integers, and what these mean."""
-UNKNOWN = {"verdict": Kind.NO_ANSWER, "status": Status.NOT_FINITE, "capsizes_on_the_way": OnTheWay.NOT_ASKED}
+UNKNOWN: Final[dict[str, Kind | Status | OnTheWay]] = {
+    "verdict": Kind.NO_ANSWER,
+    "status": Status.NOT_FINITE,
+    "capsizes_on_the_way": OnTheWay.NOT_ASKED,
+}
 """What stands there where nothing is known."""
 
 

@@ -44,7 +44,7 @@ class Motions(list[Motion]):
 
     def __init__(self, motions: Iterable[Motion], left_open: Sequence[str] = ()) -> None:
         super().__init__(motions)
-        self.left_open = tuple(left_open)
+        self.left_open: tuple[str, ...] = tuple(left_open)
 
 
 def periodic_motions(model: Model, harmonics: int = 9) -> Motions:

@@ -77,6 +77,7 @@ def variation_along(
     """Harmonics of the variational matrix along periodic motions, and the matrix itself at equal intervals.
 
     as in `variational_harmonics`
+
     Returns harmonics (n, m, 3, 4): as from `variational_harmonics`; along (n, s, 3, 4): at s equal intervals from phase
         0, over half a cycle where all orders are odd
 

@@ -41,7 +41,7 @@ class JudgedMotions(list[JudgedMotion]):
 
     def __init__(self, motions: Iterable[JudgedMotion], left_open: Sequence[str] = ()) -> None:
         super().__init__(motions)
-        self.left_open = tuple(left_open)
+        self.left_open: tuple[str, ...] = tuple(left_open)
 
 
 @takes(model="Model")

@@ -49,10 +49,16 @@ class Trials:
     """
 
     def __init__(self, ship: Ship, wave: Wave, speed: float, heading: float, harmonics: int, form: Form) -> None:
-        self.ship, self.wave, self.speed, self.heading = ship, wave, speed, heading
-        self.harmonics, self.form = harmonics, form
-        self.ships_built = self.batches = self.judged = 0
-        """The work: ships whose equations were made, batches of conditions, and conditions."""
+        self.ship: Ship = ship
+        self.wave: Wave = wave
+        self.speed: float = speed
+        self.heading: float = heading
+        self.harmonics: int = harmonics
+        self.form: Form = form
+        # the work: ships whose equations were made, batches of conditions, and conditions
+        self.ships_built: int = 0
+        self.batches: int = 0
+        self.judged: int = 0
         self._forces: Found = {}
         self._made: dict[str, dict[float, System]] = {}
         self._joined: dict[str, System] = {}

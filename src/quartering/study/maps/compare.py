@@ -11,6 +11,7 @@ import xarray as xr
 
 from quartering.conventions import InputError
 from quartering.stability.kind import Kind
+from quartering.study.maps.query import capsizing
 
 AXES: Final = ("speed", "heading", "wave_length")
 _BOTH = ("roll_peak", "exponent", "verdict", "status")
@@ -25,10 +26,19 @@ class Change(IntEnum):
     UNKNOWN = 3
 
 
-def map_difference(maps: Sequence[xr.Dataset], labels: Sequence[str]) -> xr.Dataset:
-    """Two maps of `polar` along ``ship``, with ``roll_difference`` [deg], second less first, and ``change`` (`Change`).
+class OnlyOne(IntEnum):
+    """Which of two ships alone capsizes on the way to its stable motion."""
 
-    Course instability of calm water counts as stable here: no wave makes it.
+    NEITHER = 0
+    SECOND = 1
+    FIRST = 2
+
+
+def map_difference(maps: Sequence[xr.Dataset], labels: Sequence[str]) -> xr.Dataset:
+    """Two maps of `polar` along ``ship``, with what differs.
+
+    That is ``roll_difference`` [deg], second less first, ``change`` (`Change`) and ``only_one_capsizes`` (`OnlyOne`). Course
+    instability of calm water counts as stable here: no wave makes it.
     """
     first, second = maps
     for name in (*AXES, "wave_height"):
@@ -41,8 +51,15 @@ def map_difference(maps: Sequence[xr.Dataset], labels: Sequence[str]) -> xr.Data
     change = change.where(~(bad[1] & ~bad[0]), int(Change.UNSTABLE)).where(~(bad[0] & ~bad[1]), int(Change.STABLE))
     change = change.where(~unknown, int(Change.UNKNOWN))
     meanings = {"flag_values": np.array(list(Change), np.int8), "flag_meanings": "none unstable stable unknown"}
+    lost = [capsizing(one) for one in maps]
+    only = xr.zeros_like(first["verdict"], dtype=np.int8)
+    only = only.where(~(lost[1] & ~lost[0]), int(OnlyOne.SECOND)).where(~(lost[0] & ~lost[1]), int(OnlyOne.FIRST))
+    which = {"flag_values": np.array(list(OnlyOne), np.int8), "flag_meanings": "neither_or_both second first"}
     more = {"units": "deg", "long_name": "largest roll over a cycle, second ship less first"}
     return both.assign(
         roll_difference=(second["roll_peak"] - first["roll_peak"]).drop_attrs().assign_attrs(more),
         change=change.drop_attrs().assign_attrs(meanings | {"units": "1", "long_name": "what the condition becomes"}),
+        only_one_capsizes=only.drop_attrs().assign_attrs(
+            which | {"units": "1", "long_name": "which ship alone capsizes on the way to its stable motion"}
+        ),
     ).assign_attrs({key: first.attrs[key] for key in ("Conventions", "source", "steady_motion", "diffraction_form")})

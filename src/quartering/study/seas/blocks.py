@@ -121,7 +121,7 @@ class Tally:
     """
 
     def __init__(self, state: tuple[int, Floats, Floats] | None = None, blocks: Blocks | None = None) -> None:
-        self.state = (0, np.zeros(SUMS), np.zeros((SUMS, SUMS))) if state is None else state
+        self.state: tuple[int, Floats, Floats] = (0, np.zeros(SUMS), np.zeros((SUMS, SUMS))) if state is None else state
         self._blocks = _blocks(0) if blocks is None else blocks
 
     @property

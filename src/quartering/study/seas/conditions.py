@@ -48,7 +48,7 @@ RESULTS: Final[dict[str, tuple[int, ...]]] = dict.fromkeys(
 NOT_KNOWN, CLOSURE, SIMULATION = -1, 2, 3
 RUNGS: Final = {NOT_KNOWN: "none", CLOSURE: "statistical_linearisation", SIMULATION: "simulation"}
 """How a condition was answered: its place among the methods, and its name."""
-UNKNOWN: Final = {"status": SeaStatus.NOT_CONVERGED, "rung": NOT_KNOWN, "recommended": Advice.UNDECIDED}
+UNKNOWN: Final[dict[str, int]] = {"status": SeaStatus.NOT_CONVERGED, "rung": NOT_KNOWN, "recommended": Advice.UNDECIDED}
 """What stands where nothing is known."""
 
 

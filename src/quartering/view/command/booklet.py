@@ -19,7 +19,6 @@ from quartering.view.command._map_axes import (
     mapped,
     typed_axes,
 )
-from quartering.view.command._map_summary import Summary, summary_of
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Harmonics, ShipName, TableFile
 from quartering.view.console.files import TABLES, reserve_path
@@ -27,6 +26,7 @@ from quartering.view.console.printed import Table, table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship
+from quartering.view.map_summary import Summary, summary_of
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -21,7 +21,6 @@ from quartering.view.command._map_axes import (
     mapped,
     typed_axes,
 )
-from quartering.view.command._map_summary import Summary, place_words, summary_of
 from quartering.view.command._sea_polar import Typed, sea_polar_answer
 from quartering.view.command._side_by_side import side_by_side
 from quartering.view.console.answer import Answer
@@ -33,6 +32,7 @@ from quartering.view.console.sea_options import SPREADING, told
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.tables import map_table
 from quartering.view.console.typed_ship import typed_ship
+from quartering.view.map_summary import Summary, place_words, summary_of
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -37,7 +37,7 @@ class ShipOptions:
     """
 
     def __init__(self, own: Mapping[str, inspect.Parameter], *, ranges: bool) -> None:
-        self.parameters = dict(own)
+        self.parameters: dict[str, inspect.Parameter] = dict(own)
         self._asked = next((name for name in ("wave_length", "wave_lengths") if name in own), "")
         if self._asked:
             length = own[self._asked]

@@ -49,8 +49,9 @@ def explorer(
 
     @ui.page("/", title="quartering explorer", favicon=_ICON)
     def index(request: Request) -> None:
-        ui.add_css(_HERE / "explorer.css")
-        ui.colors(primary="#2f86c9")
+        for sheet in ("explorer.css", "compare.css", "visit.css"):
+            ui.add_css(_HERE / sheet)
+        ui.colors(primary="#1f6fb2")
         ui.add_body_html(f"<script>{(_HERE / 'page.js').read_text(encoding='utf-8')}</script>")
         state, problem = opening, ""
         try:

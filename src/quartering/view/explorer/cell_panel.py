@@ -20,6 +20,7 @@ from quartering.stability.verdict import Verdict
 from quartering.study.condition.examine import Examined, estimated
 from quartering.view.explorer import charts
 from quartering.view.explorer.animation import Drawn, hull_form, ship_in_wave
+from quartering.view.explorer.compare_panel import ComparePanel
 from quartering.view.explorer.computations import History, Scene, causes, curve, history
 from quartering.view.explorer.criteria_panel import CriteriaPanel
 from quartering.view.explorer.state import OF_SEA, OF_WAVE, State
@@ -30,7 +31,7 @@ Part = str | charts.Chart | Drawn
 
 _TABS = {
     "motion": "Motion", "stability": "Stability", "curve": "Curve", "causes": "Causes", "response": "Response", "hull": "Hull",
-    "criteria": "Criteria",
+    "criteria": "Criteria", "compare": "Compare",
 }  # fmt: skip
 _OVER = {"wave_height": "height", "wave_length": "length", "speed": "speed", "frequency": "frequency"}
 
@@ -44,7 +45,7 @@ _LEVEL = (
 class CellPanel:
     """Tabs, of which the one in front is kept up to date."""
 
-    def __init__(self, change: Callable[..., None]) -> None:
+    def __init__(self, change: Callable[..., None], compare: Callable[[], ComparePanel]) -> None:
         self._made: dict[str, list[Element]] = {name: [] for name in _TABS}
         self._area: dict[str, ui.element] = {}
         self._tabs = (
@@ -64,6 +65,8 @@ class CellPanel:
                     if name == "criteria":
                         with self._area[name]:
                             self.criteria = CriteriaPanel()
+                    if name == "compare":
+                        self.compare: ComparePanel = compare()
 
     def front(self, state: State) -> None:
         """Show the tabs of a state's mode, and bring its own to the front."""
@@ -114,6 +117,8 @@ def parts(state: State, of: Scene, found: Examined) -> list[Part]:
         "causes": lambda: _causes(of),
         "hull": lambda: hull_parts(of.ship, estimated(found)),
     }
+    if state.panel not in make:  # what compares waits for the map
+        return []
     try:
         return make[state.panel]()
     except InputError as error:

@@ -32,7 +32,7 @@ def _words(kind: Kind) -> str:
     return kind.label.replace("-", " ") if kind <= Kind.STABLE else f"unstable ({kind.label})"
 
 
-def _key(name: str) -> str:
+def key(name: str) -> str:
     """Sample of a pattern or line for the legend."""
     return f'<i class="key {name}"></i>' if name else ""
 
@@ -135,7 +135,7 @@ class MapPanel:
         beyond = int((np.nan_to_num(self._roll) > self._fitted).sum())
         words = f"{beyond} cells roll beyond {self._fitted:g}°, where the fit of the righting arm ends: extrapolated"
         return (f"<div>{words}</div>" if beyond else "") + "".join(
-            f"<span>{_key(key)}{words}</span>" for key, words, shown in rows if shown
+            f"<span>{key(name)}{words}</span>" for name, words, shown in rows if shown
         )
 
 

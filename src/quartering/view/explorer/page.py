@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import html
 import json
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from functools import partial
 from typing import Any
 from urllib.parse import parse_qsl
@@ -19,13 +19,17 @@ from quartering.hydro.coefficients import coefficients
 from quartering.study.condition.examine import Examined
 from quartering.view.explorer import downloads, sea_downloads
 from quartering.view.explorer.cell_panel import CellPanel, parts
+from quartering.view.explorer.compare_panel import ComparePanel
+from quartering.view.explorer.comparison import Comparison
 from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.damping_dials import damping_hint
+from quartering.view.explorer.first_steps import FirstSteps
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.problems import without_paths
+from quartering.view.explorer.saved_views import SavedViews
 from quartering.view.explorer.sea_map import SeaMap, fill
 from quartering.view.explorer.sea_panel import sea_headline, sea_notes, sea_parts
 from quartering.view.explorer.sea_scene import SeaScene, advice, map_pieces, of_sea_map, response, sea_scene
@@ -71,18 +75,20 @@ class Page:
         self._client, self._registry, self._jobs, self._dark = client, registry, jobs, dark
         self._touched: tuple[str, ...] = ()
         self._first, self._refused = True, False
-        self.state = state
+        self.state: State = state
         self._shown: State | None = None
         self._following: asyncio.Task[None] | None = None
         self._stopped = False
         self._map_of: State | None = None
         self._sea_map_of: tuple[State, float] | None = None
+        self._blocks: list[xr.Dataset] = []
         self._build(problem)
 
     def _build(self, problem: str) -> None:
         with ui.element("div").classes("sheet"):
             with ui.element("header").classes("bar"):
                 self._bar()
+            self._steps = FirstSteps()
             with ui.element("section").classes("says").props("aria-live=polite") as self._says:
                 self._sentence = ui.html("<h1 class='when'>…</h1>", sanitize=False).mark("sentence")
                 self._heal = ui.html("", sanitize=False)
@@ -92,18 +98,29 @@ class Page:
                 with ui.element("section").classes("dials"):
                     self._controls = Controls(self.change)
                 with ui.element("section").classes("map"):
-                    self._map = MapPanel(lambda heading, length: self.change(heading=heading, wave_length=length))
+                    self._map = MapPanel(self._choose_cell)
                     self._sea_map = SeaMap(lambda heading, speed: self.change(heading=heading, speed=speed))
                     with ui.element("div").classes("progress"):
                         self._progress = ui.label("").mark("progress")
-                        self._stop = ui.button("Stop", on_click=self._stop_map).props("flat dense no-caps")
+                        self._stop = ui.button("Stop", color=None, on_click=self._stop_map).props("flat dense no-caps")
                         self._stop.set_visibility(False)
                 with ui.element("section").classes("panel"):
-                    self._panel = CellPanel(self.change)
+                    self._panel = CellPanel(self.change, self._compare)
             ui.html(_FOOT, sanitize=False).classes("foot")
         if problem:
             self._say_wrong(problem)
         self._go()
+
+    def _choose_cell(self, heading: float, length: float) -> None:
+        self.change(heading=heading, wave_length=length)
+
+    def _compare(self) -> ComparePanel:
+        """The tab that compares, with what fills it."""
+        panel = ComparePanel(
+            self.change, self._choose_cell, lambda: self._send_made(lambda: self._made(self._comparison.picture))
+        )
+        self._comparison = Comparison(panel, self._registry, self._take)
+        return panel
 
     def _bar(self) -> None:
         ui.label("quartering").classes("wordmark")
@@ -114,6 +131,7 @@ class Page:
             "flat dense no-caps"
         ).mark("upload")
         ui.element("span").classes("push")
+        SavedViews(self.back)
         ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
             for words, make in downloads.files().items():
@@ -136,6 +154,9 @@ class Page:
         show()
 
         theme.on_click(turn)
+        ui.button(icon="help_outline", color=None, on_click=lambda: self._steps.begin()).props(
+            'flat dense aria-label="what am I looking at" title="what am I looking at"'
+        )
 
     def _options(self) -> dict[str, str]:
         options = self._registry.options()
@@ -163,17 +184,19 @@ class Page:
             self._go()
 
     def back(self, query: str) -> None:
-        """Show what a link of the browser's history describes."""
+        """Show what a link of the browser's history, or of a saved view, describes."""
         try:
-            state, _ = read_link(dict(parse_qsl(query.removeprefix("?"))))
+            state, told = read_link(dict(parse_qsl(query.removeprefix("?"))))
             self._registry.check(state.ship)
         except InputError as error:
             self._say_wrong(str(error))
             return
         self._accept()
+        if told:
+            self._say_wrong(told)
         if state != self.state:
             self.state = state
-            self._ships.set_value(state.ship)
+            self._ships.set_options(self._options(), value=state.ship)
             self._go()
 
     def _refuse(self, problem: str) -> None:
@@ -202,7 +225,7 @@ class Page:
 
     def _choose_ship(self, name: str) -> None:
         if name != self.state.ship:
-            kept = ("heading", "harmonics", "panel", "over", "mode")
+            kept = ("heading", "harmonics", "panel", "over", "mode", "beside")
             self.state = State(ship=name, **{key: getattr(self.state, key) for key in kept})
             self._accept()
             self._go()
@@ -230,16 +253,23 @@ class Page:
     async def _send(self, make: downloads.File, of_sea: sea_downloads.File) -> None:
         state = self.state
 
-        def made() -> tuple[str, bytes]:
+        async def in_a_sea() -> tuple[str, bytes]:
+            of, _ = await self._take(lambda: sea_scene(state, self._registry.known(state.ship)))
+            whole = self._sea_map.whole if self._sea_map_of == of_sea_map(state, of) else None
+            return await sea_downloads.made(of_sea, state, of, whole, self._take)
+
+        def in_a_wave() -> tuple[str, bytes]:
             return make(state, scene(state, self._registry.known(state.ship)))
 
+        await self._send_made(in_a_sea if state.mode == "sea" else lambda: self._made(in_a_wave))
+
+    async def _made(self, make: Callable[[], tuple[str, bytes]]) -> tuple[str, bytes]:
+        """A file, made in its turn."""
+        return (await self._take(make))[0]
+
+    async def _send_made(self, made: Callable[[], Awaitable[tuple[str, bytes]]]) -> None:
         try:
-            if state.mode == "sea":
-                of, _ = await self._take(lambda: sea_scene(state, self._registry.known(state.ship)))
-                whole = self._sea_map.whole if self._sea_map_of == of_sea_map(state, of) else None
-                name, content = await sea_downloads.made(of_sea, state, of, whole, self._take)
-            else:
-                (name, content), _ = await self._take(made)
+            name, content = await made()
         except InputError as error:
             self._say_wrong(str(error))
             return
@@ -270,10 +300,11 @@ class Page:
             self._say_wrong(str(error))
             await self._show_scene(state, of)
             await self._fill_map(state, of)
+            await self._fill_comparison(state, of)
             return
         self._say(headline(found), [*found.beside.sentences, *notes, *beyond(found)])
         await self._show_scene(state, of)
-        for step in (self._fill_panel, self._fill_map, self._fill_cures):
+        for step in (self._fill_panel, self._fill_map, self._fill_comparison, self._fill_cures):
             if self.state is not state:
                 return
             await step(state, of, found)
@@ -330,6 +361,7 @@ class Page:
             self._sea_map.place(of)
         else:
             self._map.place(of)
+            self._comparison.front(state, of)
         self._panel.front(state)
         link = json.dumps(f"?{state.query()}")
         self._client.run_javascript(f"quarteringLink({link}, {json.dumps(self._first)})")
@@ -360,19 +392,35 @@ class Page:
 
     async def _fill_blocks(self, state: State, of: Scene) -> bool:
         """Every block of a map, in turn; False when it is stopped, or the state moves on."""
-        done = 0
+        done, self._blocks = 0, []
         for block in map_blocks(of):
             part: xr.Dataset
             part, _notes = await self._take(block)
             if self.state is not state:
                 return False
             self._map.show(part, fresh=done == 0)
+            self._blocks.append(part)
             done += part.sizes["heading"]
             self._progress.set_text(f"{done} of {HEADINGS.size} headings" if done < HEADINGS.size else "")
             if self._stopped and done < HEADINGS.size:
                 self._progress.set_text(f"stopped at {done} of {HEADINGS.size} headings; any change begins again")
                 return False
         return True
+
+    async def _fill_comparison(self, state: State, of: Scene, _: Examined | None = None) -> None:
+        """The page beside what it keeps, where that tab stands open."""
+        if state.panel != "compare":
+            return
+
+        def going() -> str:
+            return "moved on" if self.state is not state else "stopped" if self._stopped else ""
+
+        own = self._blocks if self._map_of == _of_map(state) else []
+        self._stop.set_visibility(bool(state.beside))
+        try:
+            await self._comparison.follow(state, of, own, going, self._progress.set_text)
+        finally:
+            self._stop.set_visibility(False)
 
     async def _fill_cures(self, state: State, _: Scene, found: Examined) -> None:
         if found.verdict.stable or not found.motion.status.ok:
@@ -392,7 +440,7 @@ class Page:
 def _of_map(state: State) -> State:
     """The part of a state the map depends on."""
     return state.model_copy(
-        update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height", **NO_SEA}
+        update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height", "beside": None, **NO_SEA}
     )
 
 

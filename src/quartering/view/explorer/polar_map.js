@@ -16,7 +16,8 @@ export default {
     chosen: Array, lines: Array, palette: Array, label: String, hatched: Array, dotted: Array, crossed: Array, also: Object,
     rings: { type: Array, default: () => [[0.5, "0.5 L"], [1, "λ = L"], [1.5, "1.5 L"], [2, "2 L"]] },  // radius, its label
     rows: { type: Array, default: null },  // words of each radius; by default wave lengths over L
-    size: { type: String, default: "roll" },
+    low: { type: Number, default: 0 },  // below 0 the colours are of a difference, and its sign is told
+    size: { type: String, default: "roll" }, cross_words: { type: String, default: "capsizes on the way" },
   },
   data() { return { told: "" }; },
   computed: {
@@ -27,7 +28,7 @@ export default {
   },
   mounted() { this.uid = `m${maps++}`; this.build(); this.paint(); this.mark(); this.draw(); this.cross(); },
   watch: {
-    roll() { this.paint(); }, kind() { this.paint(); }, top() { this.paint(); }, crossed() { this.cross(); }, also() { this.cross(); },
+    roll() { this.paint(); }, kind() { this.paint(); }, top() { this.paint(); }, low() { this.paint(); }, crossed() { this.cross(); }, also() { this.cross(); },
     chosen() { this.mark(); }, lines() { this.draw(); }, rings() { this.ring(); },
   },
   methods: {
@@ -101,7 +102,7 @@ export default {
       this.cells.forEach((cell, k) => {
         const roll = this.roll[k], kind = this.kind[k], code = String(kind);
         const known = roll !== null && roll !== undefined;
-        const colour = known ? this.palette[Math.min(n, Math.round(n * roll / this.top))] : "";
+        const colour = known ? this.palette[Math.min(n, Math.round(n * (roll - this.low) / (this.top - this.low)))] : "";
         for (const name of ["fill", "stroke"]) cell.setAttribute(name, colour);  // the stroke hides the seams
         cell.setAttribute("class", known ? "q-cell" : kind === null ? "q-cell q-awaited" : "q-cell q-none");
         const over = this.hatched.includes(kind) ? "hatch" : this.dotted.includes(kind) ? "dots" : "";
@@ -147,9 +148,10 @@ export default {
     },
     words([i, j]) {
       const k = i * this.radii.length + j, roll = this.roll[k], kind = this.kinds[String(this.kind[k])] || "not yet computed";
-      const size = roll === null || roll === undefined ? "" : `${this.size} ${roll.toFixed(1)}°, `;
-      const way = (this.crossed || []).includes(k) ? ", capsizes on the way" : "";
-      const other = (this.also || {})[k] === undefined ? "" : `, also ${this.also[k].toFixed(1)}°`;
+      const sign = this.low < 0 && roll > 0 ? "+" : "";
+      const size = roll === null || roll === undefined ? "" : `${this.size} ${sign}${roll.toFixed(1)}°, `;
+      const way = (this.crossed || []).includes(k) ? `, ${this.cross_words}` : "", ringed = (this.also || {})[k];
+      const other = ringed === undefined ? "" : typeof ringed === "string" ? `, ${ringed}` : `, also ${ringed.toFixed(1)}°`;
       const row = this.rows ? this.rows[j] : `λ = ${this.radii[j].toFixed(1)} L`;
       return `${this.headings[i]}°, ${row}: ${size}${kind}${way}${other}`;
     },

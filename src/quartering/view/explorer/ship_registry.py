@@ -53,7 +53,7 @@ class ShipRegistry:
         self._given = None if own is None else _key(own, self._names)
         if own is not None and self._given is not None:
             self._own = Known(self._given, self._given, ship(own))
-        self.first = given if own is None else self._given
+        self.first: str | None = given if own is None else self._given
         self._uploads: OrderedDict[str, Known] = OrderedDict()
         self._lock = threading.Lock()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from urllib.parse import urlencode
 
 from pydantic import (
@@ -27,10 +27,10 @@ from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
 from quartering.view.explorer.sea_state import LONG_CRESTED, Mode, checked_sea
 
-Panel = Literal["motion", "stability", "curve", "causes", "response", "hull", "criteria"]
+Panel = Literal["motion", "stability", "curve", "causes", "response", "hull", "criteria", "compare"]
 """What the right side of the page shows."""
 
-OF_WAVE, OF_SEA = ("motion", "stability", "curve", "causes"), ("response",)
+OF_WAVE, OF_SEA = ("motion", "stability", "curve", "causes", "compare"), ("response",)
 """Panels of a regular wave alone, and of an irregular sea alone, the usual one of each first."""
 
 Over = Literal["wave_height", "wave_length", "speed", "frequency"]
@@ -106,6 +106,7 @@ class State(Loaded):
     panel, over : str                       what the right side shows
     mode : str                              a regular wave, or an irregular sea
     hs, tp, tz, spectrum, spreading         of the sea, as of `quartering.Sea`; None: chosen for the ship
+    beside : str                            link of the ship and loading to compare with; None: nothing
 
     Examples
     --------
@@ -115,7 +116,7 @@ class State(Loaded):
     0.9
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    model_config: ClassVar[ConfigDict] = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
     ship: str = Field(default="series60-cb60", max_length=1000)
     speed: float | None = Field(default=None, ge=0, le=100)
@@ -132,6 +133,7 @@ class State(Loaded):
     tz: Value | None = Field(default=None, description=line_of(ARGUMENTS["tz"]))
     spectrum: Spectrum = "jonswap"
     spreading: str = Field(default=LONG_CRESTED, max_length=20)
+    beside: str | None = Field(default=None, max_length=2000)
 
     @model_validator(mode="before")
     @classmethod
@@ -213,7 +215,7 @@ def read_link(query: Mapping[str, str]) -> tuple[State, str]:
 
 
 STARTING = State(ship="dtmb5415", speed=11.2, heading=50.0, wave_length=242.0)
-"""What a page opens with: a fast ship in quartering waves, where some of the map is unstable."""
+"""What a page opens with: a fast ship in quartering waves, inside the range of the theory."""
 
 
 def sentence(error: ValidationError) -> str:

@@ -13,6 +13,9 @@ from quartering.view.explorer.ship_registry import Known
 from quartering.view.explorer.uploads import ENDINGS, LARGEST, Sizes, check_file, hull_of_upload
 
 _ONE_AT_A_TIME = asyncio.Semaphore(1)
+_HEAD = """<div class="upload-head"><button type="button" @click="props.pickFiles">Choose a file</button>
+<span>or drop one here</span><label>file of lines<q-uploader-add-trigger /></label></div>"""
+"""In place of Quasar's own, whose button has no name: a button for mouse and keyboard, and the field it opens, out of sight."""
 
 
 class UploadDialog:
@@ -21,7 +24,7 @@ class UploadDialog:
     def __init__(self, made: Callable[[Known], None]) -> None:
         self._made = made
         self._name, self._data = "", b""
-        with ui.dialog() as self._dialog, ui.card().classes("upload-box"):
+        with ui.dialog().props('aria-label="draw your hull"') as self._dialog, ui.card().classes("upload-box"):
             ui.label("Draw your hull").classes("text-lg")
             ui.label(
                 "Offset table or x, y, z (.csv), PDSTRIP sections (.out, .dat), WAMIT panels (.gdf) or STL; metres, x forward."
@@ -34,9 +37,8 @@ class UploadDialog:
                 max_file_size=LARGEST,
                 max_files=1,
             )
-            self._upload.props(f'accept="{",".join(ENDINGS)}" flat bordered label="choose or drop a file"').classes(
-                "w-full"
-            )
+            self._upload.props(f'accept="{",".join(ENDINGS)}" flat bordered').classes("w-full")
+            self._upload.add_slot("header", _HEAD)
             with ui.element("div").classes("sizes"):
                 self._length = ui.number("length [m]").props("dense outlined")
                 self._beam = ui.number("beam [m]").props("dense outlined")
@@ -48,7 +50,7 @@ class UploadDialog:
                 ui.label("").style("color:var(--bad);font-weight:600").props("role=alert").mark("upload-problem")
             )
             with ui.row().classes("w-full justify-end"):
-                ui.button("Cancel", on_click=self._dialog.close).props("flat no-caps")
+                ui.button("Cancel", color=None, on_click=self._dialog.close).props("flat no-caps")
                 ui.button("Draw it", on_click=self._draw).props("unelevated no-caps")
 
     def open(self) -> None:

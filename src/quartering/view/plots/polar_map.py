@@ -48,7 +48,7 @@ SCALE = "largest roll over a cycle [deg]"
 _DARK: dict[str, Any] = {
     "facecolor": "#4a4063", "edgecolor": "none", "labelcolor": "white", "framealpha": 1.0, "handlelength": 2.8,
 }  # fmt: skip
-_CROSS: dict[str, Any] = {
+CROSS: dict[str, Any] = {
     "marker": "x", "linestyle": "none", "color": "#ff4f79", "markersize": 4.2, "markeredgewidth": 1.3,
 }  # fmt: skip
 RING: dict[str, Any] = {
@@ -208,12 +208,17 @@ def _marks(ax: PolarAxes, ds: xr.Dataset, side: float) -> None:
     """A ring on each cell with another stable motion, a cross where the ship capsizes before it comes to its own."""
     for name, cells, look in (
         ("another stable motion", coexisting(ds), RING),
-        ("capsizes on the way", capsizing(ds), _CROSS),
+        ("capsizes on the way", capsizing(ds), CROSS),
     ):
-        i, j = np.nonzero(cells.transpose("heading", "wave_length").values)
-        if i.size:
-            theta, r = np.radians(ds["heading"].values[i]), ds["wave_length"].values[j] / float(ds.attrs["ship_length"])
-            ax.plot(side * theta, r, gid=name, path_effects=OUTLINE_OF_MARK, zorder=3, **look)
+        mark_cells(ax, cells, float(ds.attrs["ship_length"]), side, name, look)
+
+
+def mark_cells(ax: PolarAxes, cells: xr.DataArray, length: float, side: float, name: str, look: dict[str, Any]) -> None:
+    """A sign in the middle of each of some cells; length: of the ship [m]."""
+    i, j = np.nonzero(cells.transpose("heading", "wave_length").values)
+    if i.size:
+        theta, r = np.radians(cells["heading"].values[i]), cells["wave_length"].values[j] / length
+        ax.plot(side * theta, r, gid=name, path_effects=OUTLINE_OF_MARK, zorder=3, **look)
 
 
 def also_label(rolls: Floats) -> str:
@@ -306,7 +311,7 @@ def _legend(ds: xr.Dataset) -> Sequence[Any]:
         label = "course-unstable even in calm water: not the waves' doing"
         made.append(Patch(facecolor="#31688e", edgecolor=COURSE_INK, hatch=HATCHES["course"], label=label))
     if capsizing(ds).any():
-        made.append(Line2D([], [], label=OnTheWay.BOTH.label, path_effects=OUTLINE_OF_MARK, **_CROSS))
+        made.append(Line2D([], [], label=OnTheWay.BOTH.label, path_effects=OUTLINE_OF_MARK, **CROSS))
     if coexisting(ds).any():
         made.append(Line2D([], [], label=also_label(other_rolls(ds).values), path_effects=OUTLINE_OF_MARK, **RING))
     if (verdict == Kind.NO_ANSWER).any():

@@ -11,6 +11,10 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.image import AxesImage
+from matplotlib.lines import Line2D
+from matplotlib.patches import Polygon
 from numpy.typing import NDArray
 
 from quartering.conventions import InputError
@@ -19,7 +23,7 @@ from quartering.loads.waves import Wave, encounter_frequency, heading_components
 from quartering.motion.equations.model import Model
 from quartering.view.moves import Moves, moves_of, pace_of
 from quartering.view.plots import style
-from quartering.view.ship_shape import shape_of
+from quartering.view.ship_shape import Shape, shape_of
 from quartering.view.wording import ship_notes, speed_words
 
 Floats = NDArray[np.float64]
@@ -43,15 +47,20 @@ class Scene:
     def __init__(
         self, ship: Ship, wave: Wave, speed: float, heading: float, moves: Moves, title: str, note: str
     ) -> None:
-        self.shape, self.wave, self.moves = shape_of(ship), wave, moves
+        self.shape: Shape = shape_of(ship)
+        self.wave: Wave = wave
+        self.moves: Moves = moves
+        self.k1: float
+        self.k2: float
         self.k1, self.k2 = (float(wave.wavenumber * part) for part in heading_components(heading))
-        self.omega = float(encounter_frequency(wave.frequency, speed, heading))
-        self.figure = style.figure(9.4, 6.3)
+        self.omega: float = float(encounter_frequency(wave.frequency, speed, heading))
+        self.figure: Figure = style.figure(9.4, 6.3)
         self.figure.get_layout_engine().set(rect=(0, 0, 1, 1))  # type: ignore[union-attr, call-arg]
-        self.canvas = cast(Any, FigureCanvasAgg(self.figure))
+        self.canvas: Any = cast(Any, FigureCanvasAgg(self.figure))
         grid = self.figure.add_gridspec(2, 2, height_ratios=(3.2, 1.0), width_ratios=(1.5, 1.0))
-        self.aft, self.above = self.figure.add_subplot(grid[0, 0]), self.figure.add_subplot(grid[0, 1])
-        self.strip = self.figure.add_subplot(grid[1, :])
+        self.aft: Axes = self.figure.add_subplot(grid[0, 0])
+        self.above: Axes = self.figure.add_subplot(grid[0, 1])
+        self.strip: Axes = self.figure.add_subplot(grid[1, :])
         self.moving: list[tuple[Axes, Any]] = []
         self._from_aft(ship)
         self._from_above(ship)
@@ -61,7 +70,7 @@ class Scene:
         for _, artist in self.moving:
             artist.set_animated(True)
         self.canvas.draw()
-        self.still = self.canvas.copy_from_bbox(self.figure.bbox)
+        self.still: Any = self.canvas.copy_from_bbox(self.figure.bbox)
 
     def elevation(self, x: Floats, y: Floats, time: float) -> Floats:
         """Height of the water over its mean [m]: at time 0 it passes the mean level at G, moving down."""
@@ -90,13 +99,13 @@ class Scene:
         ax.set_xlabel("to starboard [m]")
         ax.set_ylabel("height over G [m]")
         wide = np.linspace(-3 * reach, 3 * reach, 121)
-        self.wide = wide
+        self.wide: Floats = wide
         water = ax.fill(wide, wide, facecolor=_WATER, edgecolor="none", alpha=0.75, zorder=3)[0]
         surface = ax.plot(wide, wide, color=style.CONTRAST[0], linewidth=1.4, zorder=4)[0]
         filled = ax.fill([0, 1, 1], [0, 0, 1], facecolor=_HULL, edgecolor=style.INK, linewidth=1.4, zorder=2)[0]
         lines = [ax.plot([], [], color=style.QUIET, linewidth=0.7, zorder=2.5)[0] for _ in shape.sections[1:]]
         point = ax.plot([0.0], [0.0], "o", color=style.INK, markersize=4, zorder=5)[0]
-        self.aft_parts = (water, surface, filled, lines, point)
+        self.aft_parts: tuple[Polygon, Line2D, Polygon, list[Line2D], Line2D] = (water, surface, filled, lines, point)
         self.moving += [(ax, part) for part in (filled, *lines, water, surface, point)]
 
     def _from_above(self, ship: Ship) -> None:
@@ -110,6 +119,8 @@ class Scene:
         ax.set_xlabel("to starboard [m]")
         ax.set_ylabel("ahead [m]")
         ax.grid(visible=False)
+        self.x: Floats
+        self.y: Floats
         self.x, self.y = np.meshgrid(
             np.linspace(-high, high, _GRID[0]), np.linspace(-wide, wide, _GRID[1]), indexing="ij"
         )
@@ -120,7 +131,7 @@ class Scene:
         sea.set_clim(-1.6 * a, 1.4 * a)
         deck = ax.fill([0, 1, 1], [0, 0, 1], facecolor=_HULL, edgecolor=style.INK, linewidth=1.2, zorder=2)[0]
         line = ax.plot([], [], color=style.QUIET, linewidth=0.8, zorder=3)[0]
-        self.above_parts = (sea, deck, line)
+        self.above_parts: tuple[AxesImage, Polygon, Line2D] = (sea, deck, line)
         self.moving += [(ax, part) for part in (sea, deck, line)]
 
     def _history(self) -> None:
@@ -130,7 +141,7 @@ class Scene:
         ax.set_xlim(self.moves.time[0], self.moves.time[-1])
         ax.set_xlabel("time [s]")
         ax.set_ylabel("roll [deg]")
-        self.dot = ax.plot([0.0], [0.0], "o", color=style.INK, markersize=6, zorder=5)[0]
+        self.dot: Line2D = ax.plot([0.0], [0.0], "o", color=style.INK, markersize=6, zorder=5)[0]
         self.moving.append((ax, self.dot))
 
     def _move(self, i: int) -> None:
