@@ -22,11 +22,12 @@ from quartering.loads.sea.cells import wave_cells
 from quartering.loads.sea.sea import STEEP_SEA, STEEPEST_SEA, Sea
 from quartering.motion.sea.equations import SeaEquations, equations_of_ship, free_roll_of
 from quartering.study.seas.advice import Advice, Judged, advised, judged_by_closure, judged_by_simulation
+from quartering.study.seas.asked import asked_of, felt_limit_of, roll_limit_of
 from quartering.study.seas.blocks import FEWEST, Tally, run_blocks
 from quartering.study.seas.grid import SeaGrid, steepness
+from quartering.study.seas.planned import known_of, planned
 from quartering.study.seas.response import LEAST_DAMPING, Answer, SeaStatus, answer_of, place_of, status_of
 from quartering.study.seas.simulated import simulated_dataset
-from quartering.study.seas.simulation import asked_of, felt_limit_of, known_of, planned, roll_limit_of
 
 Floats = NDArray[np.float64]
 _KEPT_SPEEDS: Final = 4

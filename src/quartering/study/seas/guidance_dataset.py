@@ -16,11 +16,11 @@ from quartering.motion.sea.equations import free_roll_of
 from quartering.study import dataset
 from quartering.study.criteria.constants import constant
 from quartering.study.seas.advice import CLOSURE_OVER, RATE_OPEN, Advice
+from quartering.study.seas.asked import felt_limit_of, roll_limit_of
 from quartering.study.seas.conditions import RESULTS, RUNGS
 from quartering.study.seas.dataset import MEANINGS, pile_up_lines
 from quartering.study.seas.grid import SeaGrid, period_ratio
 from quartering.study.seas.response import SeaStatus
-from quartering.study.seas.simulation import felt_limit_of, roll_limit_of
 
 DIMS: Final = ("loading", "hs", "tz", "speed", "heading")
 """Dimensions of operational guidance."""
