@@ -15,7 +15,7 @@ from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Heading, ShipName, Speed, TableFile
 from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
-from quartering.view.console.sea_options import SPREADING, told, typed_spreading
+from quartering.view.console.sea_options import SPECTRUM, SPREADING, SWELL, told, typed_spreading, typed_swell
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import value
@@ -43,11 +43,10 @@ def sea(
     changes: Changes,
     tp: Annotated[str | None, told("tp", ": 11; or give --tz")] = None,
     tz: Annotated[str | None, told("tz", ", in place of --tp")] = None,
-    spectrum: Annotated[
-        str, typer.Option(help="Spectrum: jonswap, bretschneider, pierson-moskowitz or torsethaugen.")
-    ] = "jonswap",
+    spectrum: Annotated[str, SPECTRUM] = "jonswap",
     gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
     spreading: Annotated[str, SPREADING] = "none",
+    swell: Annotated[str | None, SWELL] = None,
     hours: Annotated[str, typer.Option(help="Hours to simulate, 32 at a time: 1000; 0 for no simulation.")] = "32",
     form: FormName = "stf",
     output: TableFile = None,
@@ -58,6 +57,8 @@ def sea(
     one = typed_ship(ship, changes)
     mu, u = typed_value("heading", heading, one.sizes), typed_value("speed", speed, one.sizes)
     waves = _sea(one, mu, {"hs": hs, "tp": tp, "tz": tz, "gamma": gamma}, spectrum, spreading)
+    beside = typed_swell(swell, typed_spreading(spreading))
+    waves = waves if beside is None else (waves.turned_to(0.0) + beside).turned_to(mu)
     path = reserve_path(output, TABLES)
     chosen: Form = form  # type: ignore[assignment]  # sea_response refuses an unknown one
     found = _answers(one, waves, u, chosen, _hours(hours))

@@ -15,6 +15,7 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from quartering.study.seas.advice import Advice
+from quartering.study.seas.map_axes import mirrors, period_of
 from quartering.units import quantity
 from quartering.view.plots import style
 from quartering.view.plots.guidance import round_knots
@@ -37,7 +38,7 @@ def sea_polar(ds: xr.Dataset, loading: int = 0) -> Figure:
     Returns bow up, the sea from the side of the cell; colour is the mean largest roll of three hours, or the rate of failures
     """
     part = ds.isel(loading=loading)
-    rows, columns = _some(part.sizes["hs"], MOST_ROWS), _some(part.sizes["tz"], MOST_COLUMNS)
+    rows, columns = _some(part.sizes["hs"], MOST_ROWS), _some(part.sizes[period_of(part)], MOST_COLUMNS)
     lying = len(columns) == 1  # heights of one period stand side by side
     down, across = (1, len(rows)) if lying else (len(rows), len(columns))
     made = style.figure(max(2.9 * across + 1.3, 7.4), 3.05 * down + 1.9)
@@ -46,8 +47,9 @@ def sea_polar(ds: xr.Dataset, loading: int = 0) -> Figure:
     values, colours, words = _coloured(part)
     for i, row in enumerate(rows):
         for j, column in enumerate(columns):
-            one = part.isel(hs=row, tz=column)
-            mesh = _panel(at[i, j], one, values.isel(hs=row, tz=column), colours)
+            where = {"hs": row, period_of(part): column}
+            one = part.isel(where)
+            mesh = _panel(at[i, j], one, values.isel(where), colours)
     style.title(made, f"{ds.attrs['ship']} in irregular seas, {ds.attrs['sea']}\n{ds.attrs['loading']}")
     scale = made.colorbar(mesh, ax=list(panels.ravel()), shrink=0.8, pad=0.03, aspect=28)
     scale.set_label(words)
@@ -81,7 +83,7 @@ def _coloured(part: xr.Dataset) -> tuple[xr.DataArray, Normalize, str]:
 
 def _panel(ax: PolarAxes, one: xr.Dataset, values: xr.DataArray, colours: Normalize) -> Any:
     heading, speed = one["heading"].values, one["speed"].values
-    mirrored = bool((heading >= 0).all() and (heading <= 180).all())
+    mirrored = mirrors(one)
     theta = np.radians(edges(heading, 5.0))
     theta = np.clip(theta, 0.0, np.pi) if mirrored else theta
     r = np.maximum(edges(speed, 1.0), 0.0)
@@ -144,7 +146,8 @@ def _legend(part: xr.Dataset) -> Iterator[Line2D | Patch]:
 
 
 def _notes(ds: xr.Dataset, part: xr.Dataset, rows: list[int], columns: list[int]) -> Iterator[str]:
-    yield "Bow up, the sea comes from the side of the cell; radius is speed. The two sides mirror each other."
+    sides = " The two sides mirror each other." if mirrors(ds) else ""
+    yield f"Bow up, the sea comes from the side of the cell; radius is speed.{sides}"
     yield f"{ds.attrs['threshold_words'].capitalize()} ({ds.attrs['threshold_source']}): {limit_words(ds)}."
     hours = float(ds.attrs["hours"])
     simulated = (
@@ -153,7 +156,7 @@ def _notes(ds: xr.Dataset, part: xr.Dataset, rows: list[int], columns: list[int]
         else "Where that does not decide, nothing was simulated."
     )
     yield f"By statistical linearisation; {ds.attrs['interval_of_closure']}. {simulated}"
-    if ds.sizes["loading"] > 1 or len(rows) < part.sizes["hs"] or len(columns) < part.sizes["tz"]:
+    if ds.sizes["loading"] > 1 or len(rows) < part.sizes["hs"] or len(columns) < part.sizes[period_of(part)]:
         yield (
             f"Drawn: loading 1 of {ds.sizes['loading']}, {len(rows)} of {part.sizes['hs']} heights, {len(columns)} of"
             f" {part.sizes['tz']} periods."
