@@ -41,7 +41,8 @@ def sea_polar(ds: xr.Dataset, loading: int = 0) -> Figure:
     rows, columns = _some(part.sizes["hs"], MOST_ROWS), _some(part.sizes[period_of(part)], MOST_COLUMNS)
     lying = len(columns) == 1  # heights of one period stand side by side
     down, across = (1, len(rows)) if lying else (len(rows), len(columns))
-    made = style.figure(max(2.9 * across + 1.3, 7.4), 3.05 * down + 1.9)
+    made = style.figure(max(2.9 * across + 1.3, 7.4), 3.25 * down + 2.1)
+    made.get_layout_engine().set(h_pad=0.1)  # type: ignore[union-attr, call-arg]  # "following" and the next title apart
     panels = made.subplots(down, across, subplot_kw={"projection": "polar"}, squeeze=False)
     at = panels.T if lying else panels
     values, colours, words = _coloured(part)
@@ -53,8 +54,10 @@ def sea_polar(ds: xr.Dataset, loading: int = 0) -> Figure:
     style.title(made, f"{ds.attrs['ship']} in irregular seas, {ds.attrs['sea']}\n{ds.attrs['loading']}")
     scale = made.colorbar(mesh, ax=list(panels.ravel()), shrink=0.8, pad=0.03, aspect=28)
     scale.set_label(words)
-    end = style.footnote(made, "\n".join(_notes(ds, part, rows, columns)), above=0.5)
-    made.legend(handles=list(_legend(part)), loc="lower left", bbox_to_anchor=(0.008, end), ncols=3, **_DARK)
+    told, wide = list(_legend(part)), 3 if across > 2 else 2
+    high = 0.1 + 0.2 * -(-len(told) // wide)
+    end = style.footnote(made, "\n".join(_notes(ds, part, rows, columns)), above=high)
+    made.legend(handles=told, loc="lower left", bbox_to_anchor=(0.008, end), ncols=wide, **_DARK)
     return made
 
 
@@ -119,9 +122,11 @@ def _dress(ax: PolarAxes, one: xr.Dataset, largest: float) -> None:
     ax.set_rgrids([ring * knots for ring in rings], [f"{ring:g} kn" for ring in rings], angle=157.5, fontsize=7)
     for label in ax.get_yticklabels():
         label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6})
-    words = {0: "0° following", 90: "90°", 180: "180° head", 270: "90°"}
+    words = {0: "0° following", 180: "180° head"}
     angles = range(0, 360, 30)
-    ax.set_thetagrids(angles, [words.get(a, f"{a if a <= 180 else 360 - a}°") for a in angles], fontsize=7)
+    ax.set_thetagrids(
+        angles, [words.get(a, f"{360 - a if a > 180 and mirrors(one) else a}°") for a in angles], fontsize=7
+    )
     ax.grid(visible=True, color="white", alpha=0.3, linewidth=0.5)
     ax.set_title(f"Hs {float(one['hs']):.3g} m, Tp {float(one['tp']):.3g} s", fontsize=9, pad=8)
 
