@@ -42,7 +42,7 @@ def sea_polar(ds: xr.Dataset, loading: int = 0) -> Figure:
     lying = len(columns) == 1  # heights of one period stand side by side
     down, across = (1, len(rows)) if lying else (len(rows), len(columns))
     made = style.figure(max(2.9 * across + 1.3, 7.4), 3.25 * down + 2.1)
-    made.get_layout_engine().set(h_pad=0.1)  # type: ignore[union-attr, call-arg]  # "following" and the next title apart
+    made.get_layout_engine().set(hspace=0.08)  # type: ignore[union-attr, call-arg]  # "following" and the next title apart
     panels = made.subplots(down, across, subplot_kw={"projection": "polar"}, squeeze=False)
     at = panels.T if lying else panels
     values, colours, words = _coloured(part)
