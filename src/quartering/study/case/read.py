@@ -177,7 +177,8 @@ def _keys(of: type[BaseModel]) -> list[str]:
 
 
 def _allowed_everywhere() -> set[str]:
-    return {*_keys(Case), *(key for group in (*_GROUPS.values(), SwellKeys) for key in _keys(group))}
+    groups: tuple[type[BaseModel], ...] = (*_GROUPS.values(), SwellKeys)
+    return {*_keys(Case), *(key for group in groups for key in _keys(group))}
 
 
 def _values(place: _Place, path: tuple[str, ...], given: Values, one: Option, own: Ship) -> NDArray[np.float64]:

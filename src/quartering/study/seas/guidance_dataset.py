@@ -82,7 +82,7 @@ def labelled(
     """Dataset of a map over seas, in the order of `DIMS`; a single loading is one too."""
     data = {name: xr.Variable(dims, results[name], attributes(name)) for name in RESULTS}
     coords = {name: xr.Variable(where, values, attributes(name)) for name, (where, values) in coordinates.items()}
-    coords |= _other_period(heading, coordinates)
+    coords |= other_period(heading, coordinates)
     speeds = pile_up_lines(float(heading["roll_frequency"]), 1.0)["pile_up"]  # type: ignore[arg-type]
     made = xr.Dataset(data | {"pile_up": speeds}, coords | {"line": ["synchronous", "parametric"]}, dict(heading))
     if "loading" not in made.dims:
@@ -91,7 +91,7 @@ def labelled(
     return made.transpose(*dims_of(made), ...)
 
 
-def _other_period(
+def other_period(
     heading: Mapping[str, object], coordinates: Mapping[str, tuple[tuple[str, ...], NDArray[np.float64]]]
 ) -> dict[str, xr.Variable]:
     """Of the two periods of a sea that which is no axis: tp along tz, or tz over height and tp."""
@@ -118,6 +118,7 @@ def heading_of(grid: SeaGrid) -> dict[str, object]:
         "sea": f"{grid.spectrum}{peak}, {spreading}{_swell(grid)}",
         "spectrum": grid.spectrum,
         "gamma": grid.gamma,
+        "spreading": "none" if grid.spreading is None else _spreading(grid).removeprefix("s "),
         "sides": "differ" if grid.one_sided else "mirror each other",
         "judge": grid.judge,
         "threshold": grid.threshold,
