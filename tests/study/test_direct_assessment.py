@@ -112,7 +112,7 @@ def test_cells_are_left_out_from_the_least_as_long_as_all_together_cannot_matter
     weight = np.array([[1.0, 0.5, 1.0, 0.5, 0.0, 1.0]])
     status = np.full(upper.shape, int(SeaStatus.ANSWERED), dtype=np.int8)
     status[0, 0, 5] = SeaStatus.PAST_CAPSIZE_LIMIT  # never left out by its closure
-    found = tasks_of(status, 0.01 * upper, upper, weight, 0.05, 100.0)
+    found = tasks_of(status, 0.01 * upper, upper, weight, 0.05, 100.0, 0.0)
     unknown = Assessed.NOT_KNOWN
     assert found.task[0, 0].tolist() == [
         Assessed.EXCLUDED,
@@ -124,8 +124,9 @@ def test_cells_are_left_out_from_the_least_as_long_as_all_together_cannot_matter
     ]
     assert found.scale.tolist() == [100.0]
     status[0, 0, :2] = SeaStatus.SURF_RIDING, SeaStatus.BREAKS
-    more = tasks_of(status, 10.0 * upper, upper, weight, 0.05, 100.0)
+    more = tasks_of(status, 10.0 * upper, upper, weight, 0.05, 100.0, 3.5)
     assert more.task[0, 0, :3].tolist() == [Assessed.SURF_RIDING, Assessed.BREAKS, Assessed.EXCLUDED]
+    assert tasks_of(status, upper, upper, weight, 1e-9, 1.0, 3.5).task[0, 0, 2] == Assessed.TOO_RARE
     assert more.scale[0] == pytest.approx(10 + 20 + 30 + 400 + 90, rel=0.05)  # two digits
 
 

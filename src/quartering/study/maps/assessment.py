@@ -25,6 +25,7 @@ from quartering.study.maps.store import MANIFEST
 from quartering.study.maps.sweep import evaluated, filled
 from quartering.study.seas.assessment_dataset import summed
 from quartering.study.seas.assessment_grid import AssessmentGrid, tasks_of
+from quartering.study.seas.failures import failure_rate
 from quartering.study.seas.grid import SeaGrid, sea_grid
 from quartering.study.seas.long_term import YEAR
 from quartering.study.seas.occurrence import table_of, weights_of
@@ -94,7 +95,8 @@ def direct_assessment(
     Notes
     -----
     The closure's upper end, a hundred times a Gaussian rate, says which cells cannot matter; what matters is the safety level
-    of MSC.1/Circ.1627, or the sum where it is higher. All others are simulated as by `irregular` with the same seed, until
+    of MSC.1/Circ.1627, or the sum where it is higher. Where it is below what the hours could show without a failure, it stands
+    for the cell. All others are simulated as by `irregular` with the same seed, until
     their interval is small enough or the hours are spent. A cell too rare to count is carried down from three higher seas with
     30 failures each (`failure_rate_at`), or taken to fail less than the next higher sea: rates rise with height. The sum of
     counts has the interval of Fay and Feuer, exact for a single one; ends of the rest are added. Ending where a count is known
@@ -167,7 +169,8 @@ def _second(first: SeaGrid, closed: xr.Dataset, weight: xr.DataArray, told: Mapp
     }
     shares = weight.transpose(*_POINTS).values.reshape(shape[1:])
     level = constant("operational_guidance.year_rate").value / YEAR
-    tasks = tasks_of(flat["status"], flat["rate_lower"], flat["rate_upper"], shares, told["share"], level)
+    tasks = tasks_of(flat["status"], flat["rate_lower"], flat["rate_upper"], shares, told["share"], level,
+                     failure_rate(0, 3600.0 * told["hours"]).upper)  # fmt: skip
     own: dict[str, Any] = {
         one.name: getattr(first, one.name) for one in fields(SeaGrid) if one.init and one.name not in ("hours", "block_size")
     }  # fmt: skip

@@ -89,6 +89,9 @@ class Wanted(NamedTuple):
         return half <= max(self.precision * self.weight * rate.rate, self.allowed)
 
 
+_ANYHOW: Final = Wanted(1.0, math.inf, math.inf)
+
+
 def counted(plan: Plan, hours: float, wanted: Wanted) -> Counted:
     """Failures of a condition, counted until their rate is known well enough or the hours are spent.
 
@@ -133,13 +136,19 @@ def _column(grid: AssessmentGrid, ship: Ship, loading: int, point: int) -> dict[
     """Results of the heights of one point that are not left out, the highest first."""
     speed, heading, period = (float(one[0]) for one in grid.points(slice(point, point + 1)))
     heights, allowed = grid.axes["hs"], grid.allowed(loading)
-    todo = np.flatnonzero(grid.task[loading, point] == Assessed.NOT_KNOWN)
+    task = grid.task[loading, point]
+    todo = np.flatnonzero(np.isin(task, (Assessed.NOT_KNOWN, Assessed.TOO_RARE)))
     results: dict[int, dict[str, Any]] = {}
     line: list[tuple[float, int, float]] = []
     above = math.inf
     for k in todo[np.argsort(-heights[todo], kind="stable")].tolist():
         wanted = Wanted(float(grid.weight[point, k]), grid.precision, allowed)
-        found = _carried_down(float(heights[k]), line, above, grid.hours, wanted)
+        rare = task[k] == Assessed.TOO_RARE
+        found = _carried_down(float(heights[k]), line, above, grid.hours, _ANYHOW if rare else wanted)
+        if rare:
+            if found is not None and found["status"] == Assessed.EXTRAPOLATED:
+                results[k] = found
+            continue
         if found is None:
             sea = grid.sea_at(float(heights[k]), period, heading)
             assert sea is not None  # seas that break are left out

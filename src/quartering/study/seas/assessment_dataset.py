@@ -29,7 +29,8 @@ _OWN: Final[Mapping[str, tuple[str, str]]] = {
     "lost_expected": ("1", "the same if failures come at the rate from the start"),
     "status": ("1", "how a cell was answered, or why it was left out"),
 }  # fmt: skip
-_BOUNDS: Final = (Assessed.EXCLUDED, Assessed.BELOW_HIGHER_SEA)
+_BY_CLOSURE: Final = (Assessed.EXCLUDED, Assessed.TOO_RARE)
+_BOUNDS: Final = (*_BY_CLOSURE, Assessed.BELOW_HIGHER_SEA)
 """Cells that are in the sum by an upper end alone."""
 _UNJUDGED: Final = (Assessed.SURF_RIDING, Assessed.BREAKS, Assessed.NOT_KNOWN)
 
@@ -95,7 +96,7 @@ def summed(found: xr.Dataset, closed: xr.Dataset, weight: xr.DataArray, share: f
     """
     cells, closed = found.load(), closed.transpose(*dims_of(closed), ...)
     status = cells["status"]
-    excluded = status == int(Assessed.EXCLUDED)
+    excluded = status.isin(_BY_CLOSURE)
     for name, value in (("failure_rate", 0.0), ("rate_lower", 0.0), ("rate_upper", closed["rate_upper"])):
         cells[name] = cells[name].where(~excluded, value).assign_attrs(attributes(name))
     cells["contribution"] = (weight * cells["failure_rate"]).transpose(*dims_of(cells))

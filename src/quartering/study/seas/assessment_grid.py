@@ -4,6 +4,9 @@
 # upper end of r for every cell. From the least w r upwards cells are left out as long as all of these upper ends together stay
 # below a stated share of what matters: the safety level, or the sum itself where that is known to be higher.
 #
+# A cell whose upper end by the closure is below what the hours there are could show, were there no failure in them, is not
+# simulated either: its upper end stands for it, or a line through higher seas.
+#
 # Of n cells that are left each may be wrong by a share of its own contribution, or of what matters over sqrt(n): errors of
 # independent counts add up by their squares, so that all together are wrong by that share of what matters.
 
@@ -39,11 +42,12 @@ class Assessed(IntEnum):
     BUDGET_SPENT = 1
     EXTRAPOLATED = 2
     BELOW_HIGHER_SEA = 3
-    EXCLUDED = 4
-    NEVER_MET = 5
-    SURF_RIDING = 6
-    BREAKS = 7
-    NOT_KNOWN = 8
+    TOO_RARE = 4
+    EXCLUDED = 5
+    NEVER_MET = 6
+    SURF_RIDING = 7
+    BREAKS = 8
+    NOT_KNOWN = 9
 
     @property
     def label(self) -> str:
@@ -56,7 +60,7 @@ class Tasks(NamedTuple):
 
     Parameters
     ----------
-    task : (l, p, h) int8     `Assessed` of cells that are not simulated, NOT_KNOWN of the others
+    task : (l, p, h) int8     `Assessed` of cells that are not simulated, NOT_KNOWN of the others; TOO_RARE may be carried down
     scale : (l,) float        rate that matters [1/s]
     """
 
@@ -64,13 +68,16 @@ class Tasks(NamedTuple):
     scale: Floats
 
 
-def tasks_of(status: Flags, lower: Floats, upper: Floats, weight: Floats, share: float, level: float) -> Tasks:
+def tasks_of(
+    status: Flags, lower: Floats, upper: Floats, weight: Floats, share: float, level: float, least: float
+) -> Tasks:
     """Which cells are left out, by the closure.
 
     status, lower, upper (l, p, h): of the closure, by loading, point and height; rates [1/s]
     weight (p, h): shares of time
     share: of what matters that all cells left out may add up to [1]
     level: rate that matters at the least [1/s]
+    least: lowest upper end that a simulation may show [1/s]
     """
     answered = status == SeaStatus.ANSWERED
     task = np.full(status.shape, Assessed.NOT_KNOWN, dtype=np.int8)
@@ -84,6 +91,7 @@ def tasks_of(status: Flags, lower: Floats, upper: Floats, weight: Floats, share:
         most = np.where(known, weight * upper[i], np.inf).ravel()
         order = np.argsort(most, kind="stable")
         left = order[np.cumsum(most[order]) <= share * scale[i]]
+        own[known & (upper[i] <= least)] = Assessed.TOO_RARE
         own.ravel()[left] = Assessed.EXCLUDED
     return Tasks(task, scale)
 
