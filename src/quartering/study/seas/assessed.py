@@ -156,16 +156,23 @@ def _column(grid: AssessmentGrid, ship: Ship, loading: int, point: int) -> dict[
             own = counted(plan, grid.hours, wanted)
             if own.failures >= FEWEST_FAILURES:
                 line.append((float(heights[k]), own.failures, own.exposure))
-            found = _told(own.rate, Assessed.COUNTED if own.enough else Assessed.BUDGET_SPENT) | {
+            found = _of_count(own) | {
                 "failures": own.failures,
                 "exposure": own.exposure / 3600.0,
                 "waiting_time_p": own.waiting_time_p,
                 "lost": own.lost,
                 "lost_expected": own.lost_expected,
             }
-        above = found["rate_upper"]
+        above = found["rate_upper"] if found["rate_upper"] == found["rate_upper"] else math.inf
         results[k] = found
     return results
+
+
+def _of_count(own: Counted) -> dict[str, Any]:
+    """Rate and status of a count; nothing is known where every block failed in its run-up."""
+    if not own.exposure > 0:
+        return dict.fromkeys(("failure_rate", "rate_lower", "rate_upper"), math.nan) | {"status": Assessed.NOT_KNOWN}
+    return _told(own.rate, Assessed.COUNTED if own.enough else Assessed.BUDGET_SPENT)
 
 
 def _told(rate: Rate, status: Assessed) -> dict[str, Any]:

@@ -125,11 +125,10 @@ def _sum(one: xr.Dataset, weight: xr.DataArray) -> dict[str, float]:
     w = weight.transpose(*dims_of(one)[1:]).values
     status = one["status"].values
     rate, lower, upper = (one[name].values for name in ("failure_rate", "rate_lower", "rate_upper"))
-    counted = np.isin(status, (Assessed.COUNTED, Assessed.BUDGET_SPENT)) & (one["exposure"].values > 0)
+    counted = np.isin(status, (Assessed.COUNTED, Assessed.BUDGET_SPENT))
     seen = weighted_rate(w[counted], one["failures"].values[counted], 3600.0 * one["exposure"].values[counted])
     carried = status == Assessed.EXTRAPOLATED
     bounds = np.isin(status, _BOUNDS)
-    blind = np.isin(status, (Assessed.COUNTED, Assessed.BUDGET_SPENT)) & ~counted
     left = float((w * upper)[bounds].sum())
     total = seen.rate + float((w * rate)[carried].sum())
     return {
@@ -139,6 +138,6 @@ def _sum(one: xr.Dataset, weight: xr.DataArray) -> dict[str, float]:
         "failures_a_year": total * YEAR,
         "carried_down": float((w * rate)[carried].sum()),
         "left_out": left,
-        "not_judged": float(w[np.isin(status, _UNJUDGED) | blind].sum()),
+        "not_judged": float(w[np.isin(status, _UNJUDGED)].sum()),
         "hours_spent": float(np.nansum(one["exposure"].values)),
     }

@@ -13,10 +13,10 @@ from quartering.options import OPTIONS
 from quartering.units import NO_SHIP
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, PictureOrData, ShipName
-from quartering.view.console.files import PICTURES, TABLES, File, picture_files, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, dataset_or_picture, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
-from quartering.view.console.sea_options import SPREADING, told, typed_spreading
+from quartering.view.console.sea_options import Gamma, SeaTable, Seed, SpreadingWords, told, typed_spreading
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.tables import data_table
 from quartering.view.console.typed_ship import typed_ship
@@ -39,20 +39,17 @@ def assess(
     ship: ShipName,
     changes: Changes,
     speed: Annotated[list[str], typer.Option(help="Forward speeds, all alike in time: 15kn, repeatable, or 0:15kn:4.")],
-    seas: Annotated[
-        str | None,
-        typer.Option(help="Table of how often seas occur, .csv: Tz across, Hs down; the North Atlantic's without."),
-    ] = None,
+    seas: SeaTable = None,
     headings: Annotated[str, typer.Option(help="Headings the sea goes to: 0:180:13.")] = "0:180:13",
     spectrum: Annotated[
         str, typer.Option(help="Spectrum: bretschneider, jonswap or pierson-moskowitz.")
     ] = "bretschneider",
-    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
-    spreading: Annotated[str, SPREADING] = "cos2",
+    gamma: Gamma = "3.3",
+    spreading: SpreadingWords = "cos2",
     hours: Annotated[str, typer.Option(help="Budget of a cell [h], 32 at a time.")] = "1000",
     precision: Annotated[str, told("precision")] = "0.2",
     share: Annotated[str, told("left_out_share")] = "0.01",
-    seed: Annotated[int, typer.Option(help="Seed of the simulations.")] = 0,
+    seed: Seed = 0,
     store: Annotated[
         str | None, typer.Option(help="Folder that keeps finished blocks: the same command goes on from there.")
     ] = None,
@@ -90,11 +87,10 @@ def assess(
 
         return assessment_picture(ds)
 
-    data = [File(path, lambda part: ds.to_netcdf(part))] if path is not None and path.suffix == ".nc" else []
     return Answer(
         _lines(ds, took),
         lambda: _facts(ds) | {"processor_time": took, "file": str(path) if path else None},
-        [*data, *picture_files(path, draw)],
+        dataset_or_picture(path, ds, draw),
         output=path,
         data=lambda: [data_table(ds, f"{ds.attrs['title']}: cells", _CELL)],
         next_steps=[f"quartering sea {ship} {_worst(ds)} --hours 256{option_words(changes)}"],
@@ -167,11 +163,13 @@ def _statuses(ds: xr.Dataset) -> Table:
 
 
 def _verdict(ds: xr.Dataset) -> str:
+    from quartering.study.seas.assessment_grid import Assessed
     from quartering.view.plots.assessment import sum_words
 
     low, high = (float(ds[f"long_term_{end}"][0]) for end in ("lower", "upper"))
     level = float(ds.attrs["safety_level_rate"])
-    side = "below" if high <= level else "above" if low > level else "not decided against"
+    blind = bool((ds["status"][0] == int(Assessed.NOT_KNOWN)).any())
+    side = "above" if low > level else "not decided against" if blind or high > level else "below"
     words = sum_words(ds.isel(loading=0))
     return f"{words[0].upper()}{words[1:]}: {side} the safety level of {ds.attrs['safety_level']}."
 

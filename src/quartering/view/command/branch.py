@@ -9,7 +9,6 @@ import typer
 
 from quartering.conventions import SYMBOLS, InputError, headed
 from quartering.options import OPTIONS, Option
-from quartering.view.command._varied import dataset_or_picture
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import (
     Changes,
@@ -21,7 +20,7 @@ from quartering.view.console.arguments import (
     WaveHeight,
     WaveLength,
 )
-from quartering.view.console.files import PICTURES, TABLES, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, dataset_or_picture, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import working
 from quartering.view.console.tables import data_table

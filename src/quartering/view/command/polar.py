@@ -29,7 +29,7 @@ from quartering.view.console.arguments import Changes, FormName, Harmonics, Mode
 from quartering.view.console.files import TABLES, File, is_table, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
-from quartering.view.console.sea_options import SPECTRUM, SPREADING, SWELL, told
+from quartering.view.console.sea_options import Gamma, SpectrumName, SpreadingWords, SwellWords, told
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.tables import map_table
 from quartering.view.console.typed_ship import typed_ship
@@ -72,10 +72,10 @@ def polar(
     hs: Annotated[str | None, told("hs", "s: 4:8; makes a map over irregular seas, radius speed")] = None,
     tp: Annotated[str | None, told("tp", "s: 8:14")] = None,
     tz: Annotated[str | None, told("tz", "s, in place of --tp")] = None,
-    spectrum: Annotated[str, SPECTRUM] = "jonswap",
-    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
-    spreading: Annotated[str, SPREADING] = "none",
-    swell: Annotated[str | None, SWELL] = None,
+    spectrum: SpectrumName = "jonswap",
+    gamma: Gamma = "3.3",
+    spreading: SpreadingWords = "none",
+    swell: SwellWords = None,
     judge: Annotated[
         str, typer.Option(help="What is judged in seas: largest (motion of 3 h) or rate (of failures).")
     ] = "largest",
