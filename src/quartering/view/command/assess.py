@@ -132,17 +132,20 @@ def _cells(ds: xr.Dataset) -> Table:
         at = flat.isel(cell=i)
         if not float(at["contribution"]) > 0:
             break
-        rate = f"{float(at['failure_rate']):.2g} ({float(at['rate_lower']):.2g} to {float(at['rate_upper']):.2g})"
+        ends = f"{float(at['rate_lower']):.2g} to {float(at['rate_upper']):.2g}"
         hours = float(at["exposure"])
         rows.append((
             f"{float(at['hs']):.3g}", f"{float(at['tz']):.3g}", f"{float(at['speed']):.3g}", f"{float(at['heading']):g}",
-            rate, f"{float(at['weight']):.2g}", f"{float(at['contribution']) / total:.1%}",
-            f"{hours:.0f}" if hours > 0 else "-", Assessed(int(at["status"])).label,
+            f"{float(at['failure_rate']):.2g}", ends, f"{float(at['weight']):.2g}", f"{float(at['contribution']) / total:.1%}",
+            f"{hours:.0f} h" if hours > 0 else "-", Assessed(int(at["status"])).label,
         ))  # fmt: skip
-    heads = ("Hs [m]", "Tz [s]", "speed [m/s]", "heading [deg]", "failures [1/s], 95 % interval", "share of time",
-             "of the sum", "hours", "answered")  # fmt: skip
+    heads = ("Hs [m]", "Tz [s]", "U [m/s]", "heading", "failures [1/s]", "95 % interval", "share of time", "of the sum",
+             "exposure", "answered")  # fmt: skip
     return table(
-        f"{ds.attrs['ship']}: cells that failures come from, {ds.attrs['sea']}", heads, rows, (0, 1, 2, 3, 5, 6, 7)
+        f"{ds.attrs['ship']}: cells that failures come from, {ds.attrs['sea']}",
+        heads,
+        rows,
+        (0, 1, 2, 3, 4, 5, 6, 7, 8),
     )
 
 

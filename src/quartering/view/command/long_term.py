@@ -70,14 +70,14 @@ def _lines(ds: xr.Dataset) -> Iterator[Table | str]:
     order = np.argsort(-flat.fillna(-1.0).values, kind="stable")[:_MOST_ROWS]
     total = max(float(rate[0]), 1e-300)
     weight = part["weight"].stack(sea=("hs", period))
-    rows = [
+    parts = [
         (f"{float(flat['hs'][i]):.3g}", f"{float(flat[period][i]):.3g}", f"{float(flat[i]) / total:.1%}",
          f"{float(weight[i]):.2g}")
         for i in order
         if float(flat[i]) > 0
     ]  # fmt: skip
     seas = ("Hs [m]", f"T{period[1]} [s]", "of the sum", "share of time")
-    yield table("Seas that failures come from", seas, rows, (0, 1, 2, 3))
+    yield table("Seas that failures come from", seas, parts, (0, 1, 2, 3))
     yield f"Not covered by the map: {float(ds['not_covered']):.2%} of the time. Table of seas: {ds.attrs['table']}."
     yield f"Safety level of the circular: {ds.attrs['safety_level']}. Nothing here shows compliance with any rule."
 

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from quartering.study.seas.assessment_grid import Assessed
+from quartering.study.seas.long_term import YEAR
 from quartering.view.plots import style
 from quartering.view.plots.sea_polar import limit_words
 
@@ -31,7 +33,7 @@ def assessment_picture(ds: xr.Dataset, loading: int = 0) -> Figure:
     Returns by sea on the left, by heading on the right
     """
     one = ds.isel(loading=loading)
-    made = style.figure(style.PAGE, 5.0)
+    made = style.figure(style.PAGE, 5.4)
     left, right = made.subplots(1, 2, width_ratios=(1.35, 1.0))
     _by_sea(made, left, one)
     _by_heading(right, one)
@@ -42,11 +44,15 @@ def assessment_picture(ds: xr.Dataset, loading: int = 0) -> Figure:
 
 def sum_words(one: xr.Dataset) -> str:
     """The sum with its interval."""
-    year = float(one["failures_a_year"]) / max(float(one["long_term_rate"]), 1e-300)
     rate, lower, upper = (float(one[f"long_term_{end}"]) for end in ("rate", "lower", "upper"))
     if rate == 0.0:
-        return f"no failure counted; at most {upper * 3.15576e7:.2g} failures a year"
-    return f"{rate * year:.2g} failures a year, 95 % interval {lower * year:.2g} to {upper * year:.2g}"
+        return f"no failure counted; at most {_few(upper * YEAR)} failures a year"
+    return f"{_few(rate * YEAR)} failures a year, 95 % interval {_few(lower * YEAR)} to {_few(upper * YEAR)}"
+
+
+def _few(number: float) -> str:
+    """A number in two digits."""
+    return f"{float(f'{number:.1e}'):,.0f}" if 10.0 <= number < 1e9 else f"{number:.2g}"
 
 
 def _by_sea(made: Figure, ax: Axes, one: xr.Dataset) -> None:
@@ -69,21 +75,31 @@ def _by_sea(made: Figure, ax: Axes, one: xr.Dataset) -> None:
             f"failures [1/s], share of time times rate; from {_LEAST_SHARE:g} of the largest"
         )
     for i, j in np.argwhere(known):
-        ax.plot(tz[j], hs[i], ".", color="white", markeredgecolor="black", markersize=5, markeredgewidth=0.5)
-    dots = style_dot("simulated at some heading")
-    ax.legend(
-        handles=[dots, Patch(facecolor=_NOTHING, label="met, but cannot matter, or no failure")], loc="upper left"
+        ax.plot(tz[j], hs[i], **_DOT)
+    lost = (
+        np.isin(one["status"].transpose("hs", "tz", ...).values, Assessed.NOT_KNOWN)
+        .reshape(hs.size, tz.size, -1)
+        .any(axis=2)
     )
+    for i, j in np.argwhere(lost & met):
+        ax.plot(tz[j], hs[i], marker="x", color=style.WARNING_INK, markersize=7)
+    handles: list[Line2D | Patch] = [
+        Line2D([], [], label="simulated at some heading", **_DOT),
+        Patch(facecolor=_NOTHING, label="met, but cannot matter, or no failure"),
+    ]
+    if (lost & met).any():
+        cross: dict[str, Any] = {"linestyle": "", "marker": "x", "color": style.WARNING_INK}
+        handles.append(Line2D([], [], label="no answer at some heading: fails in every run-up", **cross))
+    ax.legend(handles=handles, loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
     ax.set(xlabel="mean period Tz [s]", ylabel="significant height Hs [m]")
+    ax.set_xticks(tz[:: -(-tz.size // 9)])
+    ax.set_yticks(hs[:: -(-hs.size // 9)])
     ax.grid(visible=False)
 
 
-def style_dot(label: str) -> object:
-    """A dot for the legend."""
-    from matplotlib.lines import Line2D
-
-    look = {"color": "white", "markeredgecolor": "black", "markersize": 5, "markeredgewidth": 0.5}
-    return Line2D([], [], linestyle="", marker=".", label=label, **look)
+_DOT: Final[dict[str, Any]] = {
+    "color": "white", "linestyle": "", "marker": ".", "markeredgecolor": "black", "markersize": 5, "markeredgewidth": 0.5,
+}  # fmt: skip
 
 
 def _by_heading(ax: Axes, one: xr.Dataset) -> None:
@@ -105,7 +121,7 @@ def _by_heading(ax: Axes, one: xr.Dataset) -> None:
     )
     ax.set(xlabel="heading [deg]: 0 following, 180 head sea", ylabel="failures [1/s]")
     ax.set_xticks(np.arange(0, max(heading.max(), 1) + 1, 30 if heading.max() > 60 else 15))
-    ax.legend(loc="upper right")
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), frameon=False)
 
 
 def _edges(values: Floats) -> Floats:
