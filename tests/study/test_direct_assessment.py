@@ -16,6 +16,7 @@ from quartering.study.seas.assessment_grid import Assessed, tasks_of
 from quartering.study.seas.blocks import BLOCK, Plan, Row
 from quartering.study.seas.failures import weighted_rate
 from quartering.study.seas.response import SeaStatus
+from quartering.view.stored import opened
 
 pytestmark = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
 SHIP = qt.ship("series60-cb60").with_(openings="12 deg")
@@ -151,7 +152,7 @@ def found():
     return qt.direct_assessment(SHIP, **GIVEN)
 
 
-def test_a_cell_is_the_simulation_of_its_sea_and_the_sum_that_of_cells_by_their_weights(found):
+def test_a_cell_is_the_simulation_of_its_sea_and_the_sum_that_of_cells_by_their_weights(found, tmp_path):
     """Half of the time at each heading, 0.8 and 0.2 of it in the two seas; the same blocks as `irregular` with the seed."""
     np.testing.assert_allclose(found["weight"].sum(), 1.0, rtol=1e-12)
     np.testing.assert_allclose(found["weight"][:, 0, 0, 0], [0.4, 0.1], rtol=1e-12)
@@ -169,6 +170,10 @@ def test_a_cell_is_the_simulation_of_its_sea_and_the_sum_that_of_cells_by_their_
     assert float(found["long_term_lower"][0]) < float(own[0]) < float(found["long_term_upper"][0])
     np.testing.assert_allclose(found["hours_spent"], found["exposure"].sum(), rtol=1e-12)
     np.testing.assert_allclose(qt.long_term(found, TABLE)["failure_rate"], own, rtol=1e-12)
+    found.to_netcdf(tmp_path / "a.nc")
+    xr.testing.assert_equal(xr.load_dataset(tmp_path / "a.nc"), found)
+    with pytest.raises(qt.InputError, match="run the same `quartering assess` again"):
+        opened(str(tmp_path / "a.nc"))
 
 
 def test_threads_an_interrupt_and_a_store_do_not_change_a_number(found, monkeypatch, tmp_path):
