@@ -20,14 +20,17 @@ def opened(result: str) -> xr.Dataset:
     path = Path(result)
     if not path.exists():
         raise InputError(f'there is no "{result}": give the folder of a sweep, or the netCDF file of a map')
-    try:
-        found = open_result(path) if path.is_dir() else xr.load_dataset(path)
-    except (OSError, ValueError):
-        raise InputError(f'"{result}" is neither the folder of a sweep nor a netCDF file') from None
+    if path.is_dir():
+        found = open_result(path)
+    else:
+        try:
+            found = xr.load_dataset(path)
+        except (OSError, ValueError):
+            raise InputError(f'"{result}" is neither the folder of a sweep nor a netCDF file') from None
     if "lost_expected" in found:
         raise InputError(
-            f'"{result}" holds cells of a direct assessment: run the same `quartering assess` again, which computes only what is'
-            " missing and tells their sum"
+            f'"{result}" holds cells of a direct assessment: run the same `quartering assess` again, which computes only what'
+            " is missing and tells their sum"
         )
     return found
 
