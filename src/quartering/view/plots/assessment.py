@@ -136,7 +136,7 @@ def _notes(ds: xr.Dataset, one: xr.Dataset) -> list[str]:
     status = one["status"].values
     counts = ", ".join(f"{n} {kind.label}" for kind in Assessed if (n := int((status == kind).sum())))
     said = [
-        f"Simulated {float(one['hours_spent']):.3g} h, seed {ds.attrs['seed']}, {float(ds.attrs['hours']):g} h a cell at most:"
+        f"Simulated {float(one['hours_spent']):,.0f} h, seed {ds.attrs['seed']}, {float(ds.attrs['hours']):g} h a cell at most:"
         f" {limit_words(ds)}. Cells: {counts}.",
         f"Left out: at most {float(one['left_out']):.2g} 1/s by their upper ends; carried down in height"
         f" {float(one['carried_down']):.2g} 1/s; not judged {float(one['not_judged']):.2%} of the time.",
