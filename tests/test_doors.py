@@ -56,6 +56,8 @@ CALLS = {
     "retardation": lambda one: qt.retardation([0.5, 1.0], one, [1.0]),
     "read_capytaine": lambda one: qt.read_capytaine("no.nc", one),
     "guidance": lambda one: qt.guidance(one, 2.0, 8.0),
+    "direct_assessment": lambda one: qt.direct_assessment(one, 5.0),
+    "direct_assessment by": lambda one: qt.direct_assessment(SHIP, 5.0, hours=one if one != 3.0 else "x"),
     "design_point": lambda one: qt.design_point(one, qt.Sea(hs=2, tp=8), 5.0, 20.0),
     "design_point in": lambda one: qt.design_point(SHIP, one, 5.0, 20.0),
     "lyapunov": lambda one: qt.lyapunov(one, qt.Sea(hs=2, tp=8), 5.0),

@@ -111,6 +111,8 @@ REFUSED = {
     "polar": (lambda: qt.polar(SHIP, 3, [5], [60]), "wave = 3 is no Wave"),
     "guidance": (lambda: qt.guidance(SHIP, -1, 8), "hs = -1 m; it is above 0 m"),
     "guidance over": (lambda: qt.guidance(SHIP, 1, "8 m"), 'tp = 8 m; unit "m" is not known for a time'),
+    "guidance beside": (lambda: qt.guidance(SHIP, 1, 8, swell=3), "swell = 3 is no Sea; give one, its heading the angle off"),
+    "assessment": (lambda: qt.direct_assessment(SHIP, "8 s"), 'speed = 8 s; unit "s" is not known for a speed'),
     "guidance by": (lambda: qt.guidance(SHIP, 1, 8, judge="rate", threshold=2), "threshold = 2; it is above 0 and at most 1"),
     "Autopilot": (lambda: qt.Autopilot(-1), "autopilot_gain = -1; it is from 0 to 100"),
     "Loading": (lambda: qt.Loading("1 kg", 1, 1, 1), 'gm = 1 kg; unit "kg" is not known for a length'),

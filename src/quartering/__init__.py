@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from quartering.study.effects.sensitivity import sensitivity
     from quartering.study.effects.tornado import tornado
     from quartering.study.effects.vary import vary
+    from quartering.study.maps.assessment import direct_assessment
     from quartering.study.maps.extension import edges_of_largest
     from quartering.study.maps.guidance import guidance
     from quartering.study.maps.polar import polar
@@ -132,6 +133,7 @@ _HOMES = {
     "limiting_kg": "study.criteria.limiting_kg",
     "operational_guidance": "study.criteria.operational",
     "cures": "study.effects.cure",
+    "direct_assessment": "study.maps.assessment",
     "design_point": "study.seas.design_point",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
@@ -182,6 +184,7 @@ __all__ = [
     "cures",
     "decay_record",
     "design_point",
+    "direct_assessment",
     "edge",
     "edges_of_largest",
     "encounter_frequency",

@@ -60,6 +60,18 @@ ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
     "rate_limit": Option(
         "threshold", "ratio", "rate of failures that is allowed [1/s]", low=0, above=True, high=1, usual=1e-6
     ),
+    "precision": Option(
+        "precision",
+        "ratio",
+        "half width of the interval of a rate over what it adds to the sum",
+        low=0,
+        above=True,
+        high=1,
+        usual=0.2,
+    ),
+    "left_out_share": Option(
+        "share", "ratio", "of what matters, that cells left out may add up to", low=0, high=0.5, usual=0.01
+    ),
     "until": Option(
         "until",
         "ratio",

@@ -112,6 +112,8 @@ REFERENCES: Final[dict[str, str]] = {
     "Rice44": "Rice, S. O. (1944). Mathematical analysis of random noise. Bell System Technical Journal 23, 24.",
     "Vanmarcke75": "Vanmarcke, E. H. (1975). On the distribution of the first-passage time for normal stationary random "
     "processes. Journal of Applied Mechanics 42.",
+    "Fay97": "Fay, M. P., Feuer, E. J. (1997). Confidence intervals for directly standardized rates: a method based on the "
+    "gamma distribution. Statistics in Medicine 16.",
     "Tucker84": "Tucker, M. J., Challenor, P. G., Carter, D. J. T. (1984). Numerical simulation of a random sea: a common "
     "error and its effect upon wave group statistics. Applied Ocean Research 6.",
     "Gustavsen99": "Gustavsen, B., Semlyen, A. (1999). Rational approximation of frequency domain responses by vector fitting. "

@@ -11,6 +11,11 @@ import quartering as qt
 from quartering.study.conditions import evaluate_block
 from quartering.study.grid import grid
 from quartering.study.maps import executor
+from quartering.study.maps.result import open_result
+from quartering.study.maps.sweep import fill
+from quartering.study.seas.conditions import SIMULATION
+from quartering.study.seas.grid import sea_grid
+from quartering.study.seas.settings import SeaSettings
 
 SHIP = qt.ship("series60-cb60")
 CONDITIONS = {
@@ -86,3 +91,33 @@ def test_local_workers_begin_and_end_with_the_sweep():
     pytest.importorskip("distributed")
     small = CONDITIONS | {"gm": [0.9], "heading": [30.0, 60.0]}
     xr.testing.assert_identical(qt.sweep(SHIP, **small, cluster="local:2"), qt.sweep(SHIP, **small))
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_local_workers_write_the_bytes_of_seas_that_threads_write(tmp_path):
+    """Guidance in seas with a loading, one cell of it simulated: every block's file equal byte for byte, and the datasets."""
+    pytest.importorskip("distributed")
+    told = SeaSettings(judge="rate", hours=32.0, swell=qt.Sea(hs=1, tp=14, heading=40))
+    wanted = sea_grid(SHIP, [7.5], [60.0, 150.0], [3.0, 6.0], [11.0], settings=told, gm=[0.8, 0.9]).in_blocks_of(4)
+    fill(wanted, tmp_path / "threads")
+    fill(wanted, tmp_path / "workers", cluster="local:2")
+    files = sorted(one.name for one in (tmp_path / "threads" / "blocks").glob("*.nc"))
+    assert len(files) == len(wanted.blocks) > 1
+    for name in files:
+        single, many = (tmp_path / way / "blocks" / name for way in ("threads", "workers"))
+        assert many.read_bytes() == single.read_bytes(), name
+    own = open_result(tmp_path / "threads").load()
+    assert (own["rung"] == SIMULATION).any()
+    xr.testing.assert_identical(open_result(tmp_path / "workers").load(), own)
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.soak
+def test_local_workers_assess_as_threads_do():
+    pytest.importorskip("distributed")
+    table = xr.DataArray([[4.0], [1.0]], {"hs": [3.5, 4.5], "tz": [8.5]}, ("hs", "tz"))
+    given = {"speed": 7.5, "heading": [60.0, 120.0], "occurrence": table, "spreading": None, "hours": 32}
+    ship = SHIP.with_(openings="12 deg")
+    own = qt.direct_assessment(ship, **given)
+    assert float(own["failures"].sum()) > 0
+    xr.testing.assert_identical(qt.direct_assessment(ship, **given, cluster="local:2"), own)

@@ -65,6 +65,24 @@ def test_conditions_without_an_answer_are_not_counted_and_said():
     assert np.isfinite(life["failure_rate"])
 
 
+def test_a_map_over_peak_periods_takes_the_mean_period_of_each_height():
+    """Two heights whose seas of one peak period have other mean periods: 8 and 9 s at 3 m, 9 and 10 s at 4 m."""
+    tz = xr.DataArray([[8.0, 9.0], [9.0, 10.0]], dims=("hs", "tp"))
+    one = rates([3.0, 4.0], [11.0, 12.0]).rename(tz="tp").assign_coords(tz=tz)
+    table = xr.DataArray([[4.0, 0, 0], [0, 1, 3]], {"hs": [3.0, 4.0], "tz": [8.0, 9.0, 10.0]}, ("hs", "tz"))
+    life = qt.long_term(one, table)
+    np.testing.assert_allclose(life["weight"], [[0.5, 0.0], [0.125, 0.375]], rtol=1e-12)
+    mean = one["failure_rate"].isel(heading=0, speed=0).values
+    np.testing.assert_allclose(life["failure_rate"], (life["weight"].values * mean).sum(), rtol=1e-12)
+
+
+def test_headings_all_round_count_alike():
+    """Mean of 1 + sin mu over 0, 90, 180, 270 deg is 1: both ends of an axis that goes round count as the others."""
+    plain = float(qt.long_term(rates(TABLE.hs, TABLE.tz))["failure_rate"])
+    way = rates(TABLE.hs, TABLE.tz, (0.0, 90.0, 180.0, 270.0), by=lambda mu, _: 1.0 + np.sin(np.radians(mu)))
+    np.testing.assert_allclose(qt.long_term(way)["failure_rate"], plain, rtol=1e-12)
+
+
 SOME = rates([3.0, 4.0], [8.0, 9.0])
 
 

@@ -42,8 +42,9 @@ def main_options(
 
 _ORDER = (
     "ships", "new", "hull", "coefficients", "forces", "responses", "criteria", "decay", "verdict", "simulate", "branch",
-    "basin", "parametric", "surf_riding", "broaching", "sea", "polar", "booklet", "vary", "sweep", "worst", "show",
-    "figures", "duffing", "report", "operational", "app",
+    "basin", "parametric", "surf_riding", "broaching", "sea", "lyapunov", "design_point", "polar", "booklet", "vary",
+    "sweep", "worst", "show",
+    "figures", "duffing", "report", "operational", "long_term", "assess", "app",
 )  # fmt: skip
 """Order of the commands in `quartering --help`; one that is not named stands at the end."""
 

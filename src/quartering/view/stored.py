@@ -11,6 +11,7 @@ import xarray as xr
 from quartering.conventions import InputError, headed, written
 from quartering.study.maps.query import OF_CONDITIONS, needing_more, sea_of
 from quartering.study.maps.result import open_result
+from quartering.study.seas.map_axes import period_of
 from quartering.view.wording import harmonics_of, more_harmonics_words, value_words
 
 
@@ -20,11 +21,18 @@ def opened(result: str) -> xr.Dataset:
     if not path.exists():
         raise InputError(f'there is no "{result}": give the folder of a sweep, or the netCDF file of a map')
     if path.is_dir():
-        return open_result(path)
-    try:
-        return xr.load_dataset(path)
-    except (OSError, ValueError):
-        raise InputError(f'"{result}" is neither the folder of a sweep nor a netCDF file') from None
+        found = open_result(path)
+    else:
+        try:
+            found = xr.load_dataset(path)
+        except (OSError, ValueError):
+            raise InputError(f'"{result}" is neither the folder of a sweep nor a netCDF file') from None
+    if "lost_expected" in found:
+        raise InputError(
+            f'"{result}" holds cells of a direct assessment: run the same `quartering assess` again, which computes only what'
+            " is missing and tells their sum"
+        )
+    return found
 
 
 def map_of(part: xr.Dataset) -> xr.Dataset:
@@ -58,7 +66,9 @@ def sea_part(ds: xr.Dataset, where: Mapping[str, float]) -> xr.Dataset:
     for name, value in where.items():
         if name not in allowed:
             raise InputError(f"a cut at {name} is asked for; this result can be cut at {', '.join(allowed)}")
-        dim = "tz" if name == "tp" else name
+        dim = period_of(ds) if name in ("tp", "tz") else name
+        if name in ds.coords and ds[name].ndim > 1:
+            raise InputError(f"a cut at {name} is asked for; here it hangs on hs and {dim}: cut at {dim}")
         values = np.arange(1, ds.sizes["loading"] + 1) if name == "loading" else ds[name].values
         ds = ds.isel({dim: [int(np.abs(values - value).argmin())]})
     return ds.load()

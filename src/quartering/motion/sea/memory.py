@@ -78,6 +78,25 @@ class Memory:
         return rates, drive, force
 
 
+def fastest(memory: Memory, linear: Floats) -> float:
+    """Largest modulus of the eigenvalues of the linear motion with its further states [1/s].
+
+    linear (3, 4): linear forces by v, phi, p, r at the frequency of free roll
+
+    The fractions act back on the motion: together they may be three times as fast as the poles of the fit, and a step of time
+    has to be short enough for that.
+    """
+    rates, drive, force = memory.states()
+    inverse = np.linalg.inv(memory.inertia)
+    whole = np.zeros((4 + len(rates), 4 + len(rates)))
+    whole[_VELOCITIES, :4] = inverse @ memory.linear(linear)
+    whole[_VELOCITIES, 4:] = inverse @ force
+    whole[1, 2] = 1.0
+    whole[4:, _VELOCITIES] = drive
+    whole[4:, 4:] = rates
+    return float(np.abs(np.linalg.eigvals(whole)).max())
+
+
 def memory_of(equations: SeaEquations, energy: Floats) -> Memory | None:
     """The fit of least order that is near enough, stable and passive; None where nothing changes with frequency.
 

@@ -10,7 +10,7 @@ from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Spectrum
 from quartering.motion.steady.harmonic import MOST_HARMONICS
 from quartering.options import OPTIONS, choice_axes, line_of, loading_axes
-from quartering.study.seas.grid import Judge
+from quartering.study.seas.settings import Judge
 
 
 def _no_switch(given: Any) -> Any:
@@ -45,6 +45,18 @@ else:  # the axes are those of the table of options
     )
 
 
+class SwellKeys(_Strict):
+    """A swell beside each sea of a study."""
+
+    hs: float | str = Field(description="significant wave height [m]")
+    tp: float | str | None = Field(default=None, description="period of the peak [s]; or give tz")
+    tz: float | str | None = Field(default=None, description="mean zero-crossing period [s]; or give tp")
+    heading: float | str = Field(default=0.0, description="angle off the sea it stands beside [deg]")
+    spectrum: Spectrum = Field(default="jonswap", description="of the swell")
+    gamma: float = Field(default=3.3, description="peak enhancement of jonswap, 1 to 20")
+    spreading: float | str = Field(default="none", description="as of the sea")
+
+
 class SeaAxes(_Strict):
     """Irregular seas, in place of regular waves; every combination of height and period is computed."""
 
@@ -58,6 +70,7 @@ class SeaAxes(_Strict):
     spreading: float | str = Field(
         default="none", description="s of cos^2s of half the angle, cos2, or none for long-crested seas"
     )
+    swell: SwellKeys | None = Field(default=None, description="beside each of the seas")
     judge: Judge = Field(default="largest", description="guidance by the largest motion of three hours, or by failures")
     threshold: float | None = Field(
         default=None, description="factor on that motion, by default 2, or rate of failures, 1e-6 [1/s]"

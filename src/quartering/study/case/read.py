@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, Final
@@ -20,14 +20,16 @@ from quartering.hull.file.read import ship
 from quartering.hull.file.refusals import allowed, nearest_word, user_words
 from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.ship import Ship
+from quartering.loads.sea.sea import Sea
 from quartering.names import checked_values
 from quartering.option_checks import Option, Refused, quoted
 from quartering.options import OPTIONS
-from quartering.study.case.keys import Case, LoadingAxes, SeaAxes, Values
+from quartering.study.case.keys import Case, LoadingAxes, SeaAxes, SwellKeys, Values
 from quartering.study.case.values import values_of
 from quartering.study.grid import CONDITION_AXES, SEA_AXES, STEEPNESS, Grid, axis, grid
 from quartering.study.loadings import CHOICE_AXES
 from quartering.study.seas.grid import sea_grid
+from quartering.study.seas.settings import SeaSettings
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,7 @@ def case_grid(path: str | Path) -> Grid:
     asked: dict[str, Any] = {**axes, "form": case.form, "factors": factors, "values": values, **loading}
     sea = None if case.sea is None else _sea(case, own, place, asked)
     try:
-        made = grid(own, **asked, harmonics=case.harmonics) if sea is None else sea_grid(own, **asked, **sea)
+        made = grid(own, **asked, harmonics=case.harmonics) if sea is None else _seas(own, asked | sea)
     except InputError as error:
         raise place.says(_blamed(str(error), place), str(error)) from None
     return replace(made, text=text)
@@ -96,7 +98,25 @@ def _sea(case: Case, own: Ship, place: _Place, given: Mapping[str, Any]) -> dict
     for name in SEA_AXES:
         if sea[name] is not None:
             sea[name] = _values(place, ("sea", name), sea[name], ARGUMENTS[name], own)
+    sea["swell"] = _swell(case.sea, place)
     return sea | {"spreading": None if sea["spreading"] == "none" else sea["spreading"]}
+
+
+def _swell(of: SeaAxes | None, place: _Place) -> Sea | None:
+    """The swell a case puts beside its seas."""
+    if of is None or of.swell is None:
+        return None
+    told = dict(of.swell)
+    try:
+        return Sea(**told | {"spreading": None if told["spreading"] == "none" else told["spreading"]})
+    except InputError as error:
+        raise place.says(("sea", "swell"), f"swell: {error}") from None
+
+
+def _seas(own: Ship, given: dict[str, Any]) -> Grid:
+    """The grid of a case in irregular seas."""
+    told = {one.name: given.pop(one.name) for one in fields(SeaSettings)}
+    return sea_grid(own, **given, settings=SeaSettings(**told))
 
 
 _GROUPS: Final[Mapping[str, type[BaseModel]]] = {"loading": LoadingAxes, "sea": SeaAxes}
@@ -140,7 +160,7 @@ def _refusal(error: ValidationError, place: _Place, content: dict[str, Any]) -> 
     if path == ("coefficients",):
         raise place.says(path, COEFFICIENTS)
     if problem["type"] == "extra_forbidden":
-        known = _keys(_GROUPS.get(path[0], Case))
+        known = _keys(SwellKeys if path[:2] == ("sea", "swell") else _GROUPS.get(path[0], Case))
         nearest = get_close_matches(path[-1], known, n=1, cutoff=0.0)[0]
         return place.says(path, f"{path[-1]} is unknown; did you mean {nearest}? Keys allowed here: {', '.join(known)}")
     if problem["type"] == "missing":
@@ -158,7 +178,8 @@ def _keys(of: type[BaseModel]) -> list[str]:
 
 
 def _allowed_everywhere() -> set[str]:
-    return {*_keys(Case), *(key for group in _GROUPS.values() for key in _keys(group))}
+    groups: tuple[type[BaseModel], ...] = (*_GROUPS.values(), SwellKeys)
+    return {*_keys(Case), *(key for group in groups for key in _keys(group))}
 
 
 def _values(place: _Place, path: tuple[str, ...], given: Values, one: Option, own: Ship) -> NDArray[np.float64]:

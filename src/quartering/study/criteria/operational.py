@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY, InputError
 from quartering.study.criteria.constants import constant, limit
+from quartering.study.seas.map_axes import dims_of
 
 Flags = NDArray[np.int8]
 
@@ -20,7 +21,6 @@ FORMS: Final = ("probabilistic", "deterministic", "simplified")
 ADVICE: Final = ("recommended", "not recommended", "undecided", "not valid")
 """What guidance says of a condition, by its number."""
 RECOMMENDED, NOT_RECOMMENDED, UNDECIDED, NOT_VALID = range(4)
-DIMS: Final = ("loading", "hs", "tz", "speed", "heading")
 _NEEDED: Final = (
     "failure_rate", "rate_lower", "rate_upper", "roll_mean_3h_max", "roll_3h_max_lower", "roll_3h_max_upper",
 )  # fmt: skip
@@ -64,14 +64,18 @@ def operational_guidance(
     >>> operational_guidance(ds).simplified.values.ravel().tolist()
     [0, 0, 1, 0]
     """
-    if not isinstance(found, xr.Dataset) or not {*_NEEDED, *DIMS[1:]} <= {*found.data_vars, *found.coords}:
+    if not isinstance(found, xr.Dataset) or not {*_NEEDED, "hs", "tz", "speed", "heading"} <= {
+        *found.data_vars,
+        *found.coords,
+    }:
         raise InputError(
             "found is no map over seas; give a dataset over hs, tz, speed and heading with rates and largest motions"
         )
     rate = _limit("rate_limit", rate_limit, "operational_guidance.failure_rate")
     factor = _limit("safety_factor", safety_factor, "operational_guidance.safety_factor")
     whole = found if "loading" in found.dims else found.expand_dims("loading")
-    whole = whole.transpose(*DIMS, ...)
+    dims = dims_of(whole)
+    whole = whole.transpose(*dims, ...)
     roll_limit = float(found.attrs["roll_limit"])
     by_rate = _side(whole["rate_lower"], whole["rate_upper"], rate)
     by_motion = _side(whole["roll_3h_max_lower"], whole["roll_3h_max_upper"], roll_limit / factor)
@@ -87,7 +91,7 @@ def operational_guidance(
     kept = [name for name in (*_NEEDED, "lateral_acceleration_3h_max", "failures", "exposure") if name in whole]
     fields: dict[str, Any] = {name: whole[name] for name in kept}
     fields |= {
-        name: (DIMS, values, flags | {"units": "1", "long_name": f"advice in the {name} form"})
+        name: (dims, values, flags | {"units": "1", "long_name": f"advice in the {name} form"})
         for name, values in zip(FORMS, forms, strict=True)
     }
     return xr.Dataset(fields, whole.coords, _about(found, rate, factor, roll_limit))
@@ -113,7 +117,7 @@ def _worse(one: Flags, other: Flags) -> Flags:
 
 
 def simplified(found: xr.Dataset, length: float) -> Flags:
-    """Advice by speed, heading and sea alone, over `DIMS`.
+    """Advice by speed, heading and sea alone, over `dims_of`.
 
     length: of the ship [m]
     """
@@ -130,7 +134,7 @@ def simplified(found: xr.Dataset, length: float) -> Flags:
     lost = along > limit("simplified_guidance.pure_loss_speed") * math.sqrt(length)
     said = (high & fast) | lost
     count = found.sizes["loading"]
-    whole = said.expand_dims(loading=count).broadcast_like(found["failure_rate"]).transpose(*DIMS)
+    whole = said.expand_dims(loading=count).broadcast_like(found["failure_rate"]).transpose(*dims_of(found))
     return np.where(whole.values, NOT_RECOMMENDED, RECOMMENDED).astype(np.int8)
 
 
@@ -143,7 +147,7 @@ def _about(found: xr.Dataset, rate: float, factor: float, roll_limit: float) -> 
         return f"{own}MSC.1/Circ.1627, {one.place}: {one.status}"
 
     kept = ("ship", "ship_length", "loading", "sea", "hours", "seed", "acceleration_limit", "roll_limit_reason",
-            "interval_of_closure", "provenance", "estimated_coefficients", "estimated_by")  # fmt: skip
+            "interval_of_closure", "provenance", "sides", "estimated_coefficients", "estimated_by")  # fmt: skip
     rules = {
         "probabilistic": f"not recommended where the rate of failures is above {rate:.3g} 1/s "
         f"({source('operational_guidance.failure_rate', rate)})",
@@ -162,15 +166,16 @@ def guidance_csv(ds: xr.Dataset) -> str:
     numbers = [name for name in ds.data_vars if name not in FORMS]
     units = [str(ds[name].attrs.get("units", "1")) for name in numbers]
     writer = csv.writer(text, lineterminator="\n")
-    heads = ["loading", "hs [m]", "tz [s]", "speed [m/s]", "heading [deg]", *FORMS]
+    dims = dims_of(ds)
+    heads = ["loading", "hs [m]", f"{dims[2]} [s]", "speed [m/s]", "heading [deg]", *FORMS]
     writer.writerow([*heads, *(f"{name} [{unit}]" for name, unit in zip(numbers, units, strict=True))])
     names = (
         [str(one) for one in ds["loading"].values] if "loading" in ds.coords else map(str, range(ds.sizes["loading"]))
     )
     loadings = list(names)
-    for place in np.ndindex(*(ds.sizes[name] for name in DIMS)):
-        at = dict(zip(DIMS, place, strict=True))
-        axes = [f"{float(ds[name].values[at[name]]):.6g}" for name in DIMS[1:]]
+    for place in np.ndindex(*(ds.sizes[name] for name in dims)):
+        at = dict(zip(dims, place, strict=True))
+        axes = [f"{float(ds[name].values[at[name]]):.6g}" for name in dims[1:]]
         said = [ADVICE[int(ds[form].values[place])] for form in FORMS]
         values = [f"{float(ds[name].values[place]):.4g}" for name in numbers]
         writer.writerow([loadings[at["loading"]], *axes, *said, *values])

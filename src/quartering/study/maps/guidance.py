@@ -15,10 +15,11 @@ from quartering.doors import takes
 from quartering.hull.option_types import StudyAxes
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
-from quartering.loads.sea.sea import Spectrum
+from quartering.loads.sea.sea import Sea, Spectrum
 from quartering.loads.sea.spreading import Spreading
 from quartering.study.maps.sweep import evaluated, filled
-from quartering.study.seas.grid import Judge, sea_grid
+from quartering.study.seas.grid import sea_grid
+from quartering.study.seas.settings import Judge, SeaSettings
 
 
 @takes(ship="Ship")
@@ -33,6 +34,7 @@ def guidance(
     spectrum: Spectrum = "jonswap",
     gamma: float = 3.3,
     spreading: Spreading = None,
+    swell: Sea | None = None,
     judge: Judge = "largest",
     threshold: float | None = None,
     hours: float = 0.0,
@@ -53,8 +55,9 @@ def guidance(
     hs : (n,) float             significant heights [m]; here and below numbers, text with a unit, or a range ("4..8 m step 2")
     tp, tz : (m,) float         periods of the peak, or mean zero-crossing periods: one of the two [s]
     speed : (u,) float          [m/s]
-    heading : (h,) float        the sea goes to, from the bow [deg]; by default 0 to 180 every 5
-    spectrum, gamma, spreading  of the seas, as of `Sea`; of "torsethaugen" one hs and one tp: its mean period follows from both
+    heading : (h,) float        the sea goes to, from the bow [deg]; by default 0 to 180 every 5, to 355 beside a swell off it
+    spectrum, gamma, spreading  of the seas, as of `Sea`; of "torsethaugen", whose mean period hangs on its height too, tp
+    swell : Sea                 beside each of the seas; its heading is the angle off that of the sea [deg]
     judge : str                 "largest": the mean largest motion of three hours against the limit of a failure; "rate": the
                                 rate of failures
     threshold : float           factor on that mean, or rate [1/s]; by default 2 and 1e-6, recalled from MSC.1/Circ.1627,
@@ -70,7 +73,8 @@ def guidance(
     xarray.Dataset    dims loading, hs, tz, speed, heading: roll_rms, roll_mean_3h_max with the ends of its interval [deg],
                       lateral_acceleration_3h_max with its ends [m/s2], failure_rate, rate_lower, rate_upper [1/s], failures and
                       exposure [h] where simulated, n2, k2, exponent, status, rung (how it was answered), recommended. tp along
-                      tz; pile_up (line) [m/s]: U cos mu of the danger lines that no sea moves
+                      tz, or of Torsethaugen's spectrum tp in its place and tz over hs and tp; pile_up (line) [m/s]: U cos mu of
+                      the danger lines that no sea moves
 
     Raises
     ------
@@ -84,7 +88,8 @@ def guidance(
     -----
     Each condition is closed (statistical linearisation). Where an interval of what is judged straddles its limit, it is
     simulated until it does not, or it stays undecided. The interval of the closure is the one found beside simulation in
-    twelve seas. Headings from 180 to 360 mirror those from 0 to 180.  Source: `sea_response`, `irregular`. Nothing here shows
+    twelve seas. Headings from 180 to 360 mirror those from 0 to 180, but for a swell from one side.
+    Source: `sea_response`, `irregular`. Nothing here shows
     compliance with any rule; sway-roll-yaw motion is none of the five modes of the criteria.
 
     Examples
@@ -94,10 +99,11 @@ def guidance(
     >>> found["recommended"].dims, bool((found["roll_3h_max_lower"] < found["roll_mean_3h_max"]).all())
     (('loading', 'hs', 'tz', 'speed', 'heading'), True)
     """
+    settings = SeaSettings(spectrum, gamma, spreading, swell, judge, threshold, hours, seed, form).checked()
+    usual = np.arange(0.0, 360.0 if settings.one_sided else 181.0, 5.0)
     wanted = sea_grid(
-        ship, speed, np.arange(0.0, 181.0, 5.0) if heading is None else heading, hs, tp, tz, spectrum=spectrum, gamma=gamma,
-        spreading=spreading, judge=judge, threshold=threshold, hours=hours, seed=seed, form=form, factors=factors,
-        values=values, **axes,
+        ship, speed, usual if heading is None else heading, hs, tp, tz, settings=settings, factors=factors, values=values,
+        **axes,
     )  # fmt: skip
 
     def told(done: int, _: Counter[str]) -> None:

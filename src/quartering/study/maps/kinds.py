@@ -19,8 +19,9 @@ from quartering.study import conditions, dataset
 from quartering.study.condition.resonance import missed_resonance
 from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid
 from quartering.study.maps.query import MISSED
+from quartering.study.seas import assessed, assessment_dataset, guidance_dataset
 from quartering.study.seas import conditions as sea_conditions
-from quartering.study.seas import guidance_dataset
+from quartering.study.seas.assessment_grid import AssessmentGrid
 from quartering.study.seas.grid import SeaGrid
 
 Found = Mapping[str, NDArray[np.generic]]
@@ -74,12 +75,14 @@ class StudyKind:
 
 def kind_of(grid: Grid) -> StudyKind:
     """Kind of a grid."""
+    if isinstance(grid, AssessmentGrid):
+        return ASSESSMENT
     return SEAS if isinstance(grid, SeaGrid) else WAVES
 
 
 def kind_of_case(case: Mapping[str, Any]) -> StudyKind:
     """Kind of what a store says of its case."""
-    return SEAS if case.get("kind") == "seas" else WAVES
+    return {"seas": SEAS, "assessment": ASSESSMENT}.get(str(case.get("kind")), WAVES)
 
 
 def _waves_labelled(
@@ -121,12 +124,21 @@ WAVES: Final = StudyKind(
     missed=missed_resonance,
     code=("study/conditions.py", "study/condition/beside.py", "study/loading_systems.py", *_SHARED_CODE),
 )
+_SEA_CODE: Final = (
+    "study/seas",
+    "study/criteria/constants.py",
+    "study/dataset.py",
+    "study/conditions.py",
+    "study/condition/beside.py",
+    "study/loading_systems.py",
+    *_SHARED_CODE,
+)
 SEAS: Final = StudyKind(
     results=sea_conditions.RESULTS,
     flags={name: int(value) for name, value in sea_conditions.UNKNOWN.items()},
     of_points=(),
     dims={},
-    axes=("speed", "heading", "tz", "hs"),
+    axes=("speed", "heading", "tz", "tp", "hs"),
     evaluate=sea_conditions.evaluate_sea_block,
     others=lambda _: {},
     attributes=guidance_dataset.attributes,
@@ -134,13 +146,20 @@ SEAS: Final = StudyKind(
     labelled=guidance_dataset.labelled,
     warn=sea_conditions.warn_of_seas,
     missed=lambda _: (),
-    code=(
-        "study/seas",
-        "study/criteria/constants.py",
-        "study/dataset.py",
-        "study/conditions.py",
-        "study/condition/beside.py",
-        "study/loading_systems.py",
-        *_SHARED_CODE,
-    ),
+    code=_SEA_CODE,
+)
+ASSESSMENT: Final = StudyKind(
+    results=assessed.RESULTS,
+    flags={name: int(value) for name, value in assessed.UNKNOWN.items()},
+    of_points=(),
+    dims={},
+    axes=("speed", "heading", "tz", "hs"),
+    evaluate=assessed.evaluate_assessment_block,
+    others=assessed.often_lost,
+    attributes=assessment_dataset.attributes,
+    heading=assessment_dataset.heading_of,
+    labelled=assessment_dataset.labelled,
+    warn=assessed.warn_of_lost,
+    missed=lambda _: (),
+    code=_SEA_CODE,
 )

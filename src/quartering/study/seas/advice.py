@@ -17,8 +17,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from quartering.study.seas.grid import Judge
 from quartering.study.seas.moments import Moments
+from quartering.study.seas.settings import Judge
 
 Floats = NDArray[np.float64]
 

@@ -11,6 +11,7 @@ import warnings
 from collections import OrderedDict
 from collections.abc import Mapping
 from concurrent.futures import Future
+from itertools import product
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -22,11 +23,13 @@ from quartering.loads.sea.cells import wave_cells
 from quartering.loads.sea.sea import STEEP_SEA, STEEPEST_SEA, Sea
 from quartering.motion.sea.equations import SeaEquations, equations_of_ship, free_roll_of
 from quartering.study.seas.advice import Advice, Judged, advised, judged_by_closure, judged_by_simulation
+from quartering.study.seas.asked import asked_of, felt_limit_of, roll_limit_of
 from quartering.study.seas.blocks import FEWEST, Tally, run_blocks
-from quartering.study.seas.grid import SeaGrid, steepness
+from quartering.study.seas.grid import SeaGrid
+from quartering.study.seas.planned import known_of, planned
 from quartering.study.seas.response import LEAST_DAMPING, Answer, SeaStatus, answer_of, place_of, status_of
+from quartering.study.seas.settings import TWO_PEAKED
 from quartering.study.seas.simulated import simulated_dataset
-from quartering.study.seas.simulation import asked_of, felt_limit_of, known_of, planned, roll_limit_of
 
 Floats = NDArray[np.float64]
 _KEPT_SPEEDS: Final = 4
@@ -79,7 +82,7 @@ def evaluate_sea_block(grid: SeaGrid, index: int) -> dict[str, NDArray[np.generi
     ((1, 2, 2), [2])
     """
     block = grid.blocks[index]
-    u, mu, tz = grid.points(block.points)
+    u, mu, period = grid.points(block.points)
     heights = grid.axes["hs"]
     shape = (block.loadings.stop - block.loadings.start, u.size, heights.size)
     results: dict[str, NDArray[np.generic]] = {
@@ -89,7 +92,7 @@ def evaluate_sea_block(grid: SeaGrid, index: int) -> dict[str, NDArray[np.generi
         for j in range(u.size):
             at = _at(grid, loading, float(u[j]))
             for k, hs in enumerate(heights.tolist()):
-                sea = grid.sea_at(hs, float(tz[j]), float(mu[j]))
+                sea = grid.sea_at(hs, float(period[j]), float(mu[j]))
                 found = _no_sea() if sea is None else _condition(grid, at, sea)
                 for name, value in found.items():
                     results[name][i, j, k] = value
@@ -120,16 +123,20 @@ def _made(grid: SeaGrid, loading: int, speed: float) -> At:
     """Equations over the cells of all seas of the grid: they do not hang on how it is divided into blocks."""
     ship = grid.loaded(loading) if grid.loadings else grid.ship
     frequency, damping = free_roll_of(ship, speed)
-    # the band of a sea follows from its period alone: one height stands for all
-    seas = [
-        sea
-        for tz in grid.axes["tz"].tolist()
-        for mu in (grid.axes["heading"].tolist() if grid.spreading is None else grid.axes["heading"][:1].tolist())
-        if (sea := grid.sea_at(float(grid.axes["hs"].min()), tz, mu)) is not None
-    ]
-    cells = wave_cells(seas, speed, frequency, max(damping, LEAST_DAMPING))
+    cells = wave_cells(_seas_of(grid), speed, frequency, max(damping, LEAST_DAMPING))
     limits = (roll_limit_of(ship, None)[0], felt_limit_of(ship, None, None))
     return At(ship, speed, equations_of_ship(ship, cells, grid.form), frequency, place_of(ship, None), limits)
+
+
+def _seas_of(grid: SeaGrid) -> list[Sea]:
+    """Seas that have the bands and directions of all seas of a grid."""
+    # the band of a sea with one peak follows from its period alone: one height stands for all
+    heights = grid.axes["hs"].tolist() if grid.spectrum == TWO_PEAKED else [float(grid.axes["hs"].min())]
+    swell = () if grid.swell is None else grid.swell.partitions
+    lines = grid.spreading is None or any(one.spreading is None for one in swell)
+    headings = grid.axes["heading"] if lines else grid.axes["heading"][:1]
+    every = product(heights, grid.axes[grid.period].tolist(), headings.tolist())
+    return [sea for one in every if (sea := grid.sea_at(*one)) is not None]
 
 
 def _no_sea() -> dict[str, Any]:
@@ -201,7 +208,7 @@ def _simulated(grid: SeaGrid, at: At, sea: Sea) -> dict[str, Any]:
 
 def warn_of_seas(grid: SeaGrid, counts: Mapping[str, int]) -> None:
     """Say how many conditions of a map are not valid, and why, and how many of its seas are steep."""
-    steep = steepness(grid.axes["hs"][:, None], grid.axes["tz"])
+    steep = grid.steepness
     doubtful = int(((steep > STEEP_SEA) & (steep <= STEEPEST_SEA)).sum())
     if doubtful:
         words = f"{doubtful} of {steep.size} seas are steeper than {STEEP_SEA:g}: linear waves are doubtful"

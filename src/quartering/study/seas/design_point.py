@@ -37,9 +37,10 @@ from quartering.motion.sea.synthesis import RECORDS, Record, cross_spectra, reco
 from quartering.motion.sea.windows import roll_of_windows
 from quartering.motion.transient.rk4 import Alike
 from quartering.study.dataset import made_by
+from quartering.study.seas.asked import asked_of
 from quartering.study.seas.dataset import name_of, scalars, sea_coordinates
+from quartering.study.seas.planned import Ready, planned
 from quartering.study.seas.response import limit_of
-from quartering.study.seas.simulation import Ready, asked_of, planned
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]

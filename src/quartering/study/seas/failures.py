@@ -43,6 +43,27 @@ def failure_rate(failures: int, exposure: float, confidence: float = 0.95) -> Ra
     )
 
 
+def weighted_rate(weight: ArrayLike, failures: ArrayLike, exposure: ArrayLike, confidence: float = 0.95) -> Rate:
+    """Sum of rates by their weights, with an interval that is exact where all count alike.
+
+    weight (n,): of each count [1]
+    failures, exposure (n,): k, and time until failure or end [s]
+    confidence: of the two-sided interval
+
+    y = sum w k/T, v = sum (w/T)^2 k, m the largest w/T: the ends are v/(2 y) chi2 of 2 y^2/v degrees of freedom, and the same
+    of y + m and v + m^2. Of counts with one w/T they are those of `failure_rate`.  Source: [Fay97].
+    """
+    each, k = np.asarray(weight, dtype=float) / np.asarray(exposure, dtype=float), np.asarray(failures, dtype=float)
+    if each.size == 0:
+        return Rate(0.0, 0.0, 0.0)
+    y, v, m = float(each @ k), float(each**2 @ k), float(each.max())
+    tail = 0.5 * (1.0 - confidence)
+    lower = v / (2.0 * y) * float(chi2.ppf(tail, 2.0 * y**2 / v)) if y > 0 else 0.0
+    more, spread = y + m, v + m**2
+    upper = spread / (2.0 * more) * float(chi2.ppf(1.0 - tail, 2.0 * more**2 / spread)) if m > 0 else 0.0
+    return Rate(y, lower, upper)
+
+
 def waiting_times_p(times: ArrayLike, block: float, rate: float) -> float:
     """Probability of waiting times as far from exponential ones as these, by Kolmogorov and Smirnov's test.
 

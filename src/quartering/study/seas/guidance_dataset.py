@@ -16,14 +16,14 @@ from quartering.motion.sea.equations import free_roll_of
 from quartering.study import dataset
 from quartering.study.criteria.constants import constant
 from quartering.study.seas.advice import CLOSURE_OVER, RATE_OPEN, Advice
+from quartering.study.seas.asked import felt_limit_of, roll_limit_of
 from quartering.study.seas.conditions import RESULTS, RUNGS
 from quartering.study.seas.dataset import MEANINGS, pile_up_lines
 from quartering.study.seas.grid import SeaGrid
+from quartering.study.seas.map_axes import dims_of
 from quartering.study.seas.response import SeaStatus
-from quartering.study.seas.simulation import felt_limit_of, roll_limit_of
+from quartering.study.seas.settings import mean_periods, period_ratio
 
-DIMS: Final = ("loading", "hs", "tz", "speed", "heading")
-"""Dimensions of operational guidance."""
 _FLAGS: Final[Mapping[str, Mapping[int, str]]] = {
     "status": {int(one): one.name.lower() for one in SeaStatus},
     "recommended": {int(one): one.name.lower() for one in Advice},
@@ -82,14 +82,25 @@ def labelled(
     """Dataset of a map over seas, in the order of `DIMS`; a single loading is one too."""
     data = {name: xr.Variable(dims, results[name], attributes(name)) for name in RESULTS}
     coords = {name: xr.Variable(where, values, attributes(name)) for name, (where, values) in coordinates.items()}
-    ratio = float(heading["period_ratio"])  # type: ignore[arg-type]
-    coords["tp"] = xr.Variable(("tz",), coordinates["tz"][1] / ratio, attributes("tp"))
+    coords |= other_period(heading, coordinates)
     speeds = pile_up_lines(float(heading["roll_frequency"]), 1.0)["pile_up"]  # type: ignore[arg-type]
     made = xr.Dataset(data | {"pile_up": speeds}, coords | {"line": ["synchronous", "parametric"]}, dict(heading))
     if "loading" not in made.dims:
         made = xr.merge([made[[n for n in made if n not in RESULTS]], made[list(RESULTS)].expand_dims("loading")])
         made.attrs = dict(heading)
-    return made.transpose(*DIMS, ...)
+    return made.transpose(*dims_of(made), ...)
+
+
+def other_period(
+    heading: Mapping[str, object], coordinates: Mapping[str, tuple[tuple[str, ...], NDArray[np.float64]]]
+) -> dict[str, xr.Variable]:
+    """Of the two periods of a sea that which is no axis: tp along tz, or tz over height and tp."""
+    spectrum, gamma = str(heading["spectrum"]), float(heading["gamma"])  # type: ignore[arg-type]
+    if "tz" in coordinates:
+        peaks = coordinates["tz"][1] / period_ratio(spectrum, gamma)
+        return {"tp": xr.Variable(("tz",), peaks, attributes("tp"))}
+    mean = mean_periods(spectrum, gamma, coordinates["hs"][1], coordinates["tp"][1])
+    return {"tz": xr.Variable(("hs", "tp"), mean, attributes("tz"))}
 
 
 def heading_of(grid: SeaGrid) -> dict[str, object]:
@@ -104,9 +115,11 @@ def heading_of(grid: SeaGrid) -> dict[str, object]:
     return {
         "title": f"Operational guidance for {ship.name} in irregular seas",
         **{name: own[name] for name in (*kept, "estimated_coefficients", "estimated_by", "Conventions", "source")},
-        "sea": f"{grid.spectrum}{peak}, {spreading}",
+        "sea": f"{grid.spectrum}{peak}, {spreading}{_swell(grid)}",
         "spectrum": grid.spectrum,
-        "period_ratio": grid.period_ratio,
+        "gamma": grid.gamma,
+        "spreading": "none" if grid.spreading is None else _spreading(grid).removeprefix("s "),
+        "sides": "differ" if grid.one_sided else "mirror each other",
         "judge": grid.judge,
         "threshold": grid.threshold,
         "threshold_words": _threshold_words(grid),
@@ -128,6 +141,13 @@ def heading_of(grid: SeaGrid) -> dict[str, object]:
 
 def _spreading(grid: SeaGrid) -> str:
     return "cos2" if grid.spreading == "cos2" else f"s {grid.spreading:g}"
+
+
+def _swell(grid: SeaGrid) -> str:
+    """The swell beside each sea, in words."""
+    if grid.swell is None:
+        return ""
+    return f"; beside it a swell of {grid.swell.words}, {grid.swell.heading:g} deg off"
 
 
 def _threshold_words(grid: SeaGrid) -> str:

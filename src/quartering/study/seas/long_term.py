@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, RangeWarning
 from quartering.study.criteria.constants import constant
-from quartering.study.criteria.sea_states import scatter
 from quartering.study.dataset import made_by
+from quartering.study.seas.map_axes import period_of
+from quartering.study.seas.occurrence import table_of, weights_of
 
 Floats = NDArray[np.float64]
 
@@ -73,16 +74,17 @@ def long_term(
         *found.coords,
     }:
         raise InputError("found is no map over seas; give what quartering.guidance returns")
-    table, status = _table(occurrence)
-    share, missed = _regrouped(table, found["hs"].values, found["tz"].values)
-    each = found[list(_RATES)].transpose("hs", "tz", "heading", "speed", ...)
-    by_heading = _weights("heading_weight", heading_weight, found["heading"].values, round_the_ship=True)
-    by_speed = _weights("speed_weight", speed_weight, found["speed"].values)
+    table, status = table_of(occurrence)
+    period = period_of(found)
+    share, missed = _regrouped(table, found)
+    each = found[list(_RATES)].transpose("hs", period, "heading", "speed", ...)
+    by_heading = weights_of("heading_weight", heading_weight, found["heading"].values, round_the_ship=True)
+    by_speed = weights_of("speed_weight", speed_weight, found["speed"].values)
     weight = xr.DataArray(
-        share[:, :, None, None] * by_heading[:, None] * by_speed, dims=("hs", "tz", "heading", "speed")
+        share[:, :, None, None] * by_heading[:, None] * by_speed, dims=("hs", period, "heading", "speed")
     )  # fmt: skip
     known = each["failure_rate"].notnull()
-    missed += float(weight.where(~known, 0.0).sum(("hs", "tz", "heading", "speed")).max())
+    missed += float(weight.where(~known, 0.0).sum(("hs", period, "heading", "speed")).max())
     if missed > NOTEWORTHY:
         warnings.warn(
             f"{missed:.2%} of the time is spent in seas that the map does not hold or has no answer for: their failures are"
@@ -96,7 +98,7 @@ def long_term(
 def _dataset(found: xr.Dataset, each: xr.Dataset, weight: xr.DataArray, missed: float, status: str) -> xr.Dataset:
     sums = (each * weight).sum(("heading", "speed"))
     level = constant("operational_guidance.year_rate")
-    data: dict[str, Any] = {name: sums[name].sum(("hs", "tz")) for name in _RATES}
+    data: dict[str, Any] = {name: sums[name].sum(("hs", period_of(found))) for name in _RATES}
     for name, words in zip(_RATES, ("failures of a ship over all its seas", "lower end", "upper end"), strict=True):
         data[name].attrs = {"units": "s-1", "long_name": f"rate, {words}"}
     data["failures_a_year"] = (data["failure_rate"] * YEAR).assign_attrs(units="1/year", long_name="failures a year")
@@ -112,27 +114,16 @@ def _dataset(found: xr.Dataset, each: xr.Dataset, weight: xr.DataArray, missed: 
     )  # fmt: skip
 
 
-def _table(given: xr.DataArray | None) -> tuple[xr.DataArray, str]:
-    """Shares of time over hs and tz, and what the table is."""
-    if given is None:
-        own = scatter()
-        table = xr.DataArray(own.weight, {"hs": own.hs, "tz": own.tz}, ("hs", "tz"))
-        return table, f"North Atlantic, IACS Recommendation 34: {own.status}; unverified"
-    if not isinstance(given, xr.DataArray) or set(given.dims) != {"hs", "tz"} or not {"hs", "tz"} <= set(given.coords):
-        raise InputError("occurrence is no table; give a DataArray over hs [m] and tz [s] with both as coordinates")
-    values = given.transpose("hs", "tz").values.astype(float)
-    if not np.isfinite(values).all() or (values < 0).any() or not values.sum() > 0:
-        raise InputError("occurrence has values below 0 or none above; give how often each sea occurs, 0 for never")
-    return given.transpose("hs", "tz").copy(data=values / values.sum()), "given"
-
-
-def _regrouped(table: xr.DataArray, hs: Floats, tz: Floats) -> tuple[Floats, float]:
-    """Shares of time of the seas of a map (n, m), and of those beyond it."""
+def _regrouped(table: xr.DataArray, found: xr.Dataset) -> tuple[Floats, float]:
+    """Shares of time of the seas of a map (n, m), and of those beyond it; a mean period may hang on the height."""
+    hs = found["hs"].values
+    tz = np.broadcast_to(found["tz"].values, (hs.size, found.sizes[period_of(found)]))
     i, there = _nearest(table["hs"].values, hs)
-    j, also = _nearest(table["tz"].values, tz)
-    share = np.zeros((hs.size, tz.size))
+    by_height = [_nearest(table["tz"].values, row) for row in tz]
+    j, also = np.stack([one[0] for one in by_height])[i], np.stack([one[1] for one in by_height])[i]
+    share = np.zeros(tz.shape)
     inside = there[:, None] & also
-    np.add.at(share, tuple(np.broadcast_arrays(i[:, None], j)), np.where(inside, table.values, 0.0))
+    np.add.at(share, (i[:, None], j), np.where(inside, table.values, 0.0))
     return share, float(table.values[~inside].sum())
 
 
@@ -142,18 +133,3 @@ def _nearest(wanted: Floats, own: Floats) -> tuple[NDArray[np.intp], NDArray[np.
     steps = [np.diff(np.sort(one)).max(initial=0.0) for one in (wanted, own)]
     half = 0.5 * max(steps) * (1.0 + 1e-9)
     return place, (wanted >= own.min() - half) & (wanted <= own.max() + half)
-
-
-def _weights(name: str, given: ArrayLike | None, values: Floats, *, round_the_ship: bool = False) -> Floats:
-    """Weights of an axis, sum 1."""
-    if given is None:
-        weight = np.ones(values.size)
-        if round_the_ship and values.size > 1:
-            order = np.argsort(values)
-            edges = np.concatenate([[values.min()], 0.5 * np.diff(values[order]) + values[order][:-1], [values.max()]])
-            weight[order] = np.diff(edges)
-        return np.asarray(weight / weight.sum())
-    weight = np.asarray(given, dtype=float)
-    if weight.shape != values.shape or not (weight >= 0).all() or not weight.sum() > 0:
-        raise InputError(f"{name} = {given!r}; give {values.size} numbers, none below 0")
-    return np.asarray(weight / weight.sum())

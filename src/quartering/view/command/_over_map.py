@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from quartering.conventions import InputError, headed
 from quartering.options import OPTIONS
-from quartering.view.command._varied import dataset_or_picture, is_range, option
+from quartering.view.command._varied import is_range, option
 from quartering.view.console.answer import Answer
+from quartering.view.console.files import dataset_or_picture
 from quartering.view.console.printed import Table, table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words

@@ -15,7 +15,7 @@ from quartering.view.console.answer import Answer
 from quartering.view.console.files import File, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
-from quartering.view.console.sea_options import typed_spreading
+from quartering.view.console.sea_options import typed_spreading, typed_swell
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship
 from quartering.view.console.typed_values import value, values
@@ -42,6 +42,7 @@ class Typed(NamedTuple):
     spectrum: str
     gamma: str
     spreading: str
+    swell: str | None
     judge: str
     threshold: str | None
     hours: str
@@ -101,12 +102,14 @@ def _seas(typed: Typed) -> dict[str, Any]:
         name: None if text is None else values([text], ARGUMENTS[name], NO_SHIP, ARGUMENTS[name].command, _SEVERAL)
         for name, text in (("hs", typed.hs), ("tp", typed.tp), ("tz", typed.tz))
     }
+    spreading = typed_spreading(typed.spreading)
     limit = "rate_limit" if typed.judge == "rate" else "safety_factor"
     none = typed.hours.strip() in ("0", "none")
     return found | {
         "spectrum": typed.spectrum,
         "gamma": value(typed.gamma, ARGUMENTS["gamma"], NO_SHIP, "--gamma"),
-        "spreading": typed_spreading(typed.spreading),
+        "spreading": spreading,
+        "swell": typed_swell(typed.swell, spreading),
         "judge": typed.judge,
         "threshold": None
         if typed.threshold is None
@@ -123,11 +126,12 @@ def _lines(ds: xr.Dataset, took: float) -> Iterator[Table | str]:
 def guidance_lines(ds: xr.Dataset) -> Iterator[Table | str]:
     """What guidance says of each sea, its danger lines, and what it rests on."""
     from quartering.study.seas.advice import Advice
+    from quartering.study.seas.map_axes import period_of
 
     rows = []
     for i in range(ds.sizes["hs"]):
-        for j in range(ds.sizes["tz"]):
-            one = ds.isel(hs=i, tz=j)
+        for j in range(ds.sizes[period_of(ds)]):
+            one = ds.isel({"hs": i, period_of(ds): j})
             counts = [f"{int((one['recommended'] == int(kind)).sum())}" for kind in Advice]
             rows.append((f"{float(one['hs']):.3g}", f"{float(one['tp']):.3g}", _largest(one), *counts))
     heads = ("Hs [m]", "Tp [s]", "largest roll of 3 h, mean", *(kind.label for kind in Advice))
@@ -166,9 +170,12 @@ def _place(one: xr.Dataset) -> dict[Any, int] | None:
 
 def _worst(ds: xr.Dataset, typed: Typed) -> str:
     """Options of the condition with the largest roll."""
+    from quartering.study.seas.map_axes import period_of
+
     place = _place(ds)
-    at = ds.isel(place or {"hs": 0, "tz": 0, "speed": 0, "heading": 0})
+    at = ds.isel(place or dict.fromkeys(("hs", period_of(ds), "speed", "heading"), 0))
     return (
         f"--hs {float(at['hs']):.4g} --tp {float(at['tp']):.4g} --heading {float(at['heading']):g} --speed"
         f" {float(at['speed']):.4g} --spectrum {typed.spectrum} --spreading {typed.spreading}"
+        + (f" --swell {typed.swell}" if typed.swell else "")
     )

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from quartering.conventions import InputError
 from quartering.options import OPTIONS
 from quartering.units import quantity
-from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
+from quartering.view.command._varied import is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
-from quartering.view.console.files import PICTURES, TABLES, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, dataset_or_picture, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words

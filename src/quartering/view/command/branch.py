@@ -10,7 +10,6 @@ import typer
 from quartering.conventions import SYMBOLS, InputError, headed
 from quartering.option_checks import Option
 from quartering.options import OPTIONS
-from quartering.view.command._varied import dataset_or_picture
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import (
     Changes,
@@ -22,7 +21,7 @@ from quartering.view.console.arguments import (
     WaveHeight,
     WaveLength,
 )
-from quartering.view.console.files import PICTURES, TABLES, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, dataset_or_picture, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import working
 from quartering.view.console.tables import data_table

@@ -78,6 +78,7 @@ def _write(text: str, page: Path, part: Path) -> None:
 
 def _lines(ds: xr.Dataset) -> Iterator[Table | str]:
     from quartering.study.criteria.operational import ADVICE, FORMS
+    from quartering.study.seas.map_axes import dims_of
 
     rows = [
         (
@@ -87,7 +88,7 @@ def _lines(ds: xr.Dataset) -> Iterator[Table | str]:
         )
         for form in FORMS
     ]
-    size = ", ".join(f"{ds.sizes[name]} {name}" for name in ("loading", "hs", "tz", "speed", "heading"))
+    size = ", ".join(f"{ds.sizes[name]} {name}" for name in dims_of(ds))
     yield table(
         f"{ds.attrs.get('ship', '')}: operational guidance over {size}", ("form", *ADVICE, "rule"), rows, (1, 2, 3, 4)
     )

@@ -28,7 +28,7 @@ from quartering.view.console.arguments import Changes, FormName, Harmonics, Mode
 from quartering.view.console.files import TABLES, File, is_table, picture_files, reserve_path, ship_stem
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
-from quartering.view.console.sea_options import SPREADING, told
+from quartering.view.console.sea_options import Gamma, SpectrumName, SpreadingWords, SwellWords, told
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.tables import map_table
 from quartering.view.console.typed_ship import typed_ship
@@ -72,9 +72,10 @@ def polar(
     hs: Annotated[str | None, told("hs", "s: 4:8; makes a map over irregular seas, radius speed")] = None,
     tp: Annotated[str | None, told("tp", "s: 8:14")] = None,
     tz: Annotated[str | None, told("tz", "s, in place of --tp")] = None,
-    spectrum: Annotated[str, typer.Option(help="Spectrum: jonswap, bretschneider or pierson-moskowitz.")] = "jonswap",
-    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
-    spreading: Annotated[str, SPREADING] = "none",
+    spectrum: SpectrumName = "jonswap",
+    gamma: Gamma = "3.3",
+    spreading: SpreadingWords = "none",
+    swell: SwellWords = None,
     judge: Annotated[
         str, typer.Option(help="What is judged in seas: largest (motion of 3 h) or rate (of failures).")
     ] = "largest",
@@ -89,7 +90,7 @@ def polar(
 
     if hs is not None:
         _refuse_waves(wave_lengths, steepness, wave_height, harmonics, extend, beside, modes)
-        seas = Typed(hs, tp, tz, spectrum, gamma, spreading, judge, threshold, hours)
+        seas = Typed(hs, tp, tz, spectrum, gamma, spreading, swell, judge, threshold, hours)
         return sea_polar_answer(ship, changes, speed, headings, seas, form, output)
     if tp is not None or tz is not None:
         raise InputError("--tp and --tz are of irregular seas; give --hs too, such as --hs 4:8")

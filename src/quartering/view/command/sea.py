@@ -14,7 +14,16 @@ from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Heading, ShipName, Speed, TableFile
 from quartering.view.console.files import TABLES, reserve_path
 from quartering.view.console.printed import table
-from quartering.view.console.sea_options import SPREADING, told, typed_spreading
+from quartering.view.console.sea_options import (
+    Gamma,
+    Hs,
+    SpectrumName,
+    SpreadingWords,
+    SwellWords,
+    Tp,
+    TypedSea,
+    Tz,
+)
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import value
@@ -31,17 +40,16 @@ if TYPE_CHECKING:
 
 def sea(
     ship: ShipName,
-    hs: Annotated[str, told("hs", ": 6")],
+    hs: Hs,
     heading: Heading,
     speed: Speed,
     changes: Changes,
-    tp: Annotated[str | None, told("tp", ": 11; or give --tz")] = None,
-    tz: Annotated[str | None, told("tz", ", in place of --tp")] = None,
-    spectrum: Annotated[
-        str, typer.Option(help="Spectrum: jonswap, bretschneider, pierson-moskowitz or torsethaugen.")
-    ] = "jonswap",
-    gamma: Annotated[str, told("gamma", ", of jonswap")] = "3.3",
-    spreading: Annotated[str, SPREADING] = "none",
+    tp: Tp = None,
+    tz: Tz = None,
+    spectrum: SpectrumName = "jonswap",
+    gamma: Gamma = "3.3",
+    spreading: SpreadingWords = "none",
+    swell: SwellWords = None,
     hours: Annotated[str, typer.Option(help="Hours to simulate, 32 at a time: 1000; 0 for no simulation.")] = "32",
     form: FormName = "stf",
     output: TableFile = None,
@@ -50,8 +58,8 @@ def sea(
     from quartering.view.wording import ship_notes
 
     one = typed_ship(ship, changes)
-    mu, u = typed_value("heading", heading, one.sizes), typed_value("speed", speed, one.sizes)
-    waves = _sea(one, mu, {"hs": hs, "tp": tp, "tz": tz, "gamma": gamma}, spectrum, spreading)
+    u = typed_value("speed", speed, one.sizes)
+    waves = TypedSea(heading, hs, tp, tz, spectrum, gamma, spreading, swell).read(one.sizes)
     path = reserve_path(output, TABLES)
     chosen: Form = form  # type: ignore[assignment]  # sea_response refuses an unknown one
     found = _answers(one, waves, u, chosen, _hours(hours))
@@ -118,22 +126,6 @@ def _of_simulation(result: xr.Dataset) -> list[str]:
         f"It has {result.attrs['strips']} strips of drag and {result.attrs['memory']}; by the closure that changes"
         f" {result.attrs['closure_change']}.",
     ]
-
-
-def _sea(one: Ship, heading: float, typed: Mapping[str, str | None], spectrum: str, spreading: str) -> Sea:
-    """The sea of the words typed.
-
-    Raises
-    ------
-    InputError    what `Sea` refuses, with the option as typed
-    """
-    from quartering.loads.sea.sea import Sea
-
-    given: dict[str, Any] = {"heading": heading, "spectrum": spectrum, "spreading": typed_spreading(spreading)}
-    for name, text in typed.items():
-        if text is not None:
-            given[name] = value(text, ARGUMENTS[name], one.sizes, ARGUMENTS[name].command)
-    return Sea(**given)
 
 
 def _table(found: Mapping[str, Found]) -> Table:

@@ -11,10 +11,10 @@ from quartering.conventions import InputError, headed, in_unit, written
 from quartering.options import OPTIONS
 from quartering.view.command._over_map import MAP_AXES, whole_map_varied
 from quartering.view.command._tornado import each_value_changed
-from quartering.view.command._varied import dataset_or_picture, is_range, option, unvaried_words
+from quartering.view.command._varied import is_range, option, unvaried_words
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Harmonics, PictureOrData, ShipName
-from quartering.view.console.files import PICTURES, TABLES, reserve_path
+from quartering.view.console.files import PICTURES, TABLES, dataset_or_picture, reserve_path
 from quartering.view.console.printed import table
 from quartering.view.console.progress import bar
 from quartering.view.console.ship_options import option_words

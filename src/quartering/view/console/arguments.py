@@ -20,6 +20,9 @@ PictureOrData = Annotated[
         "-o", "--output", help="To write: a picture (.png, .svg, .pdf), the dataset (.nc), or tables (.csv, .xlsx)."
     ),
 ]
+DataOrTables = Annotated[
+    str | None, typer.Option("-o", "--output", help="To write: the dataset (.nc), or tables (.csv, .xlsx).")
+]
 TableFile = Annotated[str | None, typer.Option("-o", "--output", help="Tables to write: .csv or .xlsx.")]
 
 

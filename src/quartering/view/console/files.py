@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeGuard, overload
 from quartering.conventions import InputError
 
 if TYPE_CHECKING:
+    import xarray as xr
     from matplotlib.figure import Figure
 
 PICTURES = (".png", ".svg", ".pdf")
@@ -97,6 +98,16 @@ def picture_files(path: Path | None, draw: Callable[[], Figure]) -> tuple[File, 
         style.save(draw(), part)
 
     return () if path is None or path.suffix.lower() not in PICTURES else (File(path, writer),)
+
+
+def dataset_files(path: Path | None, ds: xr.Dataset) -> tuple[File, ...]:
+    """The file of a dataset; none without a path, or where its ending is another."""
+    return (File(path, lambda part: ds.to_netcdf(part)),) if path is not None and path.suffix.lower() == ".nc" else ()
+
+
+def dataset_or_picture(path: Path | None, ds: xr.Dataset, draw: Callable[[], Figure]) -> tuple[File, ...]:
+    """The file of a dataset or of its picture, as the path's ending says; none without a path, or where that is of tables."""
+    return dataset_files(path, ds) or picture_files(path, draw)
 
 
 def write_files(*files: File) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from math import prod
 from pathlib import Path
@@ -77,7 +77,7 @@ def data_table(ds: xr.Dataset, title: str, names: Sequence[str] = (), along: Seq
         further = [str(dim) for dim in one.dims if dim not in dims]
         flat = one.transpose(*dims, *further).to_numpy().reshape(prod(ds.sizes[dim] for dim in dims), -1)
         ends = _endings(ds, further)
-        columns |= {_head(name, ds, end): _cells(name, flat[:, i]) for i, end in enumerate(ends)}
+        columns |= {_head(name, ds, end): _cells(name, flat[:, i], one.attrs) for i, end in enumerate(ends)}
     notes = tuple(f"{key}: {value}" for key, value in ds.attrs.items() if isinstance(value, (str, int, float)))
     return Table(title, tuple(columns), tuple(zip(*columns.values(), strict=True)), notes=notes)
 
@@ -96,11 +96,16 @@ def _endings(ds: xr.Dataset, further: Sequence[str]) -> list[str]:
     return ["".join(f" {place}" for place in one) for one in product(*places)]
 
 
-def _cells(name: str, values: NDArray[Any]) -> list[Any]:
+def _cells(name: str, values: NDArray[Any], about: Mapping[Any, Any]) -> list[Any]:
     """Values of a column; what is coded as its words."""
+    import numpy as np
+
     from quartering.motion.status import Status
     from quartering.stability.kind import Kind
 
+    if name != "verdict" and "flag_meanings" in about:
+        known = dict(zip(np.asarray(about["flag_values"]).tolist(), about["flag_meanings"].split(), strict=True))
+        return [known[int(code)] for code in values]
     words: dict[str, Callable[[int], str]]
     words = {"verdict": lambda code: Kind(code).label, "status": lambda code: Status(code).name.lower()}
     if name in words and values.dtype.kind in "iu":

@@ -17,8 +17,9 @@ from quartering.loads.sea.sea import Sea, Spectrum
 from quartering.options import OPTIONS, line_of
 from quartering.study.maps.sweep import in_pieces
 from quartering.study.seas.advice import Advice
-from quartering.study.seas.grid import Judge, sea_grid
+from quartering.study.seas.grid import sea_grid
 from quartering.study.seas.response import SeaStatus, sea_response
+from quartering.study.seas.settings import Judge, SeaSettings
 from quartering.view.explorer.calls import ShipCall
 from quartering.view.explorer.desk import OF_GET, OF_POST, ONCE, Desk, answer_json
 from quartering.view.explorer.problems import responses
@@ -110,12 +111,14 @@ def guidance_pieces(call: GuidanceCall, registry: ShipRegistry) -> Iterator[tupl
         for name in ("speed", "heading", "hs", "tp", "tz")
         if (value := getattr(call, name)) is not None
     }
+    limit = None
     if call.threshold is not None:
-        given["threshold"] = number(None, "rate_limit" if call.judge == "rate" else "safety_factor", call.threshold)
-    grid = sea_grid(
-        one, **given, spectrum=call.spectrum, gamma=number(None, "gamma", call.gamma),
-        spreading=told_spreading(call.spreading), judge=call.judge, form=call.form,
+        limit = number(None, "rate_limit" if call.judge == "rate" else "safety_factor", call.threshold)
+    told = SeaSettings(
+        spectrum=call.spectrum, gamma=number(None, "gamma", call.gamma), spreading=told_spreading(call.spreading),
+        judge=call.judge, threshold=limit, form=call.form,
     )  # fmt: skip
+    grid = sea_grid(one, **given, settings=told)
     return in_pieces(grid.in_blocks_of(_AT_ONCE))
 
 

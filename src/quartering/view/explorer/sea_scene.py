@@ -18,6 +18,7 @@ from quartering.study.maps.sweep import evaluated, in_pieces
 from quartering.study.seas.advice import Advice
 from quartering.study.seas.grid import SeaGrid, sea_grid
 from quartering.study.seas.response import sea_response
+from quartering.study.seas.settings import SeaSettings
 from quartering.units import quantity
 from quartering.view.explorer.computations import HEADINGS
 from quartering.view.explorer.sea_state import sea_of, told_of, told_spreading
@@ -84,8 +85,8 @@ def map_grid(state: State, of: SeaScene) -> SeaGrid:
 def _grid(state: State, of: SeaScene, speeds: ArrayLike, headings: ArrayLike) -> SeaGrid:
     """Some speeds and headings in the sea of a state."""
     hs, tp, tz = of.told["hs"], of.told.get("tp"), of.told.get("tz")
-    spreading = told_spreading(state.spreading)
-    return sea_grid(of.ship, speeds, headings, hs, tp, tz, spectrum=state.spectrum, spreading=spreading)
+    told = SeaSettings(spectrum=state.spectrum, spreading=told_spreading(state.spreading))
+    return sea_grid(of.ship, speeds, headings, hs, tp, tz, settings=told)
 
 
 def map_pieces(state: State, of: SeaScene) -> Iterator[tuple[int, xr.Dataset]]:

@@ -14,6 +14,7 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from quartering.study.criteria.operational import ADVICE, FORMS, NOT_RECOMMENDED, UNDECIDED
+from quartering.study.seas.map_axes import mirrors, period_of
 from quartering.view.plots import style
 from quartering.view.plots.polar_map import edges
 
@@ -37,13 +38,13 @@ def operational_picture(ds: xr.Dataset, loading: int = 0) -> Figure:
     Figure           head seas on top; of more than four seas the first, the last and two between
     """
     part = ds.isel(loading=loading)
-    seas = [(i, j) for i in range(part.sizes["hs"]) for j in range(part.sizes["tz"])]
+    seas = [(i, j) for i in range(part.sizes["hs"]) for j in range(part.sizes[period_of(part)])]
     shown = [seas[k] for k in sorted({round(v) for v in np.linspace(0, len(seas) - 1, min(len(seas), MOST_SEAS))})]
     made = style.figure(style.PAGE, 1.95 * len(FORMS) + 0.7)
     panels = made.subplots(len(FORMS), len(shown), subplot_kw={"projection": "polar"}, squeeze=False)
     for row, form in enumerate(FORMS):
         for column, (i, j) in enumerate(shown):
-            one = part.isel(hs=i, tz=j)
+            one = part.isel({"hs": i, period_of(part): j})
             _panel(panels[row, column], one, form)
             if row == 0:
                 sea = f"Hs {float(one['hs']):.3g} m, Tz {float(one['tz']):.3g} s"
@@ -70,7 +71,7 @@ def _outline(theta: NDArray[np.float64], r: NDArray[np.float64], ring: int, sect
 
 def _panel(ax: PolarAxes, one: xr.Dataset, form: str) -> None:
     heading, speed = np.asarray(one["heading"]), np.asarray(one["speed"]) / _KNOT
-    mirrored = bool((heading >= 0).all() and (heading <= 180).all())
+    mirrored = mirrors(one)
     theta, r = np.radians(edges(heading, 10.0)), np.maximum(edges(speed, 1.0), 0.0)
     if mirrored:
         theta = np.clip(theta, 0.0, np.pi)

@@ -15,6 +15,7 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from quartering.study.seas.advice import Advice
+from quartering.study.seas.map_axes import mirrors, period_of
 from quartering.units import quantity
 from quartering.view.plots import style
 from quartering.view.plots.guidance import round_knots
@@ -37,22 +38,26 @@ def sea_polar(ds: xr.Dataset, loading: int = 0) -> Figure:
     Returns bow up, the sea from the side of the cell; colour is the mean largest roll of three hours, or the rate of failures
     """
     part = ds.isel(loading=loading)
-    rows, columns = _some(part.sizes["hs"], MOST_ROWS), _some(part.sizes["tz"], MOST_COLUMNS)
+    rows, columns = _some(part.sizes["hs"], MOST_ROWS), _some(part.sizes[period_of(part)], MOST_COLUMNS)
     lying = len(columns) == 1  # heights of one period stand side by side
     down, across = (1, len(rows)) if lying else (len(rows), len(columns))
-    made = style.figure(max(2.9 * across + 1.3, 7.4), 3.05 * down + 1.9)
+    made = style.figure(max(2.9 * across + 1.3, 7.4), 3.25 * down + 2.1)
+    made.get_layout_engine().set(hspace=0.08)  # type: ignore[union-attr, call-arg]  # "following" and the next title apart
     panels = made.subplots(down, across, subplot_kw={"projection": "polar"}, squeeze=False)
     at = panels.T if lying else panels
     values, colours, words = _coloured(part)
     for i, row in enumerate(rows):
         for j, column in enumerate(columns):
-            one = part.isel(hs=row, tz=column)
-            mesh = _panel(at[i, j], one, values.isel(hs=row, tz=column), colours)
+            where = {"hs": row, period_of(part): column}
+            one = part.isel(where)
+            mesh = _panel(at[i, j], one, values.isel(where), colours)
     style.title(made, f"{ds.attrs['ship']} in irregular seas, {ds.attrs['sea']}\n{ds.attrs['loading']}")
     scale = made.colorbar(mesh, ax=list(panels.ravel()), shrink=0.8, pad=0.03, aspect=28)
     scale.set_label(words)
-    end = style.footnote(made, "\n".join(_notes(ds, part, rows, columns)), above=0.5)
-    made.legend(handles=list(_legend(part)), loc="lower left", bbox_to_anchor=(0.008, end), ncols=3, **_DARK)
+    told, wide = list(_legend(part)), 3 if across > 2 else 2
+    high = 0.1 + 0.2 * -(-len(told) // wide)
+    end = style.footnote(made, "\n".join(_notes(ds, part, rows, columns)), above=high)
+    made.legend(handles=told, loc="lower left", bbox_to_anchor=(0.008, end), ncols=wide, **_DARK)
     return made
 
 
@@ -81,7 +86,7 @@ def _coloured(part: xr.Dataset) -> tuple[xr.DataArray, Normalize, str]:
 
 def _panel(ax: PolarAxes, one: xr.Dataset, values: xr.DataArray, colours: Normalize) -> Any:
     heading, speed = one["heading"].values, one["speed"].values
-    mirrored = bool((heading >= 0).all() and (heading <= 180).all())
+    mirrored = mirrors(one)
     theta = np.radians(edges(heading, 5.0))
     theta = np.clip(theta, 0.0, np.pi) if mirrored else theta
     r = np.maximum(edges(speed, 1.0), 0.0)
@@ -117,9 +122,11 @@ def _dress(ax: PolarAxes, one: xr.Dataset, largest: float) -> None:
     ax.set_rgrids([ring * knots for ring in rings], [f"{ring:g} kn" for ring in rings], angle=157.5, fontsize=7)
     for label in ax.get_yticklabels():
         label.set_bbox({"facecolor": "white", "edgecolor": "none", "alpha": 0.75, "pad": 0.6})
-    words = {0: "0° following", 90: "90°", 180: "180° head", 270: "90°"}
+    words = {0: "0° following", 180: "180° head"}
     angles = range(0, 360, 30)
-    ax.set_thetagrids(angles, [words.get(a, f"{a if a <= 180 else 360 - a}°") for a in angles], fontsize=7)
+    ax.set_thetagrids(
+        angles, [words.get(a, f"{360 - a if a > 180 and mirrors(one) else a}°") for a in angles], fontsize=7
+    )
     ax.grid(visible=True, color="white", alpha=0.3, linewidth=0.5)
     ax.set_title(f"Hs {float(one['hs']):.3g} m, Tp {float(one['tp']):.3g} s", fontsize=9, pad=8)
 
@@ -144,7 +151,8 @@ def _legend(part: xr.Dataset) -> Iterator[Line2D | Patch]:
 
 
 def _notes(ds: xr.Dataset, part: xr.Dataset, rows: list[int], columns: list[int]) -> Iterator[str]:
-    yield "Bow up, the sea comes from the side of the cell; radius is speed. The two sides mirror each other."
+    sides = " The two sides mirror each other." if mirrors(ds) else ""
+    yield f"Bow up, the sea comes from the side of the cell; radius is speed.{sides}"
     yield f"{ds.attrs['threshold_words'].capitalize()} ({ds.attrs['threshold_source']}): {limit_words(ds)}."
     hours = float(ds.attrs["hours"])
     simulated = (
@@ -153,7 +161,7 @@ def _notes(ds: xr.Dataset, part: xr.Dataset, rows: list[int], columns: list[int]
         else "Where that does not decide, nothing was simulated."
     )
     yield f"By statistical linearisation; {ds.attrs['interval_of_closure']}. {simulated}"
-    if ds.sizes["loading"] > 1 or len(rows) < part.sizes["hs"] or len(columns) < part.sizes["tz"]:
+    if ds.sizes["loading"] > 1 or len(rows) < part.sizes["hs"] or len(columns) < part.sizes[period_of(part)]:
         yield (
             f"Drawn: loading 1 of {ds.sizes['loading']}, {len(rows)} of {part.sizes['hs']} heights, {len(columns)} of"
             f" {part.sizes['tz']} periods."

@@ -8,6 +8,7 @@ from html import escape
 import xarray as xr
 
 from quartering.study.criteria.operational import ADVICE, FORMS
+from quartering.study.seas.map_axes import period_of
 from quartering.view.plots.operational import operational_picture
 from quartering.view.report.pictures import inline_svg
 
@@ -55,8 +56,8 @@ def _shares(part: xr.Dataset) -> str:
     heads = "".join(f"<th>{form}: {'; '.join(ADVICE[1:3])}</th>" for form in FORMS)
     rows = []
     for i in range(part.sizes["hs"]):
-        for j in range(part.sizes["tz"]):
-            one = part.isel(hs=i, tz=j)
+        for j in range(part.sizes[period_of(part)]):
+            one = part.isel({"hs": i, period_of(part): j})
             cells = "".join(
                 f'<td class="n">{100 * float((one[form] == 1).mean()):.0f} %; {100 * float((one[form] == 2).mean()):.0f} %</td>'
                 for form in FORMS

@@ -10,6 +10,7 @@ import xarray as xr
 from quartering._machine.digest import fingerprint
 from quartering.references import cite
 from quartering.study.seas.advice import Advice
+from quartering.study.seas.map_axes import period_of
 from quartering.study.seas.response import SeaStatus
 from quartering.view.plots.sea_polar import limit_words, sea_polar
 from quartering.view.report.page import filled
@@ -49,7 +50,10 @@ def seas_page(result: xr.Dataset, origin: str) -> str:
         digest=fingerprint(
             [axes_of(result), about["loading"], about["sea"], about["judge"], float(about["threshold"])]
         ),
-        axes=[f"{name} {_span(result[name].values)} [{result[name].attrs['units']}]" for name in _AXES],
+        axes=[
+            f"{name} {_span(result[name].values)} [{result[name].attrs['units']}]"
+            for name in ("speed", "heading", "hs", period_of(result))
+        ],
         case=axes_of(result),
         citation=cite(result).splitlines(),
         judged=words[0].upper() + words[1:],
@@ -58,9 +62,6 @@ def seas_page(result: xr.Dataset, origin: str) -> str:
         danger=f"speed times cosine of the heading {line:.3g} and {half:.3g} m/s",
         diagrams=inline_svg(sea_polar(result), f"Polar diagrams of {about['ship']} in irregular seas"),
     )
-
-
-_AXES: Final = ("speed", "heading", "hs", "tz")
 
 
 def _provenance(text: str) -> dict[str, str]:
@@ -76,8 +77,8 @@ def _span(values: np.ndarray) -> str:
 def _summary(result: xr.Dataset) -> Table:
     rows = []
     for i in range(result.sizes["hs"]):
-        for j in range(result.sizes["tz"]):
-            one = result.isel(hs=i, tz=j)
+        for j in range(result.sizes[period_of(result)]):
+            one = result.isel({"hs": i, period_of(result): j})
             roll, rate = one["roll_mean_3h_max"].values, one["rate_upper"].values
             known = np.isfinite(roll).any()
             counts = (str(int((one["recommended"] == int(kind)).sum())) for kind in Advice)
