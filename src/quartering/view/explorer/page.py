@@ -96,7 +96,7 @@ class Page:
                     self._sea_map = SeaMap(lambda heading, speed: self.change(heading=heading, speed=speed))
                     with ui.element("div").classes("progress"):
                         self._progress = ui.label("").mark("progress")
-                        self._stop = ui.button("Stop", on_click=self._stop_map).props("flat dense no-caps")
+                        self._stop = ui.button("Stop", color=None, on_click=self._stop_map).props("flat dense no-caps")
                         self._stop.set_visibility(False)
                 with ui.element("section").classes("panel"):
                     self._panel = CellPanel(self.change)
