@@ -3,7 +3,7 @@
 import pytest
 
 from quartering.conventions import RangeWarning
-from tests.view.pages import STABLE, filled, link, sentence
+from tests.view.pages import STABLE, faded_in, filled, link, sentence
 
 STEPS = ".q-steps"
 
@@ -71,7 +71,7 @@ def test_views_are_saved_opened_and_deleted_by_keyboard_and_old_ones_are_told(vi
     page.keyboard.type("light loading")
     page.keyboard.press("Enter")
     page.get_by_text("“light loading” is saved.").wait_for()
-    page.wait_for_function("document.getAnimations().every(one => one.playState !== 'running')")  # it has faded in
+    faded_in(page)
     found = axe.Axe().run(page).response["violations"]
     serious = [one for one in found if one["impact"] in ("serious", "critical")]
     assert [(one["id"], one["nodes"][0]["html"], one["nodes"][0]["failureSummary"]) for one in serious] == []
@@ -107,7 +107,7 @@ def test_a_hull_is_chosen_by_keyboard_in_a_dialog_whose_parts_have_names(visit):
     page.get_by_role("button", name="Your hull").focus()
     page.keyboard.press("Enter")
     page.get_by_role("button", name="Choose a file").wait_for()
-    page.wait_for_function("document.getAnimations().every(one => one.playState !== 'running')")
+    faded_in(page)
     found = axe.Axe().run(page).response["violations"]
     serious = [one for one in found if one["impact"] in ("serious", "critical")]
     assert [(one["id"], one["nodes"][0]["html"], one["nodes"][0]["failureSummary"]) for one in serious] == []
