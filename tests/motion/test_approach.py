@@ -5,8 +5,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import quartering as qt
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH
-from quartering.motion.equations.system import Model, System
+from quartering.motion.equations.system import System
 from quartering.motion.of_ship import ship_system
 from quartering.motion.transient.approach import PERIODS, RAISED_IN, STEPS, capsizes_before
 

@@ -52,7 +52,7 @@ def test_the_picture_has_the_danger_lines_and_the_advice():
         (["--tz", "7"], "tp and tz are both given"),
         (["--judge", "foo"], "judge = 'foo'; allowed: largest"),
         (["--threshold", "0"], "--threshold: threshold = 0; it is from 1 to 10"),
-        (["--spectrum", "torsethaugen"], "allowed in maps: jonswap"),
+        (["--spectrum", "torsethaugen"], "a map takes one hs and one tp"),
         (["--hours", "-3"], "--hours: hours = -3"),
         (["--spreading", "wide"], "--spreading: spreading = 'wide'"),
     ],

@@ -12,7 +12,8 @@ from quartering.motion.branches.raising import Raising, over_height
 from quartering.motion.branches.seeds import grid_of_roll, heeled_starts, largest_roll
 from quartering.motion.branches.switching import disturbance
 from quartering.motion.equations.batch import copies
-from quartering.motion.equations.system import Floats, Model, System
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats, System
 from quartering.motion.status import Status
 from quartering.motion.steady.balance import BalanceEquations
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for

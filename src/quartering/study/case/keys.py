@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 
 from quartering.loads.forces import Form
+from quartering.loads.sea.sea import Spectrum
 from quartering.motion.steady.harmonic import MOST_HARMONICS
 from quartering.options import OPTIONS, choice_axes, line_of, loading_axes
-from quartering.study.seas.grid import Judge, Named
+from quartering.study.seas.grid import Judge
 
 
 def _no_switch(given: Any) -> Any:
@@ -50,7 +51,9 @@ class SeaAxes(_Strict):
     hs: Values = Field(description="significant wave heights [m]")
     tp: Values | None = Field(default=None, description="periods of the peak [s]; or give tz")
     tz: Values | None = Field(default=None, description="mean zero-crossing periods [s]; or give tp")
-    spectrum: Named = Field(default="jonswap", description="of the seas")
+    spectrum: Spectrum = Field(
+        default="jonswap", description="of the seas; torsethaugen of one height and one period of the peak"
+    )
     gamma: float = Field(default=3.3, description="peak enhancement of jonswap, 1 to 20")
     spreading: float | str = Field(
         default="none", description="s of cos^2s of half the angle, cos2, or none for long-crested seas"

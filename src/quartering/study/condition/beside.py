@@ -14,7 +14,8 @@ from quartering.motion.branches.homotopy import carried, distinct, same
 from quartering.motion.branches.search import from_grid
 from quartering.motion.branches.seeds import grid_of_roll
 from quartering.motion.equations.batch import rows
-from quartering.motion.equations.system import Floats, Model, System
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats, System
 from quartering.motion.status import OnTheWay, Status
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for, quick_motions
 from quartering.motion.steady.motion import Motion, roll_peaks, steady_motions

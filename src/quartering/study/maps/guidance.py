@@ -15,9 +15,10 @@ from quartering.doors import takes
 from quartering.hull.option_types import StudyAxes
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.loads.sea.sea import Spectrum
 from quartering.loads.sea.spreading import Spreading
 from quartering.study.maps.sweep import evaluated, filled
-from quartering.study.seas.grid import Judge, Named, sea_grid
+from quartering.study.seas.grid import Judge, sea_grid
 
 
 @takes(ship="Ship")
@@ -29,7 +30,7 @@ def guidance(
     tz: ArrayLike | str | None = None,
     speed: ArrayLike | str = "0..0.24 Fn step 0.04",
     heading: ArrayLike | str | None = None,
-    spectrum: Named = "jonswap",
+    spectrum: Spectrum = "jonswap",
     gamma: float = 3.3,
     spreading: Spreading = None,
     judge: Judge = "largest",
@@ -53,7 +54,7 @@ def guidance(
     tp, tz : (m,) float         periods of the peak, or mean zero-crossing periods: one of the two [s]
     speed : (u,) float          [m/s]
     heading : (h,) float        the sea goes to, from the bow [deg]; by default 0 to 180 every 5
-    spectrum, gamma, spreading  of the seas, as of `Sea`; not "torsethaugen", whose mean period hangs on its height too
+    spectrum, gamma, spreading  of the seas, as of `Sea`; of "torsethaugen" one hs and one tp: its mean period follows from both
     judge : str                 "largest": the mean largest motion of three hours against the limit of a failure; "rate": the
                                 rate of failures
     threshold : float           factor on that mean, or rate [1/s]; by default 2 and 1e-6, recalled from MSC.1/Circ.1627,

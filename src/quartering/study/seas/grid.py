@@ -15,18 +15,17 @@ from quartering.conventions import GRAVITY, InputError
 from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
 from quartering.loads.forces import FORMS, Form
-from quartering.loads.sea.sea import STEEPEST_SEA, Sea
+from quartering.loads.sea.sea import STEEPEST_SEA, Sea, Spectrum
 from quartering.loads.sea.shape import mean_period_ratio
 from quartering.loads.sea.spreading import Spreading, checked_spreading
 from quartering.loads.sea.systems import JONSWAP_POWER
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.study.criteria.constants import constant
 from quartering.study.grid import Grid, axis, check_count, combinations, loading_columns
 
 Floats = NDArray[np.float64]
 Judge = Literal["largest", "rate"]
 """What guidance goes by: the mean largest motion of three hours, or the rate of failures."""
-Named = Literal["jonswap", "bretschneider", "pierson-moskowitz"]
 _SMALLEST, _LARGEST, _PARTS = 16, 256, 64
 
 
@@ -36,22 +35,24 @@ class SeaGrid(Grid):
 
     Parameters
     ----------
-    spectrum : str         of two parameters, hs and tz
+    spectrum : str         of two parameters, hs and tz; "torsethaugen" of one height and one peak period
     gamma : float          peak enhancement of "jonswap"
     spreading : Spreading
     judge : str            what guidance goes by
     threshold : float      factor on the mean largest motion of three hours, or rate of failures [1/s]
     hours : float          to simulate at most where the closure does not decide; 0: none
     seed : int             of simulations
+    period_ratio : float   mean zero-crossing period over that of the peak [1]
     """
 
-    spectrum: Named = "jonswap"
+    spectrum: Spectrum = "jonswap"
     gamma: float = 3.3
     spreading: Spreading = None
     judge: Judge = "largest"
     threshold: float = 2.0
     hours: float = 0.0
     seed: int = 0
+    period_ratio: float = 1.0
 
     @property
     def usual_block_size(self) -> int:
@@ -67,6 +68,7 @@ class SeaGrid(Grid):
             **{name: values.tolist() for name, values in self.axes.items()},
             "loadings": {name: values.tolist() for name, values in self.loadings.items()},
             **{name: getattr(self, name) for name in _SETTINGS},
+            **({"tp": self.peak_periods.tolist()} if self.spectrum == "torsethaugen" else {}),
             "form": self.form,
         }
 
@@ -78,14 +80,17 @@ class SeaGrid(Grid):
     @property
     def peak_periods(self) -> Floats:
         """Periods of the peak of each tz [s]."""
-        return np.asarray(self.axes["tz"] / period_ratio(self.spectrum, self.gamma))
+        return np.asarray(self.axes["tz"] / self.period_ratio)
 
     def sea_at(self, hs: float, tz: float, heading: float) -> Sea | None:
         """The sea of one condition; None where it breaks."""
         if breaks(hs, tz):
             return None
+        # two peaks have no mean period that tells them: the one sea of such a grid is given by its peak
+        by_peak = self.spectrum == "torsethaugen"
         return Sea(
-            hs=hs, tz=tz, spectrum=self.spectrum, gamma=self.gamma, heading=heading, spreading=self.spreading
+            hs=hs, tp=tz / self.period_ratio if by_peak else None, tz=None if by_peak else tz, spectrum=self.spectrum,
+            gamma=self.gamma, heading=heading, spreading=self.spreading,
         )  # fmt: skip
 
 
@@ -102,9 +107,17 @@ def steepness(hs: ArrayLike, tz: ArrayLike) -> Floats:
     return np.asarray(np.asarray(hs) * 2.0 * np.pi / (GRAVITY * np.asarray(tz) ** 2))
 
 
-def period_ratio(spectrum: Named, gamma: float) -> float:
-    """Mean zero-crossing period over that of the peak."""
-    return mean_period_ratio(JONSWAP_POWER, gamma if spectrum == "jonswap" else 1.0)
+def _period_ratio(spectrum: Spectrum, gamma: float, height: Floats, tp: Any, ship: Ship) -> float:
+    """Mean zero-crossing period over that of the peak; of two peaks that of the one sea there is."""
+    if spectrum != "torsethaugen":
+        return mean_period_ratio(JONSWAP_POWER, gamma if spectrum == "jonswap" else 1.0)
+    peak = None if tp is None else axis("tp", tp, ship)
+    if peak is None or peak.size != 1 or height.size != 1:
+        raise InputError(
+            f"spectrum = {quoted(spectrum)}: its mean period follows from height and peak together; a map takes one hs and one"
+            " tp of it, or one of jonswap, bretschneider, pierson-moskowitz"
+        )
+    return Sea(hs=float(height[0]), tp=float(peak[0]), spectrum=spectrum).tz / float(peak[0])
 
 
 def sea_grid(
@@ -115,7 +128,7 @@ def sea_grid(
     tp: ArrayLike | None = None,
     tz: ArrayLike | None = None,
     *,
-    spectrum: Named = "jonswap",
+    spectrum: Spectrum = "jonswap",
     gamma: float = 3.3,
     spreading: Spreading = None,
     judge: Judge = "largest",
@@ -136,7 +149,11 @@ def sea_grid(
     _check_words(spectrum, judge, form)
     peak = number(None, "gamma", gamma)
     conditions = {"speed": axis("speed", speed, ship), "heading": axis("heading", heading, ship)}
-    conditions |= {"tz": _mean_periods(tp, tz, spectrum, peak, ship), "hs": axis("hs", hs, ship)}
+    height = axis("hs", hs, ship)
+    _one_period(tp, tz)
+    ratio = _period_ratio(spectrum, peak, height, tp, ship)
+    mean = axis("tp", tp, ship) * ratio if tp is not None else axis("tz", tz, ship)  # type: ignore[arg-type]  # one is given
+    conditions |= {"tz": mean, "hs": height}
     if breaks(conditions["hs"].min(), conditions["tz"].max()):
         raise InputError(
             f"every sea asked for breaks: Hs {conditions['hs'].min():g} m at Tz {conditions['tz'].max():.3g} s is steeper than"
@@ -151,17 +168,15 @@ def sea_grid(
         spreading=checked_spreading(spreading), judge=judge,
         threshold=usual if threshold is None else number(None, name, threshold),
         hours=0.0 if hours == 0 else number(None, "simulated_hours", hours), seed=count("seed", seed, 0, 6),
+        period_ratio=ratio,
     )  # fmt: skip
     made.check_loadings()
     return made
 
 
 def _check_words(spectrum: Any, judge: Any, form: Any) -> None:
-    if spectrum not in get_args(Named):
-        more = ": its mean period follows from height and peak together" if spectrum == "torsethaugen" else ""
-        raise InputError(
-            f"spectrum = {quoted(spectrum)}{more}; allowed in maps: {', '.join(get_args(Named))}; try 'jonswap'"
-        )
+    if spectrum not in get_args(Spectrum):
+        raise InputError(f"spectrum = {quoted(spectrum)}; allowed: {', '.join(get_args(Spectrum))}; try 'jonswap'")
     if judge not in get_args(Judge):
         raise InputError(
             f"judge = {quoted(judge)}; allowed: largest (motion of three hours), rate (of failures); try 'largest'"
@@ -170,10 +185,7 @@ def _check_words(spectrum: Any, judge: Any, form: Any) -> None:
         raise InputError(f"form {form!r} given; allowed: {', '.join(FORMS)}; try 'stf'")
 
 
-def _mean_periods(tp: Any, tz: Any, spectrum: Named, gamma: float, ship: Ship) -> Floats:
+def _one_period(tp: Any, tz: Any) -> None:
     if (tp is None) == (tz is None):
         both = "are both given; one follows from the other, leave one out" if tp is not None else "are missing"
         raise InputError(f"tp and tz {both}; give one of the two, such as tp=[8, 11, 14]")
-    if tp is None:
-        return axis("tz", tz, ship)
-    return axis("tp", tp, ship) * period_ratio(spectrum, gamma)

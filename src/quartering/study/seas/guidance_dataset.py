@@ -18,7 +18,7 @@ from quartering.study.criteria.constants import constant
 from quartering.study.seas.advice import CLOSURE_OVER, RATE_OPEN, Advice
 from quartering.study.seas.conditions import RESULTS, RUNGS
 from quartering.study.seas.dataset import MEANINGS, pile_up_lines
-from quartering.study.seas.grid import SeaGrid, period_ratio
+from quartering.study.seas.grid import SeaGrid
 from quartering.study.seas.response import SeaStatus
 from quartering.study.seas.simulation import felt_limit_of, roll_limit_of
 
@@ -106,7 +106,7 @@ def heading_of(grid: SeaGrid) -> dict[str, object]:
         **{name: own[name] for name in (*kept, "estimated_coefficients", "estimated_by", "Conventions", "source")},
         "sea": f"{grid.spectrum}{peak}, {spreading}",
         "spectrum": grid.spectrum,
-        "period_ratio": period_ratio(grid.spectrum, grid.gamma),
+        "period_ratio": grid.period_ratio,
         "judge": grid.judge,
         "threshold": grid.threshold,
         "threshold_words": _threshold_words(grid),

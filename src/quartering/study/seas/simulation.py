@@ -22,7 +22,7 @@ from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.cells import Cells, wave_cells
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.sea.closure import Solution, closure_solutions
 from quartering.motion.sea.equations import Force, SeaEquations, angle_of_largest_arm, free_roll_of, roll_mode_of
 from quartering.motion.sea.frozen import frozen_equations, with_few_strips
@@ -30,7 +30,7 @@ from quartering.motion.sea.memory import Memory, memory_of
 from quartering.motion.sea.synthesis import record_of
 from quartering.motion.transient.irregular import irregular as irregular_by_components
 from quartering.motion.transient.rk4 import alike
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.study.seas.blocks import BLOCK, Plan, Tally, error_below, run_blocks
 from quartering.study.seas.moments import moments_of, products
 from quartering.study.seas.response import (

@@ -7,7 +7,8 @@ from typing import Any, Final
 import typer
 
 from quartering.arguments import ARGUMENTS
-from quartering.options import Refused, line_of
+from quartering.option_checks import Refused
+from quartering.options import line_of
 
 
 def told(name: str, more: str = "") -> Any:

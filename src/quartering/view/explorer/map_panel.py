@@ -48,7 +48,7 @@ class MapPanel:
         self._length = 1.0
         self._lines: list[str] = []
         self._fitted = np.inf
-        with ui.element("div").classes("map-box"):
+        with ui.element("div").classes("map-box") as self.box:
             self._map = PolarMap()
             self._map.props["headings"], self._map.props["radii"] = HEADINGS.tolist(), RATIOS.tolist()
             self._map.props["kinds"] = {str(int(k)): _words(k) for k in Kind}
