@@ -14,6 +14,13 @@ def filled(page):
     )
 
 
+def faded_in(page):
+    """Wait until a dialog stands there whole: half transparent, its colours are others."""
+    page.wait_for_function(
+        "!document.querySelector('[class*=-enter-]') && document.getAnimations().every(one => one.playState !== 'running')"
+    )
+
+
 def sentence(page):
     return page.inner_text(".says h1")
 

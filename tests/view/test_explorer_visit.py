@@ -3,7 +3,7 @@
 import pytest
 
 from quartering.conventions import RangeWarning
-from tests.view.pages import STABLE, filled, link, sentence
+from tests.view.pages import STABLE, faded_in, filled, link, sentence
 
 STEPS = ".q-steps"
 
@@ -71,7 +71,7 @@ def test_views_are_saved_opened_and_deleted_by_keyboard_and_old_ones_are_told(vi
     page.keyboard.type("light loading")
     page.keyboard.press("Enter")
     page.get_by_text("“light loading” is saved.").wait_for()
-    page.wait_for_function("document.getAnimations().every(one => one.playState !== 'running')")  # it has faded in
+    faded_in(page)
     found = axe.Axe().run(page).response["violations"]
     serious = [one for one in found if one["impact"] in ("serious", "critical")]
     assert [(one["id"], one["nodes"][0]["html"], one["nodes"][0]["failureSummary"]) for one in serious] == []
@@ -101,16 +101,45 @@ def test_views_are_saved_opened_and_deleted_by_keyboard_and_old_ones_are_told(vi
 def test_a_hull_is_chosen_by_keyboard_in_a_dialog_whose_parts_have_names(visit):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe-core comes with the extra `dev`")
     page = visit(STABLE)
+    filled(page)
     chosen = []
     page.on("filechooser", lambda one: chosen.append(one))
     page.get_by_role("button", name="Your hull").focus()
     page.keyboard.press("Enter")
     page.get_by_role("button", name="Choose a file").wait_for()
-    page.wait_for_function("document.getAnimations().every(one => one.playState !== 'running')")
+    faded_in(page)
     found = axe.Axe().run(page).response["violations"]
-    assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
+    serious = [one for one in found if one["impact"] in ("serious", "critical")]
+    assert [(one["id"], one["nodes"][0]["html"], one["nodes"][0]["failureSummary"]) for one in serious] == []
     page.get_by_role("button", name="Choose a file").focus()
     page.keyboard.press("Enter")
     page.wait_for_timeout(500)
     assert len(chosen) == 1
     assert page.wrong == []
+
+
+RINGED = """() => {
+  const one = document.activeElement, shown = (e) => e && getComputedStyle(e).outlineStyle !== 'none' &&
+    parseFloat(getComputedStyle(e).outlineWidth) >= 2;
+  let around = one;
+  for (let i = 0; i < 6 && around && around !== document.body; i++, around = around.parentElement) if (shown(around)) return '';
+  return [...one.querySelectorAll('*')].some(shown) ? '' : one.outerHTML.slice(0, 120);
+}"""
+"""What has the focus, where neither it nor what it stands in shows a ring of 2 px."""
+
+
+def test_every_stop_of_the_tab_key_shows_a_ring_of_two_pixels(visit):
+    page = visit(f"{STABLE}&panel=compare&gm=0.7")
+    filled(page)
+    page.evaluate("document.body.focus()")
+    first, bare, stops = "", set(), 0
+    for _ in range(45):
+        page.keyboard.press("Tab")
+        here = page.evaluate("document.activeElement.outerHTML.slice(0, 300)")
+        if here == first or here.startswith("<body"):
+            break
+        first = first or here
+        stops += 1
+        bare.add(page.evaluate(RINGED))
+    assert stops > 25  # bar, dials with number and slider, map, tabs, what the tab holds
+    assert bare == {""}
