@@ -15,7 +15,8 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.hull.told import number
 from quartering.hydro.damping.natural_roll import free_roll
-from quartering.options import OPTIONS, Refused, checked, line_of, loading_axes, ship_options
+from quartering.option_checks import Refused, checked
+from quartering.options import OPTIONS, line_of, loading_axes, ship_options
 from quartering.study.case.read import case_grid
 from quartering.view.cli import app
 from quartering.view.console.ship_options import command_options
@@ -363,7 +364,8 @@ def test_the_table_is_light():
 
 THROWAWAY = """
 import sys
-from quartering.options import OPTIONS, Option
+from quartering.option_checks import Option
+from quartering.options import OPTIONS
 OPTIONS["ice_class"] = Option("ice_class", "length", "thickness of ice it may meet", place="loading", low=0, high="0.1 L",
                               usual="1 m", default="0.5 m", axis=True)
 import json

@@ -10,7 +10,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from quartering.names import CUBIC_NAMES, LINEAR_NAMES, RESTORING_NAMES
-from quartering.options import OPTIONS, Option, line_of, options, ship_options
+from quartering.option_checks import Option
+from quartering.options import OPTIONS, line_of, options, ship_options
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCE = ROOT / "src" / "quartering"

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from quartering.loads.forces import wave_forces
     from quartering.loads.sea.sea import Sea
     from quartering.loads.waves import Wave, encounter_frequency
-    from quartering.motion.equations.system import Model
+    from quartering.motion.equations.model import Model
     from quartering.motion.of_ship import equations
     from quartering.motion.steady.motion import Motion, steady_motion
     from quartering.motion.surf_riding import surf_riding_thresholds
@@ -112,7 +112,7 @@ _HOMES = {
     "Wave": "loads.waves",
     "encounter_frequency": "loads.waves",
     "basin": "motion.transient.basin",
-    "Model": "motion.equations.system",
+    "Model": "motion.equations.model",
     "equations": "motion.of_ship",
     "irregular": "study.seas.simulation",
     "simulate": "motion.transient.simulate",

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from quartering.options import Option
+from quartering.option_checks import Option
 
 _ARGUMENTS = (
     Option("frequency", "frequency", "of motion", low=0, usual="0.6 rad/s", hint="fold a negative one to |omega|"),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from quartering.motion.branches.search import periodic_motions as all_motions
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.stability.verdict import stability
 from tests.reference import DYNAMICS, model_of
 

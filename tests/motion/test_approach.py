@@ -5,8 +5,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import quartering as qt
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH
-from quartering.motion.equations.system import Model, System
+from quartering.motion.equations.system import System
 from quartering.motion.of_ship import ship_system
 from quartering.motion.transient.approach import PERIODS, RAISED_IN, STEPS, capsizes_before
 
@@ -52,22 +53,24 @@ def expected(system: System, i: int, limit: float) -> list[float]:
     return [upright, np.nan]
 
 
-def test_verdict_and_time_are_those_of_adaptive_integration():
+@pytest.mark.parametrize("count", [12, pytest.param(36, marks=pytest.mark.soak)])
+def test_verdict_and_time_are_those_of_adaptive_integration(count):
     """Authority: scipy's DOP853 at 1e-9 on equations in which the products are written out."""
-    system = systems(OLD, 36, 1 / 20, 1971)
+    system = systems(OLD, count, 1 / 20, 1971)
     assert system.plain
     assert not system.has_drag
     assert not system.has_table
     assert system.powers.shape[1] == 4
     limit = qt.equations(OLD, qt.Wave(200.0, 4.0), 7.0, 60.0).capsize_limit.radians
-    found = capsizes_before(system, np.full(36, limit))
+    found = capsizes_before(system, np.full(count, limit))
     step = 2 * np.pi / system.frequency / STEPS
-    for i in range(36):
+    for i in range(count):
         for own, other in zip(found[i], expected(system, i, limit), strict=True):
             assert np.isfinite(own) == np.isfinite(other), (i, own, other)
             assert np.isnan(own) or -0.05 * step[i] <= own - other <= 1.05 * step[i], (i, own, other)
-    assert 4 < np.isfinite(found[:, 0]).sum() < 32
-    assert 4 < np.isfinite(found[:, 1]).sum() < 32
+    capsized = np.isfinite(found).sum(axis=0)
+    assert (count // 9 < capsized).all()
+    assert (capsized < count - count // 9).all()
 
 
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
@@ -105,7 +108,7 @@ def test_a_ship_much_faster_than_its_wave_is_followed_in_smaller_steps():
     terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0}
     model = Model(np.eye(3), terms, 0.01, (0, 0, 0), (0, 0, 0), (0, 0.1, 0))
     ((upright, raised),) = capsizes_before(model.system, np.array([0.1]))
-    step = 2 * np.pi / 0.01 / (STEPS * 128)
+    step = 2 * np.pi / 0.01 / (STEPS * 100)  # the ship is a hundred times as fast as the wave
     assert upright == pytest.approx(np.pi / 2, abs=step)
     each = 2 * np.pi / 0.01 * PERIODS
     assert raised > each  # at a third of the moment it swings to two thirds of the limit

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.terms import term_table
 from quartering.motion.steady.harmonic import solve_with_care
 from quartering.motion.steady.subharmonic import slowed

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.motion.steady.motion import steady_motion
 from quartering.motion.steady.struble import modified_struble

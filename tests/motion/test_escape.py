@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.steady.motion import steady_motion
 from quartering.motion.transient.basin import basin, capsize_times, safe_shares
 from quartering.motion.transient.simulate import simulate

@@ -6,7 +6,7 @@ from scipy.integrate import solve_ivp
 
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.transient.basin import capsize_times
 from quartering.motion.transient.irregular import irregular
 from quartering.motion.transient.simulate import simulate

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.transient.basin import safe_shares
 from tests.reference import HERE
 

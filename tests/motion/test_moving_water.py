@@ -9,8 +9,9 @@ import pytest
 from quartering.conventions import CUBIC_MONOMIALS, InputError
 from quartering.hull.righting.spline import odd_spline
 from quartering.motion.equations.batch import copies, joined
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.steering import state_matrix
-from quartering.motion.equations.system import PER_CONDITION, Model
+from quartering.motion.equations.system import PER_CONDITION
 from quartering.motion.equations.water import Strips
 from quartering.motion.steady.derivative import change_of_motion
 from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care

@@ -7,7 +7,7 @@ restoring force of its own, which sway and yaw do not have.
 import numpy as np
 import pytest
 
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.motion.steady.motion import motion_record
 from quartering.motion.transient.basin import safe_shares

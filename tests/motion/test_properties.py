@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.terms import parse, term_table
 from quartering.motion.status import Status
 from quartering.motion.steady.motion import steady_motion

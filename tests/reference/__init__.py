@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from quartering.conventions import CUBIC_MONOMIALS
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.status import Status
 from quartering.motion.steady.motion import Motion
 

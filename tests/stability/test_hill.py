@@ -49,7 +49,7 @@ MATHIEU = [
 @pytest.mark.parametrize(("q", "a", "trace"), MATHIEU)
 def test_mathieu_characteristic_values(q, a, trace):
     """A variational equation with stiffness a - 2 q cos 2t: build it from a motion that modulates the restoring moment."""
-    from quartering.motion.equations.system import Model
+    from quartering.motion.equations.model import Model
     from quartering.motion.status import Status
     from quartering.motion.steady.motion import Motion
     from quartering.stability.variational.transition import transition_matrices

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.status import Status
 from quartering.motion.steady.motion import Motion
 from quartering.stability.variational.hill import exponents_of_batch

@@ -36,6 +36,13 @@ def test_thresholds_of_mathieus_equation(row):
     assert brentq(excess, 0.9 * h, 1.1 * h, xtol=1e-12) == pytest.approx(h, abs=1e-6)
 
 
+def test_growth_beyond_any_number_is_infinite():
+    """x'' = x grows by e^T over T: e^20 within 1e-6 by 4,000 steps of order 4, and more than a number holds over T = 2,000."""
+    found = np.abs(hill_multipliers(np.full((2, 8), -1.0), np.zeros(2), np.array([20.0, 2000.0]), 4000)).max(axis=1)
+    assert found[0] == pytest.approx(np.exp(20.0), rel=1e-6)
+    assert np.isinf(found[1])
+
+
 @pytest.mark.parametrize("row", table("hill_of_ships.csv"), ids=lambda r: f"{r['ship']}-{r['speed']}")
 def test_growth_on_the_metacentric_height_of_an_independent_code(row):
     """Floquet exponent of roll alone with that code's GM(t), to 1e-5 1/s."""

@@ -117,7 +117,7 @@ def test_requested_accuracy_of_multipliers_is_kept(accuracy):
 
 def test_half_period_multiplier_is_minus_one_at_the_reference_fold():
     """A fold of the exact balance is where a half-period multiplier passes -1."""
-    from quartering.motion.equations.system import Model
+    from quartering.motion.equations.model import Model
     from quartering.motion.steady.harmonic import harmonic_balance
 
     fold = DYNAMICS["folds"][0]

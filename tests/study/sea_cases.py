@@ -6,7 +6,7 @@ closure by damped passes to 1e-9, and simulates seas by FFT with 256 hours each.
 
 import numpy as np
 
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 
 LENGTH, DRAUGHT, FORCE = 120.0, 4.0, (9.5, -0.9, 0.55, 0.05)
 TERMS = {

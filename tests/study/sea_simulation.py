@@ -7,7 +7,7 @@ from quartering.hydro.coefficients import coefficients
 from quartering.loads.lift import ship_lift_phasors, ship_water_velocity
 from quartering.loads.sea.cells import wave_cells
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.water import Strips
 from quartering.motion.of_ship import excitation, nonlinear_terms
 from quartering.motion.sea.equations import equations_of_model, free_roll_of

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from quartering.conventions import InputError
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.stability.verdict import stability
 from quartering.study.branches.branch import branch
 from quartering.study.paper.model import paper_ship

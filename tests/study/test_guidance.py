@@ -9,7 +9,7 @@ import pytest
 import quartering as qt
 from quartering.study.case.read import case_grid
 from quartering.study.maps.executor import _one_block, prepare_pickling
-from quartering.study.maps.sweep import evaluated, fill
+from quartering.study.maps.sweep import evaluated, fill, in_pieces
 from quartering.study.seas.advice import Advice, Estimate, Judged, advised, crossings
 from quartering.study.seas.conditions import CLOSURE, SIMULATION
 from quartering.study.seas.grid import sea_grid
@@ -246,3 +246,21 @@ def test_a_mistake_in_a_sea_is_answered_with_its_line(tmp_path, old, new, words)
     with pytest.raises(qt.InputError) as refusal:
         case_grid(file)
     assert words in str(refusal.value)
+
+
+def test_a_map_of_one_sea_of_two_peaks_is_the_response_to_it():
+    """Torsethaugen's: one height and one peak; a cell is `sea_response` of that sea, within the 1e-3 of its wave cells."""
+    found = qt.guidance(SHIP, 4.0, 11.0, speed=[3.0, 7.5], heading=[60.0, 90.0], spectrum="torsethaugen")
+    sea = qt.Sea(hs=4, tp=11, spectrum="torsethaugen")
+    assert float(found["tz"][0, 0]) == pytest.approx(sea.tz, rel=1e-12)
+    alone = qt.sea_response(SHIP, sea, 7.5, [60.0, 90.0], method="closure")
+    np.testing.assert_allclose(found["roll_rms"].values[0, 0, 0, 1], alone["roll_rms"], rtol=1e-3)
+
+
+def test_a_map_in_pieces_is_the_map():
+    """Piece by piece the same bits; what is not yet computed is NaN."""
+    wanted = sea_grid(SHIP, [3.0, 7.5], [0.0, 60.0, 90.0], 2.0, 9.0).in_blocks_of(3)
+    (done, first), (count, whole) = in_pieces(wanted)
+    assert (done, count) == (3, 6)
+    assert np.isfinite(first["roll_rms"]).values.ravel().tolist() == [True] * 3 + [False] * 3
+    assert whole.identical(evaluated(wanted))

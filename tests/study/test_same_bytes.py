@@ -33,7 +33,8 @@ CASES = {
     "absolute velocities": ("s175", {"velocities": "absolute"}, {}),
 }
 
-ALWAYS = {"several loadings", "measured"}
+ALWAYS = {"measured"}
+"""Of every run, beside the ship with a database of its own, which has several loadings."""
 
 
 def _wanted(name, changes, more):

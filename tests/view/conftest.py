@@ -102,14 +102,17 @@ def context():
 
 @pytest.fixture
 def visit(context, explorer):
-    """Open the page with a query. Errors, and requests to anywhere but this machine, are kept."""
+    """Open the page with a query. Errors, and requests to anywhere but this machine, are kept.
+
+    The ship stands still unless motion is asked for: without a graphics card each picture of it is drawn by the processor.
+    """
     pages = []
 
-    def open_page(query="", width=1440, height=1000, scheme="light"):
+    def open_page(query="", width=1440, height=1000, scheme="light", motion="reduce"):
         page = context.new_page()
         pages.append(page)
         page.set_viewport_size({"width": width, "height": height})
-        page.emulate_media(color_scheme=scheme)
+        page.emulate_media(color_scheme=scheme, reduced_motion=motion)
         page.set_default_timeout(SLOW)
         page.wrong, page.elsewhere = [], []
         page.on("pageerror", lambda error: page.wrong.append(str(error)))

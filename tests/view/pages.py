@@ -2,6 +2,8 @@
 
 from urllib.parse import parse_qs, urlparse
 
+import pytest
+
 STABLE = "ship=series60-cb60&speed=7.5&heading=30&wave_length=150&wave_height=4"
 
 
@@ -23,3 +25,12 @@ def link(page):
 def slider(key):
     """Selector of the thumb of a dial's slider, which takes the arrow keys."""
     return f"#slider-{key}[tabindex], #slider-{key} [tabindex]"
+
+
+def serious(page):
+    """What axe finds on a page that is serious or critical, in words."""
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe-core comes with the extra `dev`")
+    found = axe.Axe().run(page).response["violations"]
+    return [
+        f"{one['id']}: {one['nodes'][0]['html'][:120]}" for one in found if one["impact"] in ("serious", "critical")
+    ]

@@ -1,8 +1,10 @@
 """The command line as a user meets it: what it prints, writes, refuses, and how it exits."""
 
+import contextlib
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 from dataclasses import replace
@@ -302,6 +304,20 @@ def test_ctrl_c_says_so_exits_130_and_leaves_nothing(run, tmp_path, monkeypatch)
     assert result.exit_code == 130
     assert "interrupted" in result.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupt_that_the_compiler_let_go_is_no_traceback(run, monkeypatch):
+    """Numba's callback to keep machine code loses it, and what was to be kept is then missing: a RuntimeError of its own."""
+
+    def compiling(*_, **__):
+        with contextlib.suppress(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+        raise RuntimeError("no compiled object yet")
+
+    monkeypatch.setattr("quartering.study.maps.polar.polar", compiling)
+    result = run("polar", "wigley", *SMALL_MAP)
+    assert result.exit_code == 130
+    assert result.stderr == "quartering: interrupted; nothing was written\n"
 
 
 def test_a_disk_that_fills_up_leaves_the_old_file_and_no_half_of_the_new(tmp_path):

@@ -79,7 +79,7 @@ def test_stop_ends_a_long_map_and_the_server_answers_on(visit, explorer):
     assert page.wrong == []
 
 
-@pytest.mark.parametrize("system", ["light", "dark"])
+@pytest.mark.parametrize("system", [pytest.param("light", marks=pytest.mark.soak), "dark"])
 def test_the_theme_follows_the_system_until_it_is_chosen(visit, system):
     page = visit(STABLE, scheme=system)
 

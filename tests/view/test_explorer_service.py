@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.view.cli import app
+from tests.view.service import ask
 
 CONDITION = {"ship": "series60-cb60", "speed": 7.5, "heading": 30, "wave_length": 150, "wave_height": 4}
 MAP = {
@@ -24,19 +25,6 @@ MAP = {
     "wave_length": [100, 150],
     "steepness": 0.02,
 }
-
-
-def ask(explorer, path, content=None, query=None):
-    """Status and answer."""
-    address = f"{explorer.address}{path}" + (f"?{urllib.parse.urlencode(query, doseq=True)}" if query else "")
-    data = None if content is None else content if isinstance(content, bytes) else json.dumps(content).encode()
-    request = urllib.request.Request(address, data, {"content-type": "application/json"})
-    try:
-        with urllib.request.urlopen(request, timeout=600) as answer:
-            return answer.status, json.load(answer)
-    except urllib.error.HTTPError as error:
-        with error:
-            return error.code, json.loads(error.read())
 
 
 def test_verdict_is_that_of_the_command(explorer):
@@ -110,7 +98,8 @@ def test_the_service_describes_itself_without_the_network(explorer):
     assert "src=" not in page
     assert "https:" not in page
     with urllib.request.urlopen(f"{explorer.address}/api/openapi.json") as answer:
-        assert set(json.load(answer)["paths"]) == {"/api/verdict", "/api/polar"}
+        names = ("verdict", "polar", "sea", "guidance", "criteria")
+        assert set(json.load(answer)["paths"]) == {f"/api/{name}" for name in names}
 
 
 LOST = {"ship": "dtmb5415", "gm": 0.38, "speed": 11.7, "heading": 40, "wave_length": 284, "wave_height": 21.8}

@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.loads.validity import FASTEST, SHORTEST
+from quartering.study.maps import executor
 from quartering.study.maps.store import LAYOUT
 from quartering.units import Sizes
 from quartering.view.cli import app
@@ -130,9 +131,10 @@ def _refused(folder, words, hint):
 
 
 @pytest.mark.parametrize(("words", "hint"), COMMANDS, ids=lambda w: " ".join(w)[:60] if isinstance(w, list) else "")
-def test_a_command_that_cannot_run_says_why_and_leaves_the_folder_as_it_was(place, words, hint):
+def test_a_command_that_cannot_run_says_why_and_leaves_the_folder_as_it_was(place, words, hint, monkeypatch):
     if "--cluster" in words:
         pytest.importorskip("distributed")
+        monkeypatch.setattr(executor, "LONGEST_WAIT", 1.0)
     if "app" in words:
         pytest.importorskip("nicegui")
     _refused(place, words, hint)

@@ -20,18 +20,8 @@ from quartering.hull.roll_period import gyradius_of_period
 from quartering.hull.user_database import DATABASE_IS, Database, database_of, database_of_keys
 from quartering.hull.user_measured import measured_source
 from quartering.names import term
-from quartering.options import (
-    OPTIONS,
-    Option,
-    Refused,
-    checked,
-    no_coefficients,
-    options,
-    part_values,
-    parts,
-    quoted,
-    unknown,
-)
+from quartering.option_checks import Option, Refused, checked, quoted
+from quartering.options import OPTIONS, no_coefficients, options, part_values, parts, unknown
 from quartering.units import Sizes, quantity
 
 if TYPE_CHECKING:

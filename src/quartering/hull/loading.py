@@ -10,7 +10,7 @@ from quartering.conventions import WATER_DENSITY
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.hull import Hull
 from quartering.hull.told import number
-from quartering.options import Refused
+from quartering.option_checks import Refused
 
 ROLL_DAMPING = 0.05
 """Added roll damping, fraction of critical, when none is given (assumed)."""

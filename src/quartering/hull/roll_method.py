@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from quartering.options import OPTIONS, Refused
+from quartering.option_checks import Refused
+from quartering.options import OPTIONS
 
 RollMethod = str
 """Where added roll damping comes from: "fraction" (of critical), or a word of the option `roll_damping`."""

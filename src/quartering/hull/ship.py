@@ -16,7 +16,8 @@ from quartering.hull.roll_method import BilgeKeels, RollMethod, roll_damping_not
 from quartering.hull.user_database import Database
 from quartering.hull.user_measured import MeasuredFile
 from quartering.notebook import ShownInNotebooks
-from quartering.options import OPTIONS, checked, described, option, signature
+from quartering.option_checks import checked
+from quartering.options import OPTIONS, described, option, signature
 from quartering.units import Sizes
 
 __all__ = [

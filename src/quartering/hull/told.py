@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
-from quartering.options import OPTIONS, Option, Refused, checked, quoted
+from quartering.option_checks import Option, Refused, checked, quoted
+from quartering.options import OPTIONS
 from quartering.units import NO_SHIP, Sizes
 
 if TYPE_CHECKING:

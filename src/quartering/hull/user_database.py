@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from quartering.conventions import InputError
-from quartering.options import Refused, quoted, unknown
+from quartering.option_checks import Refused, quoted
+from quartering.options import unknown
 from quartering.units import quantity
 
 DATABASE_IS: Final = "it is a path of a Capytaine netCDF (.nc) or of WAMIT's .1"
@@ -87,7 +88,7 @@ def database_of_keys(given: Mapping[str, Any], where: str) -> Database:
     >>> database_of_keys({"fille": "my.nc"}, "my ship")
     Traceback (most recent call last):
     ...
-    quartering.options.Refused: my ship: database: fille is unknown; did you mean file?
+    quartering.option_checks.Refused: my ship: database: fille is unknown; did you mean file?
     """
     keys = ("file", "midship", "moments_about", "length")
     for key in given:

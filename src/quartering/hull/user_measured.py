@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from quartering.options import Refused, quoted
+from quartering.option_checks import Refused, quoted
 
 LIBRARY: Final = Path(__file__).parents[1] / "hydro" / "library"
 

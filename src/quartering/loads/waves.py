@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import GRAVITY, InputError
 from quartering.hull.ship import Ship
 from quartering.hull.told import number, numbers
-from quartering.options import Refused
+from quartering.option_checks import Refused
 from quartering.units import wave_length_of
 
 Floats = NDArray[np.float64]

@@ -9,14 +9,18 @@ The motion is that of |q| q itself, by its fundamental. About it a strip matched
 (16/3 pi) q where the law has (4/pi) q, 4/3 of it; with one u0 for the hull, and the water as the line w0 + w1 x, less or more.
 """
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.compiled import summing
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.harmonic import harmonic_balance
 
@@ -74,22 +78,33 @@ class Matching:
         return share
 
 
-def relative_amplitudes(system: System, displacement: NDArray[np.complex128]) -> Floats:
-    """Amplitude (n, z) of the velocity q of each strip at fundamentals (n, 3) of sway, roll, yaw [m/s]."""
-    velocity = 1j * system.frequency[:, None] * displacement
-    water = system.strips[:, :, 3] - 1j * system.strips[:, :, 4]
-    of_strip = np.einsum("nzj,nj->nz", system.strips[:, :, :3], velocity) - water
-    root = system.strips[:, :, 0]  # c^(1/3), which stands before every part
-    return np.abs(of_strip) / np.where(root > 0, root, 1.0)
-
-
-def matched_velocity(system: System, u: Floats) -> Floats:
-    """Reference velocity u0 (n,) of equal energy at motions (n, 3, 2) of the fundamental [m/s]; NaN where none is known."""
-    return energy_velocity(system, u[:, :, 0] - 1j * u[:, :, 1])
+@summing
+def _energies(first, last, strips, velocity, out):
+    """sum c q^4/sum c q^3 (n,) over the strips (n, z, 5) at velocities (n, 3) of the fundamental; NaN where both vanish."""
+    for i in range(first, last):
+        cube, fourth = 0.0, 0.0
+        sway, roll, yaw = velocity[i]
+        for z in range(strips.shape[1]):
+            root, lever, place, cos, sin = strips[i, z]  # c^(1/3), which stands before every part
+            if root <= 0.0:
+                continue
+            real = root * sway.real + lever * roll.real + place * yaw.real - cos
+            imag = root * sway.imag + lever * roll.imag + place * yaw.imag + sin
+            square = real * real + imag * imag
+            one = square * math.sqrt(square)  # c q^3
+            cube += one
+            fourth += one * math.sqrt(square) / root
+        out[i] = fourth / cube if cube > 0.0 else np.nan
 
 
 def energy_velocity(system: System, displacement: NDArray[np.complex128]) -> Floats:
-    """u0 (n,) as `matched_velocity`, from the phasors (n, 3) of the fundamental."""
-    q, c = relative_amplitudes(system, displacement), system.strips[:, :, 0] ** 3
-    cube = (c * q**3).sum(axis=1)
-    return np.asarray((c * q**4).sum(axis=1) / np.where(cube > 0, cube, np.nan))
+    """Reference velocity u0 (n,) of equal energy at phasors (n, 3) of the fundamental [m/s]; NaN where none is known."""
+    out = np.empty(system.count)
+    velocity = 1j * system.frequency[:, None] * displacement
+    in_threads(_energies, system.count, np.require(system.strips, requirements=("C", "W")), velocity, out)
+    return out
+
+
+def matched_velocity(system: System, u: Floats) -> Floats:
+    """As `energy_velocity`, from the coefficients (n, 3, 2) of the fundamental."""
+    return energy_velocity(system, u[:, :, 0] - 1j * u[:, :, 1])

@@ -20,7 +20,8 @@ from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.drag_of_ship import at_height, moving_water
-from quartering.motion.equations.system import Floats, Model, System, canonical
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats, System, canonical
 from quartering.motion.equations.terms import TermTable, term_table
 from quartering.motion.matched import Matching
 from quartering.motion.matching_of_ship import ship_matching

@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from quartering.motion.equations.system import Model
+    from quartering.motion.equations.model import Model
     from quartering.motion.steady.motion import Motion
     from quartering.stability.verdict import Verdict
 

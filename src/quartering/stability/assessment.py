@@ -63,7 +63,7 @@ def leading_growth(system: System, u: Floats, orders: tuple[int, ...], accuracy:
     as in `assess`
     Returns (n,): as `assess` with detail="map" has it, to its accuracy; NaN where there is none [1/s]
 
-    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.equations.model import Model
     >>> from quartering.motion.steady.motion import steady_motions
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> system = Model(np.eye(3), terms, 0.8, (0, 0.01, 0), (0, 0, 0)).system

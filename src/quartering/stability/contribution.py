@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from quartering.motion.equations.basis import waves_at
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.program import PLAIN
 from quartering.motion.equations.steering import state_matrix
-from quartering.motion.equations.system import Model, System
+from quartering.motion.equations.system import System
 from quartering.motion.equations.terms import parse
 from quartering.motion.equations.water import SWAY, YAW
 from quartering.motion.steady.derivative import variables_along

@@ -15,7 +15,7 @@ from quartering._machine.rowwise import contracted
 from quartering.motion.equations.steering import HEADING, RUDDER, feedback, state_matrix
 from quartering.motion.equations.system import Floats, System
 from quartering.stability.course import combination_rate, course_matrix, course_rates
-from quartering.stability.short_index import short_index, through_water
+from quartering.stability.short_index import roll_cubics, short_index, through_water
 from quartering.stability.variational.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
@@ -181,8 +181,9 @@ def first_order(system: System, phasors: Complex, displacement: Complex, detail:
         spectrum[:] = eigenvalues(state_matrix(phasors[:, 0].real, own))
     linear = contracted(rho, system.linear[:, 1][:, _VELOCITIES])
     moved = np.where(finite[:, None], displacement, 0.0)
-    by_rho = short_index(system, moved, n2, rho[:, 0], moving=True).sum(axis=1) + n2 * linear
-    literal = short_index(system, moved, n2, None, moving=False).sum(axis=1) + n2 * linear
+    cubics, relative = roll_cubics(system, moved), np.abs(through_water(system, moved))
+    by_rho = short_index(cubics, relative, w, n2, rho[:, 0]).sum(axis=1) + n2 * linear
+    literal = short_index(cubics, np.abs(moved), w, n2, None).sum(axis=1) + n2 * linear
 
     def known(values: Any, where: Any = oscillates) -> Any:
         return np.where(where.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
@@ -193,7 +194,7 @@ def first_order(system: System, phasors: Complex, displacement: Complex, detail:
         k2=known(2 * n2 * rate),
         k2_rho=known(by_rho),
         k2_paper=known(literal),
-        through_water=known(np.abs(through_water(system, moved)), finite),
+        through_water=known(relative, finite),
         roll_rate=known(rate),
         q_paper=known(growth(kappa)),
         q=known(growth(kappa - 1j * n2[:, None] * damping)),

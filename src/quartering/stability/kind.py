@@ -73,7 +73,7 @@ def linear_exponents(system: System) -> NDArray[np.complex128]:
 
     Eigenvalues of the linear part in (v, phi, p, r), psi and delta of an autopilot.  Source: [H71] eq. (3), linear terms.
 
-    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.equations.model import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -0.5}
     >>> linear_exponents(Model(np.eye(3), terms, 0.8, (0, 0, 0), (0, 0, 0)).system)[0].real.round(3).tolist()
     [-0.05, -0.05, -0.5, -1.0]

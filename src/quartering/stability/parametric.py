@@ -95,7 +95,15 @@ def hill_multipliers(stiffness: Floats, damping: Floats, period: Floats, steps: 
     matrix[:, :, 0, 1] = 1.0
     matrix[:, :, 1, 0] = -nodes
     matrix[:, :, 1, 1] = -np.asarray(damping)[:, None]
-    return np.asarray(np.linalg.eigvals(transition(matrix, np.asarray(period))), dtype=complex)
+    return _eigenvalues(transition(matrix, np.asarray(period)))
+
+
+def _eigenvalues(matrices: Floats) -> Complex:
+    """Eigenvalues (n, s) of transition matrices (n, s, s); inf where growth over a period is beyond any number."""
+    found = np.full(matrices.shape[:2], np.inf, dtype=complex)
+    finite = np.isfinite(matrices).all(axis=(1, 2))
+    found[finite] = np.linalg.eigvals(matrices[finite])
+    return found
 
 
 def _nodes(values: Floats, steps: int) -> Floats:
@@ -160,14 +168,16 @@ def _lateral_matrices(course: Course, by: Floats) -> Floats:
 
 def _lateral_multipliers(course: Course, by: Floats, period: Floats, steps: int) -> tuple[Floats, Complex, Floats]:
     """Largest growth of roll with its multiplier, and of the course."""
-    along = np.linalg.eigvals(transition(_nodes(_lateral_matrices(course, by), steps), period))
+    along = _eigenvalues(transition(_nodes(_lateral_matrices(course, by), steps), period))
     still = np.zeros((course.count, 3, *by.shape[2:]))
     weight = course.numbers.scale.prod()
     still[:, :, ROLL, ROLL] = -weight * course.ship.loading.gm
     calm = _lateral_matrices(course, still)[:, 0]
     growth, course_growth = np.full((2, course.count), np.nan)
     multiplier = np.full(course.count, np.nan, dtype=complex)
-    for i in range(course.count):
+    beyond = ~np.isfinite(along).all(axis=1)
+    growth[beyond], multiplier[beyond] = np.inf, np.inf
+    for i in np.flatnonzero(~beyond):
         exponents = np.linalg.eigvals(calm[i])
         expected = np.exp(exponents * period[i])
         of_roll = _roll_pair(calm[i])

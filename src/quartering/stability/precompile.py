@@ -19,7 +19,7 @@ import numpy as np
 
 from quartering._machine.threads import workers
 from quartering.loads.strips import diffraction
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.steady import harmonic
 from quartering.motion.steady.harmonic import solve_with_care
 from quartering.motion.transient import approach

@@ -5,11 +5,16 @@ through it: P1 and P3 are then the amplitudes of ``(v - w0)/w`` and ``(r - w1)/w
 strips has no cubics; those matched at the motion stand for it (`motion.matched`).
 """
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
+
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.compiled import summing
+from quartering._machine.threads import in_threads
 from quartering.hydro.manoeuvring.crossflow import ENERGY_CUBE
 from quartering.motion.equations.program import PLAIN
 from quartering.motion.equations.system import Floats, System
@@ -18,6 +23,9 @@ from quartering.motion.matched import energy_velocity
 from quartering.motion.steady.derivative import of_states
 
 Complex = NDArray[np.complex128]
+
+CUBICS: Final = ("vvv", "pvv", "vpp", "ppp", "vrr", "prr")
+"""Velocity cubics of the roll equation that the paper's I1, I2, I3 are made of."""
 
 
 def roll_cubic(system: System, factors: str) -> Floats:
@@ -28,7 +36,7 @@ def roll_cubic(system: System, factors: str) -> Floats:
 
     Source: [H71] eq. (3).
 
-    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.equations.model import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_prr": 0.3, "N_r": -1.0}
     >>> roll_cubic(Model(np.eye(3), terms, 1.0, (0, 0, 0), (0, 0, 0)).system, "prr").tolist()
     [0.3]
@@ -51,46 +59,58 @@ def through_water(system: System, displacement: Complex) -> Complex:
     return relative
 
 
-def short_index(system: System, displacement: Complex, n2: Floats, roll_axis: Floats | None, *, moving: bool) -> Floats:
+def roll_cubics(system: System, displacement: Complex) -> Floats:
+    """Coefficients (n, 6) of vvv, pvv, vpp, ppp, vrr and prr in the roll equation, drag by strips among them.
+
+    displacement (n, 3): fundamental of sway [m], roll, yaw, at which the strips' cubics lose the energy of |q| q
+    """
+    cubics = np.stack([roll_cubic(system, name) for name in CUBICS], axis=1)
+    if system.has_drag:
+        strips, push = (np.require(a, requirements=("C", "W")) for a in (system.strips, system.push))
+        in_threads(_add_cubics_of_strips, system.count, strips, push, energy_velocity(system, displacement), cubics)
+    return cubics
+
+
+@summing
+def _add_cubics_of_strips(first, last, strips, push, scale, cubics):
+    """Add kappa sum c (e of roll) e^3/u0 over the strips (n, z, 5), e their (1, -h, x), u0 = ``scale``, to ``cubics``."""
+    for i in range(first, last):
+        if not scale[i] > 0.0:
+            continue
+        y, k, n = push[i, 1]
+        vvv, pvv, vpp, ppp, vrr, prr = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+        for z in range(strips.shape[1]):
+            root, lever, place = strips[i, z, 0], strips[i, z, 1], strips[i, z, 2]  # (1, -h, x) times c^(1/3)
+            if root <= 0.0:
+                continue
+            share = y + (k * lever + n * place) / root
+            vvv += share * root * root * root
+            pvv += share * root * root * lever
+            vpp += share * root * lever * lever
+            ppp += share * lever * lever * lever
+            vrr += share * root * place * place
+            prr += share * lever * place * place
+        strength = ENERGY_CUBE / scale[i]
+        cubics[i, 0] += strength * vvv
+        cubics[i, 1] += 3.0 * strength * pvv
+        cubics[i, 2] += 3.0 * strength * vpp
+        cubics[i, 3] += strength * ppp
+        cubics[i, 4] += 3.0 * strength * vrr
+        cubics[i, 5] += 3.0 * strength * prr
+
+
+def short_index(cubics: Floats, amplitude: Floats, frequency: Floats, n2: Floats, roll_axis: Floats | None) -> Floats:
     """What the amplitudes of sway, roll and yaw add to K2 in the paper's form [1/s2].
 
-    system: n conditions
-    displacement (n, 3): fundamental of sway [m], roll, yaw: phasors of e^{i w t}
-    n2 (n,): [rad/s]
+    cubics (n, 6): from `roll_cubics`
+    amplitude (n, 3): of sway [m], roll, yaw [rad], over ground or through the water
+    frequency, n2 (n,): [rad/s]
     roll_axis (n,): rho_1 [m/rad]; None for the paper's 0.3 and 0.1
-    moving: with amplitudes through the water, in place of those over ground
     Returns (n, 3): n2 w^2/2 times I1 P1^2, I2 P2^2 and I3 P3^2; K2 is their sum and n2 sum_j rho_j e_2j
 
     Source: [H71] eq. (13).
     """
-    of_drag = _cubics_of_strips(system, displacement)
-    c = {name: roll_cubic(system, name) + of_drag.get(name, 0.0) for name in ("vvv", "pvv", "vpp", "ppp", "vrr", "prr")}
+    vvv, pvv, vpp, ppp, vrr, prr = cubics.T
     three, one = (3 * roll_axis, roll_axis) if roll_axis is not None else (0.3, 0.1)
-    i1 = three * c["vvv"] + c["pvv"]
-    i2 = one * c["vpp"] + 3 * c["ppp"]
-    i3 = one * c["vrr"] + c["prr"]
-    amplitude = np.abs(through_water(system, displacement) if moving else displacement)
-    strength = 0.5 * n2 * system.frequency**2
-    return np.asarray(strength[:, None] * np.stack([i1, i2, i3], axis=1) * amplitude**2)
-
-
-def _cubics_of_strips(system: System, displacement: Complex) -> dict[str, Floats]:
-    """Cubics (n,) of the roll equation that lose the energy of |q| q at the motion: kappa sum c (e of roll) e^3/u0."""
-    if not system.has_drag:
-        return {}
-    root = system.strips[:, :, 0]  # c^(1/3), which stands before 1, -h, x and the water
-    known = np.where(root > 0, root, 1.0)
-    ones, levers, places = np.moveaxis(system.strips[:, :, :3], 2, 0) / known
-    scale = energy_velocity(system, displacement)
-    per_scale = np.where(scale > 0, 1.0 / np.where(scale > 0, scale, 1.0), 0.0)
-    push = system.push[:, 1, 0, None] + system.push[:, 1, 1, None] * levers + system.push[:, 1, 2, None] * places
-    strength = ENERGY_CUBE * per_scale[:, None] * root**3 * push
-    products = {
-        "vvv": ones,
-        "pvv": 3 * levers,
-        "vpp": 3 * levers**2,
-        "ppp": levers**3,
-        "vrr": 3 * places**2,
-        "prr": 3 * levers * places**2,
-    }
-    return {name: (strength * product).sum(axis=1) for name, product in products.items()}
+    indices = np.stack([three * vvv + pvv, one * vpp + 3 * ppp, one * vrr + prr], axis=1)
+    return np.asarray((0.5 * n2 * frequency**2)[:, None] * indices * amplitude**2)

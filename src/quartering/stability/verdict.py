@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 from quartering.doors import takes
 from quartering.hull.righting.limit import CapsizeLimit
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats
 from quartering.motion.steady.motion import Motion, advice
 from quartering.motion.steady.subharmonic import slowed
 from quartering.notebook import ShownInNotebooks

@@ -20,7 +20,8 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import Wave
 from quartering.motion.steady.harmonic import checked_harmonics
-from quartering.options import OPTIONS, Refused, checked
+from quartering.option_checks import Refused, checked
+from quartering.options import OPTIONS
 from quartering.study.case.values import values_of
 from quartering.study.loadings import CHOICE_AXES, VALUE, base_of, coded, loaded
 from quartering.units import wave_length_of

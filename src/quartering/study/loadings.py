@@ -14,7 +14,8 @@ from quartering.hull.changes import changed
 from quartering.hull.ship import Ship
 from quartering.hydro.damping.natural_roll import free_roll
 from quartering.hydro.source.of_ship import source_of
-from quartering.options import OPTIONS, checked, choice_axes, loading_axes
+from quartering.option_checks import checked
+from quartering.options import OPTIONS, choice_axes, loading_axes
 
 KEEL_AXES = ("bilge_keel_length", "bilge_keel_breadth")
 LOADING_AXES = loading_axes()

@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from quartering._machine.threads import spread
 from quartering.conventions import MODES, InputError
 from quartering.motion.equations.batch import joined
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats
 from quartering.motion.steady.harmonic import checked_harmonics, orders_for
 from quartering.motion.steady.motion import Start, roll_peaks, steady_motions, within_limits
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.stability.assessment import assess
 from quartering.stability.precompile import announce_compilation
 from quartering.study.conditions import ACCURACY

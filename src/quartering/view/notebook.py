@@ -12,7 +12,7 @@ import numpy as np
 from quartering.conventions import MODES
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.ship import Ship
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.steady.motion import Motion
 from quartering.names import unit
 from quartering.stability.verdict import Verdict

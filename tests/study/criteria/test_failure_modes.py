@@ -13,6 +13,7 @@ from scipy.interpolate import PchipInterpolator
 import quartering as qt
 from quartering.study.criteria import dead_ship, excessive_acceleration, parametric_rolling, pure_loss, surf_riding
 from quartering.study.criteria.constants import constants
+from quartering.study.criteria.judged import judging
 from quartering.study.criteria.particulars import particulars
 
 # gm, speed, roll period; by waterplanes and in waves: change of GM, least GM; C1; CR1, CR2
@@ -232,3 +233,14 @@ def test_a_ship_without_freeboard_is_refused():
     ship = qt.ship("box")
     with pytest.raises(qt.InputError, match="no freeboard"):
         qt.criteria(ship.with_(draught=ship.hull.depth))
+
+
+def test_level_one_comes_first_and_alone_where_it_is_asked_for():
+    """The order of the steps; the record of level 1 alone has the judgements that the whole one has."""
+    ship = qt.ship("series60-cb60").with_(gm=0.8)
+    *_, (share, first) = judging(ship, 8.6, levels=(1,))
+    assert share == 1.0
+    assert [one.level for one in first.judgements] == [1] * 5
+    whole = qt.criteria(ship, 8.6)
+    for one in first.judgements:
+        np.testing.assert_equal([q.value for q in one.quantities], [q.value for q in whole.of(one.mode, 1).quantities])

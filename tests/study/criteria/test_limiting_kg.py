@@ -21,7 +21,9 @@ def test_moving_g_moves_the_arms_as_cross_curves_say():
     assert np.nanmax(np.abs(difference[:, :41])) < 2e-3
 
 
-@pytest.mark.parametrize("criterion", ["parametric_rolling.level1", "pure_loss.level1"])
+@pytest.mark.parametrize(
+    "criterion", ["parametric_rolling.level1", pytest.param("pure_loss.level1", marks=pytest.mark.soak)]
+)
 def test_on_either_side_of_a_limit_the_verdicts_differ(criterion):
     ship = qt.ship("series60-cb60")
     limit = float(qt.limiting_kg(ship, speed="0.3 Fn", levels=[criterion])["kg_max"][0, 0])

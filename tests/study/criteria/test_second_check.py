@@ -16,7 +16,7 @@ SHIP = qt.ship("series60-cb60").with_(gm=0.8)
 def test_rolls_of_the_check_are_those_of_the_record_of_one_wave():
     """Fewer harmonics are taken for the many waves of the check: within 3 % of the record, and the same verdicts."""
     speed, length = 4.323, SHIP.hull.length
-    rolls = largest_rolls(SHIP, (speed,), 180.0)[0]
+    rolls = largest_rolls(SHIP, speed, 180.0)
     assert rolls[0] == 0.0
     for i in (1, 5):
         with warnings.catch_warnings():

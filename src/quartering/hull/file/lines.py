@@ -14,7 +14,8 @@ from quartering.hull.lines.datum import datum_of, profile_of
 from quartering.hull.lines.hull import Contour, Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
 from quartering.hull.lines.sense import check_proportions
 from quartering.hull.lines.stations import check_contour, hull_from_offsets
-from quartering.options import OPTIONS, checked
+from quartering.option_checks import checked
+from quartering.options import OPTIONS
 from quartering.units import Sizes
 
 

@@ -11,7 +11,8 @@ from quartering.hull.file.schema import Entry, ShipKeys
 from quartering.hull.lines.hull import Hull
 from quartering.hull.loading import Loading, reloaded
 from quartering.hull.ship import Ship
-from quartering.options import OPTIONS, checked, options
+from quartering.option_checks import checked
+from quartering.options import OPTIONS, options
 from quartering.units import split_quantity
 
 _USUAL = "usual value; nothing published was found"

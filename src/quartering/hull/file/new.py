@@ -8,7 +8,8 @@ from quartering.conventions import InputError
 from quartering.hull.file.read import available_ships, ship
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.ship import Ship
-from quartering.options import OPTIONS, Option, line_of, options
+from quartering.option_checks import Option
+from quartering.options import OPTIONS, line_of, options
 
 _HEAD = """\
 # yaml-language-server: $schema={schema}

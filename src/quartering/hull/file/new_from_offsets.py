@@ -10,7 +10,8 @@ from quartering.hull.file.read import ship
 from quartering.hull.formats.offset_tables import Lines
 from quartering.hull.formats.read import read_lines
 from quartering.hull.ship import Ship
-from quartering.options import OPTIONS, checked
+from quartering.option_checks import checked
+from quartering.options import OPTIONS
 from quartering.units import NO_SHIP
 
 

@@ -20,7 +20,8 @@ from quartering.hull.roll_method import roll_damping_note
 from quartering.hull.ship import Ship
 from quartering.hull.user_database import Database, database_of
 from quartering.hull.user_measured import MeasuredFile, measured_source
-from quartering.options import OPTIONS, Option, Refused
+from quartering.option_checks import Option, Refused
+from quartering.options import OPTIONS
 
 LIBRARY = Path(__file__).parents[1] / "library"
 

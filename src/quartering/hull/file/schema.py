@@ -11,7 +11,8 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 
 from quartering.conventions import InputError
 from quartering.hull.file.refusals import allowed, nearest_word, user_words
-from quartering.options import Option, line_of, no_coefficients, options, parts, quoted
+from quartering.option_checks import Option, quoted
+from quartering.options import line_of, no_coefficients, options, parts
 
 Lines = Mapping[tuple[str, ...], int]
 """Keys of a file, the outermost first -> the line they stand on."""

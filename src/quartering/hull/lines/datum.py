@@ -9,7 +9,8 @@ import numpy as np
 
 from quartering.conventions import InputError
 from quartering.hull.lines.section import Floats
-from quartering.options import OPTIONS, checked
+from quartering.option_checks import checked
+from quartering.options import OPTIONS
 
 Datum = Literal["keel", "waterline"]
 

@@ -14,7 +14,7 @@ from quartering.hull.lines.contour import Curve, Outline, along, chord_at_height
 from quartering.hull.lines.quadrature import gauss
 from quartering.hull.lines.section import Floats, Section
 from quartering.hull.option_types import Datum, Ends, Sections
-from quartering.options import Refused
+from quartering.option_checks import Refused
 
 Contour = tuple[Floats, Floats]
 Shape = Literal["offsets", "wigley", "box"]

@@ -14,7 +14,7 @@ from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hydro.source.of_ship import source_of
-from quartering.options import Refused
+from quartering.option_checks import Refused
 
 
 def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], highest: float) -> float:

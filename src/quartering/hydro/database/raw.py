@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from quartering.conventions import InputError, RangeWarning
 from quartering.hull.lines.section import Floats
 from quartering.hydro.database.check import sway_phase
-from quartering.options import OPTIONS, checked
+from quartering.option_checks import checked
+from quartering.options import OPTIONS
 
 GRAVITIES = (9.0, 10.5)
 """Range of the acceleration of gravity on this planet, as a file may round it [m/s2]."""

@@ -14,7 +14,8 @@ from scipy.signal import find_peaks
 from quartering.conventions import InputError
 from quartering.hull.lines.section import Floats
 from quartering.hull.told import number
-from quartering.options import OPTIONS, quoted
+from quartering.option_checks import quoted
+from quartering.options import OPTIONS
 from quartering.table_text import UNITS, columns_of, is_number, read_table
 
 AngleUnit = Literal["deg", "rad"]

@@ -24,7 +24,7 @@ from quartering.hull.lines.mesh import Panels, hull_panels
 from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
 from quartering.hull.told import count, numbers
-from quartering.options import quoted
+from quartering.option_checks import quoted
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -15,7 +15,7 @@ from quartering.loads.sea.shape import mean_period_ratio
 from quartering.loads.sea.spreading import Spreading, checked_spreading
 from quartering.loads.sea.systems import JONSWAP_POWER, MeasuredSystem, WaveSystem, checked_cut, wrapped
 from quartering.loads.sea.torsethaugen import torsethaugen
-from quartering.options import quoted
+from quartering.option_checks import quoted
 
 if TYPE_CHECKING:
     import xarray as xr

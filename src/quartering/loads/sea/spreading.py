@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError, as_float
-from quartering.options import quoted
+from quartering.option_checks import quoted
 
 Floats = NDArray[np.float64]
 Spreading = float | Literal["cos2"] | None

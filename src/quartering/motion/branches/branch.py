@@ -109,7 +109,7 @@ def follow_branch(
     Pseudo-arclength continuation: steps go along the tangent, shorter where the branch bends.  Source: [Krack19].
 
     >>> from dataclasses import replace
-    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.equations.model import Model
     >>> terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -0.2, "K_p": -0.04}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.1, 0), (0, 0, 0)).system
     >>> curve, start = start_of_branch(lambda t: replace(system, frequency=np.array([0.8 + 0.7 * t])), harmonics=1)

@@ -12,9 +12,10 @@ from quartering.motion.branches.raising import Raising, over_height
 from quartering.motion.branches.seeds import grid_of_roll, heeled_starts, largest_roll
 from quartering.motion.branches.switching import disturbance
 from quartering.motion.equations.batch import copies
-from quartering.motion.equations.system import Floats, Model, System
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats, System
 from quartering.motion.status import Status
-from quartering.motion.steady.balance import balance_of
+from quartering.motion.steady.balance import BalanceEquations
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for
 from quartering.motion.steady.motion import Motion, motion_record
 from quartering.motion.steady.subharmonic import ascending, columns, orders_of, rearranged, slowed
@@ -214,8 +215,9 @@ def _beside(system: System, motions: list[Floats], orders: tuple[int, ...], peri
 
 def _undamped(system: System, u: Floats, orders: tuple[int, ...]) -> Floats | None:
     """Where Newton's whole steps lead: beside a bifurcation its damped ones fall back on the motion that was left."""
+    equations = BalanceEquations(system, orders)
     for _ in range(_ITERATIONS):
-        residual, matrix = balance_of(system, orders, u)
+        residual, matrix = equations.at(u)
         try:
             step = np.linalg.solve(matrix, -residual).reshape(u.shape)
         except np.linalg.LinAlgError:

@@ -22,12 +22,13 @@ from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.forces import cell_forces
 from quartering.loads.waves import folded, least_encounter_frequency
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.equations.system import Model, restoring_table
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import restoring_table
 from quartering.motion.equations.terms import term_table
 from quartering.motion.equations.water import Strips, relative_terms
 from quartering.motion.of_ship import nonlinear_terms
 from quartering.names import CUBIC_NAMES, DRAG_NAME, RUDDER_NAMES
-from quartering.options import quoted
+from quartering.option_checks import quoted
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -238,6 +238,22 @@ def newton(one, tables, u, work):
 _NO_MATRIX = np.empty((0, 0))
 
 
+class BalanceEquations:
+    """The balance equations of one condition, their tables made once for many motions."""
+
+    def __init__(self, system: System, orders: tuple[int, ...]) -> None:
+        table = system.basis(orders, fewest=FEWEST)
+        self._size = 3 * table.factors.size
+        self._arguments = kernel_arguments(system, table)
+
+    def at(self, u: Floats, *, with_matrix: bool = True) -> tuple[Floats, Floats]:
+        """Residual and derivative as from `balance_of`."""
+        size = self._size
+        residual, matrix = np.empty(size), np.empty((size, size)) if with_matrix else _NO_MATRIX
+        balance_at(*self._arguments, np.ascontiguousarray(u), residual, matrix)
+        return residual, matrix
+
+
 def balance_of(
     system: System, orders: tuple[int, ...], u: Floats, *, with_matrix: bool = True
 ) -> tuple[Floats, Floats]:
@@ -251,8 +267,4 @@ def balance_of(
 
     Source: [H71] eqs. (A-10), (A-11); [Krack19].
     """
-    table = system.basis(orders, fewest=FEWEST)
-    size = 3 * table.factors.size
-    residual, matrix = np.empty(size), np.empty((size, size)) if with_matrix else _NO_MATRIX
-    balance_at(*kernel_arguments(system, table), np.ascontiguousarray(u), residual, matrix)
-    return residual, matrix
+    return BalanceEquations(system, orders).at(u, with_matrix=with_matrix)

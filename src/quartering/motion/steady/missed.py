@@ -81,7 +81,7 @@ def missed_roll(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
 
     Newton's first step in a set with the next two harmonics.  Source: [Krack19].
 
-    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.equations.model import Model
     >>> from quartering.motion.steady.harmonic import harmonic_balance
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_phiphiphi": 0.1, "K_p": -0.1, "N_r": -1.0}
     >>> system = Model(np.eye(3), terms, 0.5, (0, 0.4, 0), (0, 0, 0)).system

@@ -14,8 +14,9 @@ from quartering._machine.rowwise import rowwise
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.righting.limit import CapsizeLimit
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.steering import holds_heading
-from quartering.motion.equations.system import Floats, Model, System
+from quartering.motion.equations.system import Floats, System
 from quartering.motion.status import Status
 from quartering.motion.steady.harmonic import checked_harmonics, harmonic_balance, orders_for
 from quartering.motion.steady.struble import modified_struble

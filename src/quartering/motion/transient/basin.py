@@ -14,10 +14,11 @@ from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.told import count, number
 from quartering.motion.equations.basis import waves_at
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.system import Floats
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
-from quartering.options import quoted
+from quartering.option_checks import quoted
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -15,10 +15,11 @@ from quartering._machine.threads import in_threads
 from quartering.conventions import STATE, InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.told import number, numbers
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.system import Floats
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
-from quartering.options import quoted
+from quartering.option_checks import quoted
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -48,7 +48,7 @@ def alike(system: System) -> Alike:
 
     Source: [H71] eq. (3); no approximation, only the order of multiplications.
 
-    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.equations.model import Model
     >>> model = Model(np.eye(3), {"Y_v": -1.0, "K_phi": -1.0, "K_ppp": -0.2, "N_r": -1.0}, 1.0, (0, 0, 0), (0, 0, 0))
     >>> alike(model.system).columns.tolist()  # v, phi, r, and p^3 of roll in column 5
     [0, 1, 3, 5]

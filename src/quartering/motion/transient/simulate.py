@@ -13,9 +13,10 @@ from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.told import number
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH, enter_inputs, fill, forces, room_for, row_of_lanes
 from quartering.motion.equations.steering import HEADING, RUDDER
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.system import Floats
 from quartering.motion.of_ship import equations
 
 if TYPE_CHECKING:

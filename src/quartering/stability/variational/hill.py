@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from quartering.conventions import InputError
 from quartering.doors import takes
+from quartering.motion.equations.model import Model
 from quartering.motion.equations.steering import state_matrix
-from quartering.motion.equations.system import Floats, Model, System
+from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.motion import Motion
 from quartering.motion.steady.subharmonic import slowed
 from quartering.stability.variational.variation import variational_harmonics

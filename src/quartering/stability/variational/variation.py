@@ -82,7 +82,7 @@ def variation_along(
 
     Source: [H71] eq. (8).
 
-    >>> from quartering.motion.equations.system import Model
+    >>> from quartering.motion.equations.model import Model
     >>> terms = {"Y_v": -1.0, "K_phi": -1.0, "K_p": -0.1, "N_r": -1.0}
     >>> system = Model(np.eye(3), terms, 1.0, (0, 0.01, 0), (0, 0, 0)).system
     >>> variation_along(system, np.zeros((1, 3, 2)), (1,))[1][0, 0, 1].tolist()

@@ -18,7 +18,8 @@ from quartering.loads.waves import Wave
 from quartering.motion.branches.branch import Curve, Family, follow_branch, start_of_branch, within
 from quartering.motion.branches.isola import loops
 from quartering.motion.branches.switching import doubled, leaning, strength
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats
 from quartering.motion.steady.motion import peaks
 from quartering.motion.steady.subharmonic import columns
 from quartering.stability.precompile import announce_compilation

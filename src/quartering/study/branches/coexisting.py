@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 from quartering._machine.threads import small_matrices
 from quartering.doors import takes
 from quartering.motion.branches.search import periodic_motions
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.steady.motion import Motion
 from quartering.stability.verdict import Verdict, stability
 

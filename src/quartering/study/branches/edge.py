@@ -16,11 +16,12 @@ from quartering.loads.waves import Wave
 from quartering.motion.branches.arclength import Equations, Path, corrected, follow
 from quartering.motion.branches.branch import within
 from quartering.motion.equations.batch import apart, joined
-from quartering.motion.equations.system import Floats, Model, System
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.balance import balance_of
 from quartering.motion.steady.motion import peaks
 from quartering.motion.steady.subharmonic import ascending, columns, slowed
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.stability.assessment import assess
 from quartering.stability.precompile import announce_compilation
 from quartering.study.branches.bifurcation_functions import STEP, Boundary

@@ -17,10 +17,12 @@ from quartering.loads.waves import Wave
 from quartering.motion.branches.branch import Family
 from quartering.motion.equations.batch import joined
 from quartering.motion.equations.batch import rows as rows_of
-from quartering.motion.equations.system import PER_CONDITION, Floats, Model, System
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import PER_CONDITION, Floats, System
 from quartering.motion.equations.terms import parse
 from quartering.motion.of_ship import equations, ship_system
-from quartering.options import OPTIONS, Refused, quoted
+from quartering.option_checks import Refused, quoted
+from quartering.options import OPTIONS
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES
 from quartering.study.loadings import LOADING_AXES, loaded, user_value

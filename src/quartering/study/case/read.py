@@ -22,7 +22,8 @@ from quartering.hull.file.yaml_text import key_lines, parsed, read_text
 from quartering.hull.ship import Ship
 from quartering.loads.sea.sea import Sea
 from quartering.names import checked_values
-from quartering.options import OPTIONS, Option, Refused, quoted
+from quartering.option_checks import Option, Refused, quoted
+from quartering.options import OPTIONS
 from quartering.study.case.keys import Case, LoadingAxes, SeaAxes, SwellKeys, Values
 from quartering.study.case.values import values_of
 from quartering.study.grid import CONDITION_AXES, SEA_AXES, STEEPNESS, Grid, axis, grid

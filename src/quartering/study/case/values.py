@@ -9,7 +9,7 @@ import numpy as np
 
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
-from quartering.options import Option, Refused, checked
+from quartering.option_checks import Option, Refused, checked
 from quartering.units import MOST_VALUES, Kind, quantity
 
 _RANGE = re.compile(

@@ -10,14 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering._machine.threads import small_matrices
-from quartering.motion.branches.homotopy import carried, same
+from quartering.motion.branches.homotopy import carried, distinct, same
 from quartering.motion.branches.search import from_grid
 from quartering.motion.branches.seeds import grid_of_roll
 from quartering.motion.equations.batch import rows
-from quartering.motion.equations.system import Floats, Model, System
-from quartering.motion.status import OnTheWay
-from quartering.motion.steady.harmonic import orders_for, quick_motions
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats, System
+from quartering.motion.status import OnTheWay, Status
+from quartering.motion.steady.harmonic import harmonic_balance, orders_for, quick_motions
 from quartering.motion.steady.motion import Motion, roll_peaks, steady_motions
+from quartering.motion.steady.subharmonic import rearranged
 from quartering.motion.transient.approach import capsizes_before
 from quartering.stability.assessment import Assessment, assess
 from quartering.stability.kind import Kind, near_fold
@@ -27,7 +29,7 @@ Way = Literal["upright", "raised"]
 
 _STEEP: Final = 0.5
 """Share of the capsize limit past which a stable motion is asked for the way to it."""
-_SAME_ROLL = 0.02
+_SAME_ROLL, _NEAR = 0.02, 0.15
 OTHERS: Final = 2
 """Other stable motions that a cell of a map has room for: of more, those that roll most."""
 _SIZES, _ANGLES = 8, 3
@@ -46,6 +48,21 @@ def capsizes_on_the_way(model: Model) -> dict[Way, float]:
     """
     times = capsizes_before(model.system, np.array([model.capsize_limit.radians]))[0]
     return {way: float(time) for way, time in zip(get_args(Way), times, strict=True) if np.isfinite(time)}
+
+
+class _Known(NamedTuple):
+    """The motion of a condition that others stand beside.
+
+    Parameters
+    ----------
+    u : (3, b)       coefficients
+    orders : tuple   their harmonics
+    peak : float     largest roll over a cycle [rad]
+    """
+
+    u: Floats
+    orders: tuple[int, ...]
+    peak: float
 
 
 class Asked(NamedTuple):
@@ -86,10 +103,17 @@ def beside_motions(
         some = rows(system, asked)
         times = capsizes_before(some, np.full(asked.size, limit))
         way[asked] = np.isfinite(times) @ [int(OnTheWay.FROM_UPRIGHT), int(OnTheWay.WAVE_RAISED)]
+        many = orders_for(some, max(3, *orders))
+        of: list[int] = []
+        others: list[Floats] = []
         for i, low, seeds in _seeds_beside(some, u[asked], orders, limit):
-            one = rows(some, np.array([i]))
-            found = _stable_rolls(one, low, seeds, [float(peaks[asked[i]])], limit, max(3, *orders))[-OTHERS:]
-            rolls[asked[i], : len(found)] = found
+            known = _Known(u[asked[i]], orders, float(peaks[asked[i]]))
+            found = _others(rows(some, np.array([i])), low, seeds, known, limit, many)
+            of += [i] * len(found)
+            others += found
+        for i, each in _stable_rolls(some, of, others, many).items():
+            largest = each[-OTHERS:]
+            rolls[asked[i], : len(largest)] = largest
     return Asked(way, rolls)
 
 
@@ -106,14 +130,12 @@ def _seeds_beside(
     starts = np.tile(grid_of_roll(_BEYOND * limit, _SIZES, _ANGLES, column, width), (system.count, 1, 1))
     found, status = quick_motions(rows(system, np.repeat(np.arange(system.count), each)), low, starts)
     usable = (status == 0) & (roll_peaks(np.nan_to_num(found), low) <= _BEYOND * limit)
-    for i in range(system.count):
-        known = u[i, 1, first : first + 2]
-        seeds: list[Floats] = []
-        for j in np.flatnonzero(usable[i * each : (i + 1) * each]) + i * each:
-            if not any(same(found[j], one) for one in seeds):
-                seeds.append(found[j])
-        if any(np.hypot(*(one[1, column : column + 2] - known)) > _ALIKE * np.hypot(*known) for one in seeds):
-            yield i, low, seeds
+    known = u[:, 1, first : first + 2]
+    away = found[:, 1, column : column + 2] - np.repeat(known, each, axis=0)
+    others = usable & (np.hypot(*away.T) > _ALIKE * np.repeat(np.hypot(*known.T), each))
+    for i in np.flatnonzero(others.reshape(-1, each).any(axis=1)):
+        own = slice(i * each, (i + 1) * each)
+        yield int(i), low, distinct(found[own][usable[own]])
 
 
 def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> list[float]:
@@ -129,35 +151,58 @@ def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> li
     system = model.system
     with small_matrices():
         low, seeds = from_grid(system)
-        as_a_map = _seeds_beside(
-            system, motion.coefficients[None], motion.orders_with_mean, model.capsize_limit.radians
-        )
+        known = _Known(motion.coefficients, motion.orders_with_mean, float(motion.peak[1]))
+        as_a_map = _seeds_beside(system, known.u[None], known.orders, model.capsize_limit.radians)
         for _, _, found in as_a_map:  # closer starts, up to the limit: a cell and its verdict look in the same places
             seeds += [one for one in found if not any(same(one, known) for known in seeds)]
-        return _stable_rolls(
-            system, low, seeds, [float(motion.peak[1])], model.capsize_limit.radians, max(3, harmonics)
-        )
+        many = orders_for(system, max(3, harmonics))
+        found = _others(system, low, seeds, known, model.capsize_limit.radians, many)
+        return _stable_rolls(system, [0] * len(found), found, many).get(0, [])
+
+
+def _others(
+    system: System, low: tuple[int, ...], seeds: list[Floats], known: _Known, limit: float, many: tuple[int, ...]
+) -> list[Floats]:
+    """Motions of many harmonics of one condition that one-harmonic ones lead to and are not known.
+
+    The motion that is known may be one of few harmonics, which rolls otherwise than the same one with more of them: both are
+    left out.
+    """
+    already = [known.peak, _with_more(system, known, many)]
+    ends = [one for one in carried(system, seeds, low, many) if one is not None]
+    peaks = [float(roll_peaks(u[None], many)[0]) for u in ends]
+    return [u for u, peak in zip(ends, peaks, strict=True) if peak <= limit and not _alike(peak, already)]
 
 
 def _stable_rolls(
-    system: System, low: tuple[int, ...], seeds: list[Floats], known: list[float], limit: float, harmonics: int
-) -> list[float]:
-    """Largest roll of the stable motions of one condition that one-harmonic ones lead to and are not known, the smallest first.
+    system: System, of: list[int], motions: list[Floats], many: tuple[int, ...]
+) -> dict[int, list[float]]:
+    """Largest roll of those motions that are stable, by the condition they are of, each once, the smallest first."""
+    rolls: dict[int, list[float]] = {}
+    if not motions:
+        return rolls
+    u = np.array(motions)
+    kind = assess(rows(system, np.array(of)), u, many, 1e-9, detail="map").kind
+    for i, peak, stands in zip(of, roll_peaks(u, many), kind == Kind.STABLE, strict=True):
+        known = rolls.setdefault(i, [])
+        if stands and not _alike(peak, known):
+            known.append(float(peak))
+    return {i: sorted(each) for i, each in rolls.items()}
 
-    The motion that is known may be one of one harmonic, which rolls otherwise than the same one with more of them: both are
-    left out.
-    """
-    own, many, _, _ = steady_motions(system, harmonics, start="rest")
-    known = [*known, float(roll_peaks(own, many)[0])]
-    ends = [one for one in carried(system, seeds, low, many) if one is not None]
-    rolls: list[float] = []
-    for u in ends:
-        peak = float(roll_peaks(u[None], many)[0])
-        if peak > limit or any(abs(peak - one) <= _SAME_ROLL * peak for one in [*rolls, *known]):
-            continue
-        if assess(system, u[None], many, 1e-9).kind[0] == Kind.STABLE:
-            rolls.append(peak)
-    return sorted(rolls)
+
+def _alike(peak: float, others: list[float]) -> bool:
+    """Is a largest roll within 2 % of it among others?"""
+    return any(abs(peak - one) <= _SAME_ROLL * peak for one in others)
+
+
+def _with_more(system: System, known: _Known, many: tuple[int, ...]) -> float:
+    """Largest roll of the known motion with more harmonics, or else of the one from rest with them [rad]."""
+    start = rearranged(known.u[None], known.orders, many)
+    u, status, _ = harmonic_balance(system, many, start)
+    peak = float(roll_peaks(u, many)[0])
+    if Status(status[0]).ok and abs(peak - known.peak) <= _NEAR * known.peak:
+        return peak
+    return float(roll_peaks(steady_motions(system, max(many), start="rest")[0], many)[0])
 
 
 def also_words(rolls: Iterable[float]) -> str:

@@ -15,7 +15,7 @@ from quartering.hydro.coefficients import coefficients
 from quartering.hydro.terms import estimates
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.of_ship import equations
 from quartering.motion.steady.motion import Motion, advice, steady_motion, within_limit
 from quartering.stability.verdict import Verdict, stability

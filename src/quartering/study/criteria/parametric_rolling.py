@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from quartering.study.criteria.sea_states import effective_deviation, scatter, w
 _FINE, _FULL = 0.94, 0.96
 _SHARES = tuple(math.cos(math.radians(7.5 * i)) for i in range(12))
 """Speeds of the second check over the service speed, in head and in following seas; 0 comes to them, once for both."""
+_HEADINGS = (180.0, 0.0)
 
 
 def standard(p: Particulars) -> float:
@@ -67,6 +69,20 @@ def level1(p: Particulars) -> Judgement:
     )  # fmt: skip
 
 
+def _speeds(p: Particulars) -> tuple[float, ...]:
+    """Speeds of the second check [m/s]."""
+    return (*(p.speed * share for share in _SHARES), 0.0)
+
+
+def rolled(p: Particulars) -> Iterator[None]:
+    """Find the rolls of the second check one speed at a time, where the first one fails; `level2` then finds them ready."""
+    if level2(p, second=False).value("c1") > limit("parametric_rolling.c1_limit"):
+        for heading in _HEADINGS:
+            for speed in _speeds(p):
+                largest_rolls(p.ship, speed, heading)
+                yield
+
+
 def second_check(p: Particulars) -> tuple[float, float]:
     """C2, and the largest roll met [deg].
 
@@ -81,12 +97,10 @@ def second_check(p: Particulars) -> tuple[float, float]:
     table = scatter()
     heights = limit("effective_wave.significant") * effective_deviation(p.length, table.hs[:, None], table.tz)
     heights = np.minimum(heights, STEEPNESSES[-1] * p.length)
-    speeds = (*(p.speed * share for share in _SHARES), 0.0)
     total, largest = 0.0, 0.0
-    for heading in (180.0, 0.0):
-        rolls = largest_rolls(p.ship, speeds, heading)
-        for speed, by_height in zip(speeds, rolls, strict=True):
-            roll = np.interp(heights, STEEPNESSES * p.length, by_height)
+    for heading in _HEADINGS:
+        for speed in _speeds(p):
+            roll = np.interp(heights, STEEPNESSES * p.length, largest_rolls(p.ship, speed, heading))
             share = float(table.weight[roll > limit("parametric_rolling.largest_roll")].sum())
             total += share * (0.5 if speed == 0.0 else 1.0)
             largest = max(largest, float(roll.max()))

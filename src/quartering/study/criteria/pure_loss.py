@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +64,13 @@ def angles(p: Particulars) -> Floats:
         rows = arms(p, p.length, steepness * p.length)
         found[i] = min(_vanishing(row) for row in rows), max(_heel_under(row, lever) for row in rows)
     return found
+
+
+def balanced(p: Particulars) -> Iterator[None]:
+    """Balance the waves of the second level one height at a time; `angles` then finds them ready."""
+    for steepness in _STEEPNESSES:
+        arms(p, p.length, steepness * p.length)
+        yield
 
 
 def _vanishing(arm: Floats) -> float:

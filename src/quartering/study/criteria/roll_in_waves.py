@@ -1,4 +1,4 @@
-"""Largest roll of a ship in regular head and following seas as long as the ship, over heights and speeds."""
+"""Largest roll of a ship in regular head and following seas as long as the ship, over heights."""
 
 from __future__ import annotations
 
@@ -26,23 +26,23 @@ _ORDER, _LATERAL, _SAMPLES = 5, 3, 32
 """Harmonics of the encounter in heave and pitch, odd ones of half of it in roll, and samples: roll to about 1 %."""
 
 
-@lru_cache(maxsize=32)
-def largest_rolls(ship: Ship, speeds: tuple[float, ...], heading: float) -> Floats:
-    """Largest stable roll [deg] over speeds [m/s] and `STEEPNESSES`, (n, 11), in waves as long as the ship.
+@lru_cache(maxsize=256)
+def largest_rolls(ship: Ship, speed: float, heading: float) -> Floats:
+    """Largest stable roll [deg] over `STEEPNESSES`, (11,), at a speed [m/s] in waves as long as the ship.
 
     The largest of all stable motions of two periods counts, also where small roll decays beside it. Where the ship keeps pace
-    with the wave there is no parametric roll: 0.
+    with the wave there is no parametric roll: 0. Speeds are taken one by one: near that pace a period has so many steps that
+    others would have to wait for them.
     """
     length = ship.hull.length
     amplitudes = STEEPNESSES[1:] * length / 2
-    U = np.array(speeds)
-    many = course(ship, 2 * math.pi / length, np.full(U.size, amplitudes[0]), U, np.full(U.size, heading))
-    orbits = climbed(many, amplitudes, symmetric_harmonics(_ORDER, _SAMPLES))
-    growth = roll_growth(orbits, 0.0).growth.reshape(U.size, -1)
-    found = np.zeros((U.size, STEEPNESSES.size))
-    basis = doubled_harmonics(_ORDER, _LATERAL, _SAMPLES)
-    for i in np.flatnonzero(~many.slow):
-        stable = stable_rolls(many.rows(np.array([i])), amplitudes, basis)
-        unstable = np.where(np.isnan(growth[i]), True, growth[i] > 0)
-        found[i, 1:] = np.where(unstable & (stable == 0.0), CAPSIZED, stable)
+    one = course(ship, 2 * math.pi / length, amplitudes[:1], np.array([speed]), np.array([heading]))
+    found = np.zeros(STEEPNESSES.size)
+    if one.slow[0]:
+        return found
+    orbits = climbed(one, amplitudes, symmetric_harmonics(_ORDER, _SAMPLES))
+    growth = roll_growth(orbits, 0.0).growth.ravel()
+    stable = stable_rolls(one, amplitudes, doubled_harmonics(_ORDER, _LATERAL, _SAMPLES))
+    unstable = np.where(np.isnan(growth), True, growth > 0)
+    found[1:] = np.where(unstable & (stable == 0.0), CAPSIZED, stable)
     return found

@@ -17,7 +17,8 @@ from quartering.loads.strips.strip_forces import checked_form
 from quartering.loads.waves import Wave
 from quartering.motion.equations.system import Floats
 from quartering.names import term
-from quartering.options import quoted, unknown
+from quartering.option_checks import quoted
+from quartering.options import unknown
 from quartering.stability.kind import Kind
 from quartering.study.effects.nearest import INSIDE, Asked, Search, nearest, rounded
 from quartering.study.effects.trials import Trials

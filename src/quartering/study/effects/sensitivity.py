@@ -17,7 +17,8 @@ from quartering.hull.told import condition
 from quartering.loads.lift import ship_water_velocity
 from quartering.loads.waves import Wave
 from quartering.motion.equations.batch import joined
-from quartering.motion.equations.system import PER_CONDITION, Floats, Model, System
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import PER_CONDITION, Floats, System
 from quartering.motion.of_ship import ShipSystem, equations, ship_system
 from quartering.motion.steady.derivative import OFFSETS, change_of_motion, difference
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for

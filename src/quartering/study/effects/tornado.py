@@ -19,7 +19,7 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import condition, number
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.of_ship import equations
 from quartering.names import canonical
 from quartering.study.dataset import attributes, heading_of

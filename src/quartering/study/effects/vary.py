@@ -17,7 +17,7 @@ from quartering.hull.told import condition
 from quartering.loads.forces import Form
 from quartering.loads.waves import Wave
 from quartering.names import canonical
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.study.dataset import attributes
 from quartering.study.grid import CONDITION_AXES, axis
 from quartering.study.loadings import LOADING_AXES, VALUE, user_value

@@ -26,6 +26,8 @@ Counts = dict[str, int]
 _AHEAD = 3
 """Blocks given to each worker of a cluster at a time: enough to keep it busy, few enough to hold in memory."""
 _TRIES = 3
+LONGEST_WAIT = 10.0
+"""For a scheduler to answer [s]."""
 
 
 def computed(
@@ -164,7 +166,7 @@ def reached(cluster: str | None) -> Iterator[Any]:
             yield client
         return
     try:
-        client = distributed.Client(cluster, timeout=10)
+        client = distributed.Client(cluster, timeout=LONGEST_WAIT)
     except (OSError, TimeoutError, ValueError) as error:
         raise InputError(f'no dask scheduler answers at "{cluster}" ({error}); is it running?') from None
     with client:

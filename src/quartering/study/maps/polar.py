@@ -15,7 +15,8 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import STEEPEST, Wave
 from quartering.motion.steady.harmonic import checked_harmonics
-from quartering.options import OPTIONS, checked, quoted
+from quartering.option_checks import checked, quoted
+from quartering.options import OPTIONS
 from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
 from quartering.study.grid import axis

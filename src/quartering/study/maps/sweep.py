@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import warnings
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Unpack
 
+import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
@@ -128,6 +129,42 @@ def evaluated(
                 told(conditions_of(total), total)
     kind.warn(wanted, total)
     return in_memory(wanted, found, kind.heading(wanted))
+
+
+def in_pieces(wanted: Grid, together: int = 1) -> Iterator[tuple[int, xr.Dataset]]:
+    """Every condition of a grid, some blocks at a time: who asks for the next piece has the thread to itself between.
+
+    together: blocks of a piece, worked on by all cores
+    Yields (conditions done, dataset of the whole grid with NaN, and what stands for unknown flags, where none is yet)
+    """
+    kind = kind_of(wanted)
+    found: dict[int, Any] = {i: _unknown(wanted, i) for i in range(len(wanted.blocks))}
+    total: Counter[str] = Counter()
+    heading = kind.heading(wanted)
+
+    def keep(index: int, block: dict[str, Any]) -> dict[str, int]:
+        found[index] = block
+        return counted(block, kind)
+
+    for first in range(0, len(wanted.blocks), together):
+        some = range(first, min(first + together, len(wanted.blocks)))
+        for _, counts in computed(wanted, some, keep):
+            total.update(counts)
+        if some.stop == len(wanted.blocks):
+            kind.warn(wanted, total)
+        yield conditions_of(total), in_memory(wanted, found, heading)
+
+
+def _unknown(wanted: Grid, index: int) -> dict[str, Any]:
+    """What stands in a block that nobody has computed yet."""
+    block, kind = wanted.blocks[index], kind_of(wanted)
+    points = block.points.stop - block.points.start
+    shape = (block.loadings.stop - block.loadings.start, points, wanted.sea_count)
+    whole = {
+        name: np.full((*shape, *extra), kind.flags.get(name, np.nan), kind.dtype(name))
+        for name, extra in kind.results.items()
+    }
+    return whole | {name: np.full(points, np.nan) for name in kind.of_points}
 
 
 def filled(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.of_ship import equations
 from quartering.motion.steady.motion import Motion, steady_motion
 from quartering.motion.transient.simulate import simulate

@@ -10,7 +10,8 @@ import xarray as xr
 
 from quartering.conventions import InputError
 from quartering.motion.branches.branch import Curve, follow_branch
-from quartering.motion.equations.system import Floats, Model, System, canonical
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats, System, canonical
 from quartering.motion.equations.terms import term_table
 from quartering.motion.status import Status
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for

@@ -7,7 +7,8 @@ from typing import Final
 import numpy as np
 
 from quartering.conventions import InputError
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats
 
 FORMULAS: Final = {
     "C-3": "Struble's method: omega = 1 + 3/8 beta P^2 - X0/(2 P)",

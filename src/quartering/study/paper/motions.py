@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave
-from quartering.motion.equations.system import Floats, Model
+from quartering.motion.equations.model import Model
+from quartering.motion.equations.system import Floats
 from quartering.motion.of_ship import equations
 from quartering.motion.steady.motion import Motion, steady_motion
 from quartering.motion.transient.simulate import simulate

@@ -14,9 +14,9 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.sea.equations import Force
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.study.seas.response import (
     limit_of,
     place_of,

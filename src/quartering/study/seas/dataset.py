@@ -13,7 +13,7 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import form_words
 from quartering.loads.sea.cells import Cells
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.study.dataset import made_by
 
 if TYPE_CHECKING:

@@ -30,7 +30,7 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.sea.closure import linear_response
 from quartering.motion.sea.equations import Force
 from quartering.motion.sea.synthesis import RECORDS, Record, cross_spectra, record_of, series_from

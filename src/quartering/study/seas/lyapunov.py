@@ -16,7 +16,7 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.sea.equations import Force
 from quartering.motion.sea.synthesis import RECORDS, series_of
 from quartering.motion.sea.windows import growth_of_disturbances

@@ -24,7 +24,7 @@ from scipy.stats import chi2
 
 from quartering.conventions import InputError
 from quartering.hull.told import number, numbers
-from quartering.options import quoted
+from quartering.option_checks import quoted
 
 Floats = NDArray[np.float64]
 minimize: Any = optimize.minimize  # its stubs know no function of a plain array

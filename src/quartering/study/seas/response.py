@@ -22,10 +22,10 @@ from quartering.hydro.capsize import capsize_limit
 from quartering.loads.forces import Form
 from quartering.loads.sea.cells import Cells, wave_cells
 from quartering.loads.sea.sea import STEEP_SEA, Sea
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.sea.closure import closure_solutions, linear_response, linear_solution
 from quartering.motion.sea.equations import Force, SeaEquations, equations_of_model, equations_of_ship, free_roll_of
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.stability.sea import sea_stability
 from quartering.study.seas.dataset import sea_dataset
 from quartering.study.seas.moments import Moments, moments_of, products

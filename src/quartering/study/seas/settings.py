@@ -16,7 +16,7 @@ from quartering.loads.sea.shape import mean_period_ratio
 from quartering.loads.sea.spreading import Spreading, checked_spreading
 from quartering.loads.sea.systems import JONSWAP_POWER
 from quartering.loads.sea.torsethaugen import torsethaugen
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.study.criteria.constants import constant
 
 Floats = NDArray[np.float64]

@@ -20,10 +20,10 @@ from quartering.hull.ship import Ship
 from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.motion.sea.equations import Force
 from quartering.motion.transient.irregular import irregular as irregular_by_components
-from quartering.options import quoted
+from quartering.option_checks import quoted
 from quartering.study.seas.asked import Asked, asked_of, felt_limit_of
 from quartering.study.seas.blocks import Tally, error_below, run_blocks
 from quartering.study.seas.planned import Ready, known_of, memory_words, planned

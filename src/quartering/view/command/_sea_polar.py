@@ -19,6 +19,7 @@ from quartering.view.console.sea_options import typed_spreading, typed_swell
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship
 from quartering.view.console.typed_values import value, values
+from quartering.view.sea_words import guidance_facts
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -88,7 +89,7 @@ def sea_polar_answer(
 
     return Answer(
         _lines(ds, took),
-        lambda: facts(ds) | {"processor_time": took, "dataset": str(data), "picture": str(picture)},
+        lambda: guidance_facts(ds) | {"processor_time": took, "dataset": str(data), "picture": str(picture)},
         [File(data, lambda part: ds.to_netcdf(part)), *picture_files(picture, draw)],
         written=f"Wrote {data} and {picture}",
         next_steps=[f"quartering sea {ship} {_worst(ds, typed)}{option_words(changes)}", f"quartering report {data}"],
@@ -178,28 +179,3 @@ def _worst(ds: xr.Dataset, typed: Typed) -> str:
         f" {float(at['speed']):.4g} --spectrum {typed.spectrum} --spreading {typed.spreading}"
         + (f" --swell {typed.swell}" if typed.swell else "")
     )
-
-
-def facts(ds: xr.Dataset) -> dict[str, Any]:
-    """Everything about a map over seas, for programs."""
-    from quartering.study.seas.advice import Advice
-
-    about = ("ship", "loading", "sea", "judge", "threshold", "threshold_source", "roll_limit", "hours", "seed")
-    names = (
-        "speed",
-        "heading",
-        "hs",
-        "tp",
-        "tz",
-        "roll_mean_3h_max",
-        "failure_rate",
-        "rate_upper",
-        "recommended",
-        "rung",
-    )
-    return {
-        **{name: ds.attrs[name] for name in about},
-        **{name: ds[name].values for name in names},
-        "pile_up": dict(zip(ds["line"].values.tolist(), ds["pile_up"].values.tolist(), strict=True)),
-        "conditions": {kind.name.lower(): int((ds["recommended"] == int(kind)).sum()) for kind in Advice},
-    }

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from quartering.conventions import SYMBOLS, InputError, headed
-from quartering.options import OPTIONS, Option
+from quartering.option_checks import Option
+from quartering.options import OPTIONS
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import (
     Changes,

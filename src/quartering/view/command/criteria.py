@@ -18,6 +18,7 @@ from quartering.view.console.printed import table
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship
 from quartering.view.console.typed_values import values
+from quartering.view.criteria_words import criteria_facts, numbers_words, recalled_words
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -55,7 +56,7 @@ def criteria(
     told = f" --speed {speed}" if speed is not None else " --speed 15kn"
     return Answer(
         _lines(found),
-        lambda: _facts(found),
+        lambda: criteria_facts(found),
         output=path,
         next_steps=[f"quartering criteria {ship}{told}{again} --json", f"quartering hull {ship}{again}"],
     )
@@ -63,17 +64,14 @@ def criteria(
 
 def _lines(found: Criteria) -> Iterator[Table | str]:
     """Every level of every failure mode, with its numbers, limits and what was not judged."""
-    from quartering.study.criteria.record import FORM, MODES
+    from quartering.study.criteria.record import MODES
 
     rows = [_row(judgement) for mode in MODES for judgement in (found.of(mode, 1), found.of(mode, 2))]
     title = f"{found.ship}: {found.loading}"
     yield table(title, ("failure mode", "level", "verdict", "why", "numbers"), rows)
     for note in dict.fromkeys(note for judgement in found.judgements for note in judgement.notes):
         yield f"Assumed: {note}."
-    recalled = [constant for constant in found.constants if constant.status.startswith("recalled")]
-    yield (
-        f"{FORM}: {len(recalled)} of {len(found.constants)}; see `--json` for each with its place. It shows no compliance."
-    )
+    yield f"{recalled_words(found)}; see `--json` for each with its place. It shows no compliance."
 
 
 def _limiting_heights(one: Ship, speed: str | None, draughts: str | None) -> Answer:
@@ -130,25 +128,4 @@ def _limit(cell: xr.Dataset) -> str:
 def _row(judgement: Judgement) -> tuple[str, ...]:
     from quartering.study.criteria.record import LABELS
 
-    numbers = ", ".join(
-        f"{one.name} {one.value:.3g}{'' if one.unit in ('', '1') else f' {one.unit}'}"
-        for one in judgement.quantities
-        if math.isfinite(one.value)
-    )
-    return LABELS[judgement.mode], str(judgement.level), judgement.verdict, judgement.reason, numbers
-
-
-def _facts(found: Criteria) -> dict[str, object]:
-    """Everything for programs, the cases of sums and the constants with their status among it."""
-    return {
-        "ship": found.ship, "loading": found.loading, "sentence": found.sentence,
-        "judgements": [
-            {
-                "mode": one.mode, "level": one.level, "verdict": one.verdict, "vulnerable": one.vulnerable,
-                "applies": one.applies, "reason": one.reason, "notes": one.notes, "cases": one.cases,
-                "quantities": {q.name: {"value": q.value, "unit": q.unit, "meaning": q.meaning} for q in one.quantities},
-            }
-            for one in found.judgements
-        ],
-        "constants": [constant._asdict() for constant in found.constants],
-    }  # fmt: skip
+    return LABELS[judgement.mode], str(judgement.level), judgement.verdict, judgement.reason, numbers_words(judgement)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from time import process_time
-from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
@@ -28,6 +27,7 @@ from quartering.view.console.sea_options import (
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_ship import typed_ship, typed_value
 from quartering.view.console.typed_values import value
+from quartering.view.sea_words import METHODS, ROWS, number_words, sea_facts, sea_remarks, sea_sentence
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,12 +36,6 @@ if TYPE_CHECKING:
     from quartering.loads.forces import Form
     from quartering.loads.sea.sea import Sea
     from quartering.view.console.printed import Table
-
-METHODS: Final = {
-    "linear": ("linear response", "-5 to +31 %"),
-    "closure": ("statistical linearisation", "within 2 %"),
-}
-"""Method -> name, and the error of its roll found against simulation, in twelve seas of one ship (`docs/a_real_sea.md`)."""
 
 
 def sea(
@@ -72,9 +66,9 @@ def sea(
 
     def lines() -> Iterator[Table | str]:
         best = found["closure"].result
-        yield _sentence(one, waves, u, best)
+        yield sea_sentence(one, waves, u, best)
         yield _table(found)
-        yield from _remarks(best)
+        yield from sea_remarks(best)
         if "simulation" in found:
             yield from _of_simulation(found["simulation"].result)
         yield ship_notes(one)
@@ -134,42 +128,8 @@ def _of_simulation(result: xr.Dataset) -> list[str]:
     ]
 
 
-def _sentence(one: Ship, sea: Sea, speed: float, best: xr.Dataset) -> str:
-    from quartering.hydro.capsize import capsize_limit
-    from quartering.study.seas.response import MOST_NEAR, SeaStatus
-    from quartering.view.wording import speed_words
-
-    where = f"Heading {float(best['heading']):g} deg, {speed_words(speed, one.hull.length)}, {sea.words}"
-    status = SeaStatus(int(best["status"]))
-    if status == SeaStatus.NOT_CONVERGED:
-        return f"{where}: no Gaussian motion was found; the sea is too much for this method."
-    limit = capsize_limit(one)
-    rms, largest, hours = float(best["roll_rms"]), float(best["roll_mean_largest"]), best.attrs["hours"]
-    rolls = f"roll {rms:.3g} deg RMS, largest of {hours:g} h {largest:.3g} deg in the mean"
-    ends = {
-        SeaStatus.ANSWERED: "steady on average",
-        SeaStatus.UNSTABLE: "but the motion about the mean grows: no steady motion",
-        SeaStatus.SURF_RIDING: f"but over {MOST_NEAR:.0%} of the energy rides with the ship: surf-riding, not valid",
-        SeaStatus.PAST_CAPSIZE_LIMIT: f"past {limit.words}: a capsize is likely, and no Gaussian method tells how soon",
-    }
-    return f"{where}: {rolls}, {ends[status]}."
-
-
-_ROWS: Final = (
-    ("roll RMS [deg]", "roll_rms"),
-    ("mean period of roll [s]", "roll_period"),
-    ("largest roll, most probable [deg]", "roll_most_probable"),
-    ("largest roll, mean [deg]", "roll_mean_largest"),
-    ("  at most, every swing counted [deg]", "roll_mean_largest_bound"),
-    ("lateral acceleration RMS [m/s2]", "lateral_acceleration_rms"),
-    ("largest lateral acceleration, mean [m/s2]", "lateral_acceleration_mean_largest"),
-    ("roll frequency about the motion [rad/s]", "n2"),
-    ("K2, below 0 is stable [1/s2]", "k2"),
-)
-
-
 def _table(found: Mapping[str, Found]) -> Table:
-    rows = [(words, *(_number(one.result, name) for one in found.values())) for words, name in _ROWS]
+    rows = [(words, *(number_words(one.result, name) for one in found.values())) for words, name in ROWS]
     rows.append(("processor time [s]", *(f"{one.cost:.2g}" for one in found.values())))
     errors, names = [error for _, error in METHODS.values()], [words for words, _ in METHODS.values()]
     if "simulation" in found:
@@ -181,60 +141,12 @@ def _table(found: Mapping[str, Found]) -> Table:
     return table(f"Response; largest of {hours:g} h", ("quantity", *names), rows, right=tuple(range(1, len(names) + 1)))
 
 
-def _number(of: xr.Dataset, name: str) -> str:
-    return f"{float(of[name]):.3g}" if name in of and math.isfinite(float(of[name])) else "-"
-
-
-def _remarks(best: xr.Dataset) -> list[str]:
-    import numpy as np
-
-    said = [
-        f"Wave energy: {float(best['overtaken']):.2%} overtaken by the ship, {float(best['near_zero']):.2%} near encounter"
-        f" frequency 0, {float(best['cut_off']):.2%} beyond the cut ({best.attrs['cut']})."
-    ]
-    line, at = best["pile_up"].values, best["pile_up_heading"].values
-    for speed, heading, words in zip(line, at, ("roll in step with the waves", "parametric roll"), strict=True):
-        where = f"heading {heading:.3g} deg here" if np.isfinite(heading) else "the ship is too slow for it"
-        said.append(
-            f"Danger line whatever the period, {words}: speed times cosine of the heading {speed:.3g} m/s; {where}."
-        )
-    slow = ", ".join(f"{rate:.3g}" for rate in best["slow"].values)
-    said.append(f"Slow sway-yaw modes averaged over the sea {slow} 1/s; below 0 is stable.")
-    rolls = [roll for roll in np.atleast_1d(best["roll_of_each"].values) if np.isfinite(roll)]
-    if len(rolls) > 1:
-        said.append(f"Several motions: roll RMS {', '.join(f'{roll:.3g}' for roll in rolls)} deg; the ship may jump.")
-    return said
-
-
 def _facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, Found]) -> dict[str, Any]:
     """Everything about the sea, for programs: what `quartering sea --json` prints."""
-    from quartering.study.seas.response import SeaStatus
-
-    best = found["closure"].result
-    return {
-        "ship": one.name,
-        "condition": {
-            "hs": sea.hs, "tp": sea.tp, "tz": sea.tz, "speed": speed, "heading": float(best["heading"]), "sea": sea.words
-        },
-        "methods": {
-            method: {
-                "status": SeaStatus(int(at["status"])).name.lower(),
-                "processor_time": cost,
-                "roll_error": METHODS[method][1],
-                **{
-                    name: at[name].values.tolist()
-                    for name in at.data_vars
-                    if name not in ("status", "pile_up", "pile_up_heading", "overtaken", "near_zero", "cut_off")
-                },
-            }
-            for method, (at, cost) in found.items()
-            if method in METHODS
-        },
-        **({"simulation": _simulated_facts(found["simulation"])} if "simulation" in found else {}),
-        **{name: float(best[name]) for name in ("overtaken", "near_zero", "cut_off")},
-        "pile_up": dict(zip(best["line"].values.tolist(), best["pile_up"].values.tolist(), strict=True)),
-        "pile_up_heading": dict(zip(best["line"].values.tolist(), best["pile_up_heading"].values.tolist(), strict=True)),
-    }  # fmt: skip
+    told = sea_facts(one, sea, speed, {method: at.result for method, at in found.items() if method in METHODS})
+    for method, of_method in told["methods"].items():
+        of_method["processor_time"] = found[method].cost
+    return told | ({"simulation": _simulated_facts(found["simulation"])} if "simulation" in found else {})
 
 
 def _simulated_facts(found: Found) -> dict[str, Any]:

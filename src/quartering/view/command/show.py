@@ -72,7 +72,8 @@ def _guidance(
 ) -> Answer:
     """What a stored result in irregular seas holds: advice in each sea, and its diagrams."""
     from quartering.study.maps.zarr_store import write_zarr
-    from quartering.view.command._sea_polar import facts, guidance_lines
+    from quartering.view.command._sea_polar import guidance_lines
+    from quartering.view.sea_words import guidance_facts
     from quartering.view.stored import sea_part
 
     part = sea_part(ds, where)
@@ -91,7 +92,7 @@ def _guidance(
     written = {"picture": str(picture) if picture else None, "table": str(target) if target else None, "zarr": zarr}
     return Answer(
         guidance_lines(part),
-        lambda: facts(part) | {"at": dict(where)} | written,
+        lambda: guidance_facts(part) | {"at": dict(where)} | written,
         [*files, *picture_files(picture, draw)],
         written="\n".join(f"Wrote {path}" for path in written.values() if path),
         next_steps=[f"quartering show {result} --at hs={float(ds['hs'][0]):g} -o map.png --csv slice.csv"],

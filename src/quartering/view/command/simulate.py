@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from quartering.hull.ship import Ship
-    from quartering.motion.equations.system import Model
+    from quartering.motion.equations.model import Model
 
 
 def simulate(

@@ -83,12 +83,13 @@ def sweep(
 def _of_seas(folder: Path, count: int, seconds: float) -> Answer:
     """What a study in irregular seas found."""
     from quartering.study.maps.result import open_result
-    from quartering.view.command._sea_polar import facts, guidance_lines
+    from quartering.view.command._sea_polar import guidance_lines
+    from quartering.view.sea_words import guidance_facts
 
     ds = open_result(folder)
     return Answer(
         guidance_lines(ds),
-        lambda: facts(ds) | {"total": count, "seconds": seconds, "result": str(folder)},
+        lambda: guidance_facts(ds) | {"total": count, "seconds": seconds, "result": str(folder)},
         written=f"Wrote {folder}",
         next_steps=[f"quartering show {folder} -o guidance.png", f"quartering report {folder}"],
     )

@@ -10,7 +10,7 @@ from typing import Any
 import typer
 
 from quartering.conventions import DamageWarning, InputError, RangeWarning
-from quartering.view.console.interrupts import listening
+from quartering.view.console.interrupts import listening, was_asked
 
 BAD_INPUT, INTERRUPTED = 2, 130
 _TOLD = (RangeWarning, DamageWarning)
@@ -43,5 +43,14 @@ def report_errors() -> Iterator[None]:
             typer.echo(f"quartering: {where}{error.strerror or error}; try another file or folder", err=True)
             raise typer.Exit(BAD_INPUT) from None
         except KeyboardInterrupt:
-            typer.echo("quartering: interrupted; nothing was written", err=True)
-            raise typer.Exit(INTERRUPTED) from None
+            raise _interrupted() from None
+        except Exception:
+            if not was_asked():  # the compiler fails by an interrupt that its own code let go
+                raise
+            raise _interrupted() from None
+
+
+def _interrupted() -> typer.Exit:
+    """Say that a command was interrupted, and how it ends."""
+    typer.echo("quartering: interrupted; nothing was written", err=True)
+    return typer.Exit(INTERRUPTED)

@@ -36,6 +36,11 @@ def listening() -> Iterator[None]:
         sys.unraisablehook = usual
 
 
+def was_asked() -> bool:
+    """Did an interrupt come that was lost?"""
+    return _asked.is_set()
+
+
 def stop_if_asked() -> None:
     """Raise the interrupt that came and was lost."""
     if _asked.is_set():

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Final, NamedTuple
 import typer
 
 from quartering.arguments import ARGUMENTS
-from quartering.options import OPTIONS, Refused, line_of
+from quartering.option_checks import Refused
+from quartering.options import OPTIONS, line_of
 from quartering.units import NO_SHIP, Sizes
 from quartering.view.console.typed_values import value
 

@@ -10,7 +10,8 @@ from typing import Annotated, Any
 import typer
 
 from quartering.conventions import InputError
-from quartering.options import OPTIONS, Option, checked, line_of, ship_options
+from quartering.option_checks import Option, checked
+from quartering.options import OPTIONS, line_of, ship_options
 from quartering.units import NO_SHIP
 from quartering.view.console.typed_values import values
 

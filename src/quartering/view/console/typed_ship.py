@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from quartering.conventions import InputError
-from quartering.options import OPTIONS, Refused
+from quartering.option_checks import Refused
+from quartering.options import OPTIONS
 from quartering.view.console.ship_options import option_words
 from quartering.view.console.typed_values import value
 

@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Sequence
 
 from quartering.conventions import InputError, RangeWarning
-from quartering.options import Option, Refused, checked
+from quartering.option_checks import Option, Refused, checked
 from quartering.units import MOST_VALUES, Kind, Sizes, quantity, split_quantity
 
 _HARDLY_MOVING = 0.02

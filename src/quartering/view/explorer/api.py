@@ -1,16 +1,15 @@
-"""The same answers as a service: one verdict by GET, and by POST with JSON what takes longer, its cures and maps."""
+"""The same answers as a service: one condition by GET, and by POST with JSON what takes longer: cures, maps, the criteria."""
 
 from __future__ import annotations
 
 import asyncio
 import html
-import json
 from collections.abc import Awaitable, Callable, Mapping
 from typing import Annotated, Any
 
 import numpy as np
 import xarray as xr
-from fastapi import APIRouter, Depends, FastAPI, HTTPException, Query, Request
+from fastapi import APIRouter, FastAPI, HTTPException, Query, Request
 from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException as StarletteError
@@ -27,20 +26,25 @@ from quartering.study.effects.cure import Cure
 from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
-from quartering.view.console.printed import plain
-from quartering.view.explorer.calls import MOST_CELLS, PolarCall, VerdictCall
+from quartering.view.explorer.calls import MOST_CELLS, PolarCall, ShipCall, VerdictCall
 from quartering.view.explorer.computations import joined, noting, sought
+from quartering.view.explorer.criteria_api import CriteriaCall, serve_criteria
+from quartering.view.explorer.desk import OF_GET, OF_POST, ONCE, Desk, answer_json
 from quartering.view.explorer.guard import METHODS
 from quartering.view.explorer.job_queue import JobQueue
-from quartering.view.explorer.problems import STATUSES, plain_names, refused, responses, without_paths
+from quartering.view.explorer.problems import STATUSES, refused, responses, without_paths
+from quartering.view.explorer.sea_api import GuidanceCall, SeaCall, serve_sea
 from quartering.view.explorer.ship_registry import ShipRegistry
 
 _AT_ONCE = 1024
 _RESULTS = ("roll", "roll_peak", "other_roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")
 _BUSY, _CLIENT_LEFT = 503, 499
 _MOST_CALLS, _MOST_SEARCHES = 32, 4
-_OF_POST = (400, 403, 408, 413, 415, 422, 500, 503)
-_TAKEN = {"verdict": "GET, POST", "polar": "POST", "docs": "GET", "openapi.json": "GET"}
+_CALLS: dict[str, tuple[type[ShipCall], str]] = {
+    "verdict": (VerdictCall, "GET, POST"), "polar": (PolarCall, "POST"), "sea": (SeaCall, "GET, POST"),
+    "guidance": (GuidanceCall, "POST"), "criteria": (CriteriaCall, "POST"),
+}  # fmt: skip
+_TAKEN = {name: methods for name, (_, methods) in _CALLS.items()} | {"docs": "GET", "openapi.json": "GET"}
 
 
 def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
@@ -50,7 +54,7 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
     jobs: all calls together are one client of it, so that they never crowd out the people on the pages
     """
     routes = APIRouter(prefix="/api", tags=["api"])
-    under_way, searches, once = [0], [0], [Depends(_once)]
+    under_way, searches, once = [0], [0], ONCE
 
     async def answered(request: Request, work: Callable[[], Awaitable[JSONResponse]]) -> JSONResponse:
         """The answer of some work, unless too many wait already; a caller who leaves gives its place to the next at once."""
@@ -90,7 +94,7 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
         else:
             healing = await cured(found) if with_cures else None
         told, _ = await take(lambda: facts(found, healing))
-        return _json(told, notes)
+        return answer_json(told, notes)
 
     async def mapped(call: PolarCall) -> JSONResponse:
         blocks, notes = [], []
@@ -104,11 +108,9 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
                 lambda: carried_on(whole, lambda axes: _further(call, registry, axes), MOST_CELLS)
             )
             notes += said
-        return _json(_map(whole), list(dict.fromkeys(notes)))
+        return answer_json(_map(whole), list(dict.fromkeys(notes)))
 
-    @routes.get(
-        "/verdict", dependencies=once, summary="Judge one condition", responses=responses(400, 403, 422, 500, 503)
-    )
+    @routes.get("/verdict", dependencies=once, summary="Judge one condition", responses=responses(*OF_GET))
     async def get_verdict(request: Request, call: Annotated[VerdictCall, Query()]) -> JSONResponse:
         """What `quartering verdict --json` prints, but no cures are sought: `cures` is null for an unstable motion."""
         return await answered(request, lambda: judged(call, False))
@@ -117,16 +119,20 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
         "/verdict",
         dependencies=once,
         summary="Judge one condition, and seek what cures it",
-        responses=responses(*_OF_POST),
+        responses=responses(*OF_POST),
     )
     async def post_verdict(request: Request, call: VerdictCall) -> JSONResponse:
         """What `quartering verdict --json` prints: motion, indices, multipliers, sentence, cures, sources."""
         return await answered(request, lambda: judged(call, True))
 
-    @routes.post("/polar", dependencies=once, summary="Map of roll and stability", responses=responses(*_OF_POST))
+    @routes.post("/polar", dependencies=once, summary="Map of roll and stability", responses=responses(*OF_POST))
     async def post_polar(request: Request, call: PolarCall) -> JSONResponse:
         """Nested lists [speed][heading][wave length] with their units; null where there is no answer."""
         return await answered(request, lambda: mapped(call))
+
+    desk = Desk(answered, take, take_long)
+    serve_sea(routes, registry, desk)
+    serve_criteria(routes, registry, desk)
 
     @routes.get("/docs", include_in_schema=False)
     async def docs() -> HTMLResponse:
@@ -150,7 +156,7 @@ def _refuse_the_rest(server: FastAPI, routes: APIRouter) -> None:
 
     @server.exception_handler(RequestValidationError)
     async def invalid(request: Request, error: RequestValidationError) -> JSONResponse:
-        fields = (PolarCall if request.url.path.endswith("polar") else VerdictCall).model_fields
+        fields = _CALLS[request.url.path.rsplit("/", 1)[-1]][0].model_fields
         return refused(without_paths("; ".join(_problem(one, tuple(fields)) for one in error.errors()[:5])))
 
     @server.exception_handler(StarletteError)
@@ -231,27 +237,6 @@ def _map(ds: xr.Dataset) -> dict[str, Any]:
     }
 
 
-def _json(content: dict[str, Any], notes: list[str]) -> JSONResponse:
-    return JSONResponse(plain_names(plain({**content, "notes": notes})))
-
-
-async def _once(request: Request) -> None:
-    """Refuse a field that is given twice, of which all but the last would be lost."""
-
-    def pairs(given: list[tuple[str, Any]]) -> dict[str, Any]:
-        names = [name for name, _ in given]
-        twice = next((name for name in names if names.count(name) > 1), None)
-        if twice is not None:
-            raise HTTPException(422, f"{twice} is given twice; leave one out")
-        return dict(given)
-
-    pairs(request.query_params.multi_items())
-    try:
-        json.loads(await request.body() or b"{}", object_pairs_hook=pairs)
-    except ValueError:  # what is no JSON is refused as the body is read
-        return
-
-
 def _problem(one: Any, fields: tuple[str, ...]) -> str:
     if one["type"] == "extra_forbidden":
         return unknown(str(one["loc"][-1]), fields).words
@@ -264,12 +249,13 @@ def _problem(one: Any, fields: tuple[str, ...]) -> str:
 def _page(schema: dict[str, Any]) -> str:
     """The documentation of the service as one page that needs nothing from elsewhere."""
     rows = []
-    for call, path, how in ((VerdictCall, "/api/verdict", "GET or POST"), (PolarCall, "/api/polar", "POST")):
+    for name, (call, methods) in _CALLS.items():
+        path, how = f"/api/{name}", methods.replace(", ", " or ")
         said = schema["paths"][path]["post"]
         fields = "".join(
-            f"<tr><td><code>{name}</code></td><td>{'yes' if field.is_required() else ''}</td>"
+            f"<tr><td><code>{key}</code></td><td>{'yes' if field.is_required() else ''}</td>"
             f"<td>{html.escape(field.description or '')}</td></tr>"
-            for name, field in call.model_fields.items()
+            for key, field in call.model_fields.items()
         )
         rows.append(
             f"<h2>{how} {path}</h2><p>{html.escape(str(call.__doc__))} {html.escape(said['description'])}</p>"
@@ -286,7 +272,7 @@ def _page(schema: dict[str, Any]) -> str:
     return (
         f"<!doctype html><html lang=en><meta charset=utf-8><title>quartering: service</title><style>{style}</style>"
         f"<h1>quartering as a service</h1><pre>{html.escape(example)}</pre>"
-        "<p>GET answers the verdict; POST takes JSON and seeks cures too. The machine-readable description is"
+        "<p>GET answers one condition; POST takes JSON, and of a verdict seeks cures too. The machine-readable description is"
         f" <a href=openapi.json>openapi.json</a>.</p>{''.join(rows)}<h2>Refusals</h2><p>Every refusal is"
         f" <code>{{&quot;error&quot;: &quot;why&quot;}}</code>, with the status</p><table>{refusals}</table></html>"
     )

@@ -25,14 +25,12 @@ else:
     Loaded = create_model("Loaded", **loading_fields((*loading_axes(), *CHOICE_AXES)))
 
 
-class Call(Loaded):
-    """Ship, loading and method, which every call has."""
+class ShipCall(Loaded):
+    """Ship and loading, which every call has."""
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
 
     ship: str = Field(max_length=200, description="a built-in ship by name, as `quartering ships` lists them")
-    harmonics: int = Field(default=1, ge=1, le=9, description="of the steady motion: 1 is the paper's method, else odd")
-    form: Form = Field(default="stf", description="of the diffraction force")
 
     @model_validator(mode="after")
     def _one_roll_damping(self) -> Any:
@@ -46,6 +44,13 @@ class Call(Loaded):
         check_twice(given, "")
         words = {name: coded(name, value) for name in CHOICE_AXES if (value := getattr(self, name)) is not None}
         return loaded(own, {name: number(own, name, value) for name, value in given.items()} | words)
+
+
+class Call(ShipCall):
+    """Ship, loading and method of a call about regular waves."""
+
+    harmonics: int = Field(default=1, ge=1, le=9, description="of the steady motion: 1 is the paper's method, else odd")
+    form: Form = Field(default="stf", description="of the diffraction force")
 
 
 class VerdictCall(Call):

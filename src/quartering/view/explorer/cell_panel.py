@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from nicegui.element import Element
 
 from quartering.conventions import InputError
 from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.ship import Ship
 from quartering.hydro.calm_water import calm_water_exponents
 from quartering.motion.steady.motion import advice
 from quartering.stability.verdict import Verdict
@@ -20,13 +21,17 @@ from quartering.study.condition.examine import Examined, estimated
 from quartering.view.explorer import charts
 from quartering.view.explorer.animation import Drawn, hull_form, ship_in_wave
 from quartering.view.explorer.computations import History, Scene, causes, curve, history
-from quartering.view.explorer.state import State
+from quartering.view.explorer.criteria_panel import CriteriaPanel
+from quartering.view.explorer.state import OF_SEA, OF_WAVE, State
 from quartering.view.wording import estimated_words, exponents_words
 
 Part = str | charts.Chart | Drawn
 """Text (HTML), a figure, or what a component of our own draws."""
 
-_TABS = {"motion": "Motion", "stability": "Stability", "curve": "Curve", "causes": "Causes", "hull": "Hull"}
+_TABS = {
+    "motion": "Motion", "stability": "Stability", "curve": "Curve", "causes": "Causes", "response": "Response", "hull": "Hull",
+    "criteria": "Criteria",
+}  # fmt: skip
 _OVER = {"wave_height": "height", "wave_length": "length", "speed": "speed", "frequency": "frequency"}
 
 
@@ -46,18 +51,24 @@ class CellPanel:
             ui.tabs(on_change=lambda event: change(panel=event.value)).classes("tabs").props("dense align=left")
         )
         with self._tabs:
-            for name, words in _TABS.items():
-                ui.tab(name, words)
+            self._tab = {name: ui.tab(name, words) for name, words in _TABS.items()}
         with ui.tab_panels(self._tabs, animated=False).classes("w-full bg-transparent"):
             for name in _TABS:
                 with ui.tab_panel(name).classes("p-0"):
                     if name == "curve":
                         self._over = ui.toggle(_OVER, on_change=lambda event: change(over=event.value))
-                        self._over.classes("choices").props('dense unelevated aria-label="curve over"')
+                        self._over.classes("choices").props(
+                            'dense unelevated toggle-color=chosen toggle-text-color=on-chosen aria-label="curve over"'
+                        )
                     self._area[name] = ui.element("div").classes("w-full")
+                    if name == "criteria":
+                        with self._area[name]:
+                            self.criteria = CriteriaPanel()
 
     def front(self, state: State) -> None:
-        """Bring the tab of a state to the front."""
+        """Show the tabs of a state's mode, and bring its own to the front."""
+        for name in (*OF_WAVE, *OF_SEA):
+            self._tab[name].set_visibility(name in (OF_SEA if state.mode == "sea" else OF_WAVE))
         self._tabs.set_value(state.panel)
         self._over.set_value(state.over)
 
@@ -101,7 +112,7 @@ def parts(state: State, of: Scene, found: Examined) -> list[Part]:
         "stability": lambda: _stability(of, found),
         "curve": lambda: _curve(state, of, found),
         "causes": lambda: _causes(of),
-        "hull": lambda: _hull(of, found),
+        "hull": lambda: hull_parts(of.ship, estimated(found)),
     }
     try:
         return make[state.panel]()
@@ -223,11 +234,14 @@ def _causes(of: Scene) -> list[Part]:
     ]  # fmt: skip
 
 
-def _hull(of: Scene, found: Examined) -> list[Part]:
-    one, floats = of.ship, hydrostatics(of.ship)
-    hull = one.hull
+def hull_parts(one: Ship, guesses: Mapping[str, Sequence[str]]) -> list[Part]:
+    """What the Hull tab shows.
+
+    guesses: coefficients that are estimated, by method
+    """
+    hull, floats = one.hull, hydrostatics(one)
     lines = html.escape(one.provenance.get("lines", hull.source))
-    guessed = html.escape(estimated_words(estimated(found), one.provenance))
+    guessed = html.escape(estimated_words(guesses, one.provenance))
     words = (
         f"<p>L {hull.length:.4g} m, B {hull.beam:.4g} m, T {hull.draught:.4g} m; displaced {floats.volume:,.0f} m³,"
         f" CB {floats.cb:.3f}; KM {floats.km:.3f} m, KG {floats.kg:.3f} m, GM {floats.gm:.3f} m.</p>"

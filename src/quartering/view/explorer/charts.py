@@ -69,6 +69,15 @@ def _list(values: Any) -> list[float | None]:
     return [float(f"{v:.5g}") if math.isfinite(v) else None for v in np.asarray(values, dtype=float).ravel()]
 
 
+def spectrum(sigma: Any, density: Any, met: Sequence[float]) -> Chart:
+    """Density of a sea over wave frequency; dashed where its waves meet the ship at the frequency of roll."""
+    top = float(np.max(density))
+    traces = [_line(sigma, density, "sea", BLUE)]
+    for i, at in enumerate(met):
+        traces.append(_line([at, at], [0.0, top], "met at the roll frequency", ORANGE, "dash", showlegend=i == 0))
+    return _chart(traces, "wave frequency [rad/s]", "density [m² s/rad]", height=220)
+
+
 def time_history(found: History) -> Chart:
     """Roll in time after a push, and the steady motion it leaves or returns to."""
     time = found.trace["time"].values

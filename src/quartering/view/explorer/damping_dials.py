@@ -14,6 +14,7 @@ from quartering.options import OPTIONS
 from quartering.study.loadings import KEEL_AXES, user_value
 from quartering.view.explorer.computations import Scene
 from quartering.view.explorer.dials import Dial, scales_of
+from quartering.view.explorer.sea_scene import SeaScene
 from quartering.view.explorer.state import State
 
 _WAYS = {"fraction": "per cent of critical", "components": "bilge keels, by Ikeda"}
@@ -66,7 +67,7 @@ class DampingDials:
             values |= dict(zip(KEEL_AXES, _sizes(own), strict=True))
         self._change(**values)
 
-    def show(self, of: Scene, state: State, hint: str) -> None:
+    def show(self, of: Scene | SeaScene, state: State, hint: str) -> None:
         """Set the choice and the dials to a scene."""
         ship, self._own = of.ship, of.known.ship
         by_fraction = not ship.damped_by_components
@@ -85,7 +86,7 @@ class DampingDials:
             dial.show(size, scales_of(OPTIONS[name], ship))
 
 
-def damping_hint(of: Scene) -> str:
+def damping_hint(of: Scene | SeaScene) -> str:
     """What the numbers of the roll damping mean, and what the components amount to."""
     words = _HINTS.get(of.ship.roll_method, _AMOUNT)
     if not of.ship.damped_by_components:

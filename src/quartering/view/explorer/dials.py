@@ -10,7 +10,7 @@ from nicegui import ui
 from nicegui.events import ValueChangeEventArguments
 
 from quartering.hull.ship import Ship
-from quartering.options import Option
+from quartering.option_checks import Option
 from quartering.units import Kind, quantity
 
 

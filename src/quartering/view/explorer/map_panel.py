@@ -37,7 +37,7 @@ def _key(name: str) -> str:
     return f'<i class="key {name}"></i>' if name else ""
 
 
-class _Map(Element, component="polar_map.js"):
+class PolarMap(Element, component="polar_map.js"):
     """The component in the browser."""
 
 
@@ -48,8 +48,8 @@ class MapPanel:
         self._length = 1.0
         self._lines: list[str] = []
         self._fitted = np.inf
-        with ui.element("div").classes("map-box"):
-            self._map = _Map()
+        with ui.element("div").classes("map-box") as self.box:
+            self._map = PolarMap()
             self._map.props["headings"], self._map.props["radii"] = HEADINGS.tolist(), RATIOS.tolist()
             self._map.props["kinds"] = {str(int(k)): _words(k) for k in Kind}
             self._map.props["palette"] = list(palette())

@@ -17,7 +17,7 @@ from nicegui.client import Client
 from quartering.conventions import InputError
 from quartering.hydro.coefficients import coefficients
 from quartering.study.condition.examine import Examined
-from quartering.view.explorer import downloads
+from quartering.view.explorer import downloads, sea_downloads
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.controls import Controls
@@ -26,8 +26,12 @@ from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.problems import without_paths
+from quartering.view.explorer.sea_map import SeaMap, fill
+from quartering.view.explorer.sea_panel import sea_headline, sea_notes, sea_parts
+from quartering.view.explorer.sea_scene import SeaScene, advice, map_pieces, of_sea_map, response, sea_scene
+from quartering.view.explorer.sea_state import NO_SEA
 from quartering.view.explorer.ship_registry import Known, ShipRegistry
-from quartering.view.explorer.state import State, read_link
+from quartering.view.explorer.state import LOADING, State, read_link
 from quartering.view.explorer.upload_dialog import UploadDialog
 
 _KEPT = {None: "system", True: "dark", False: "light"}
@@ -72,6 +76,7 @@ class Page:
         self._following: asyncio.Task[None] | None = None
         self._stopped = False
         self._map_of: State | None = None
+        self._sea_map_of: tuple[State, float] | None = None
         self._build(problem)
 
     def _build(self, problem: str) -> None:
@@ -88,6 +93,7 @@ class Page:
                     self._controls = Controls(self.change)
                 with ui.element("section").classes("map"):
                     self._map = MapPanel(lambda heading, length: self.change(heading=heading, wave_length=length))
+                    self._sea_map = SeaMap(lambda heading, speed: self.change(heading=heading, speed=speed))
                     with ui.element("div").classes("progress"):
                         self._progress = ui.label("").mark("progress")
                         self._stop = ui.button("Stop", on_click=self._stop_map).props("flat dense no-caps")
@@ -111,7 +117,7 @@ class Page:
         ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
             for words, make in downloads.files().items():
-                ui.menu_item(words, on_click=partial(self._send, make))
+                ui.menu_item(words, on_click=partial(self._send, make, sea_downloads.files()[words]))
         dark = ui.dark_mode(self._dark)
         theme = ui.button(color=None).props("flat dense").mark("theme")
 
@@ -196,7 +202,7 @@ class Page:
 
     def _choose_ship(self, name: str) -> None:
         if name != self.state.ship:
-            kept = ("heading", "harmonics", "panel", "over")
+            kept = ("heading", "harmonics", "panel", "over", "mode")
             self.state = State(ship=name, **{key: getattr(self.state, key) for key in kept})
             self._accept()
             self._go()
@@ -221,12 +227,19 @@ class Page:
                     "The browser does not let a page copy here: take the link from its address line.", position="top"
                 )
 
-    async def _send(self, make: downloads.File) -> None:
+    async def _send(self, make: downloads.File, of_sea: sea_downloads.File) -> None:
+        state = self.state
+
         def made() -> tuple[str, bytes]:
-            return make(self.state, scene(self.state, self._registry.known(self.state.ship)))
+            return make(state, scene(state, self._registry.known(state.ship)))
 
         try:
-            (name, content), _ = await self._jobs.take(self._client.id, noting(made))
+            if state.mode == "sea":
+                of, _ = await self._take(lambda: sea_scene(state, self._registry.known(state.ship)))
+                whole = self._sea_map.whole if self._sea_map_of == of_sea_map(state, of) else None
+                name, content = await sea_downloads.made(of_sea, state, of, whole, self._take)
+            else:
+                (name, content), _ = await self._take(made)
         except InputError as error:
             self._say_wrong(str(error))
             return
@@ -246,6 +259,9 @@ class Page:
             self._shown = state
 
     async def _settle(self, state: State) -> None:
+        if state.mode == "sea":
+            await self._settle_sea(state)
+            return
         of, _ = await self._take(lambda: scene(state, self._registry.known(state.ship)))
         try:
             found, notes = await self._take(lambda: verdict(of))
@@ -262,23 +278,67 @@ class Page:
                 return
             await step(state, of, found)
 
+    async def _settle_sea(self, state: State) -> None:
+        of, _ = await self._take(lambda: sea_scene(state, self._registry.known(state.ship)))
+        found, notes = await self._take(lambda: response(of))
+        said, _ = await self._take(lambda: advice(state, of))
+        self._say(sea_headline(of, found, said), [*notes, *sea_notes()])
+        await self._show_scene(state, of)
+        if state.panel == "criteria":
+            await self._judge(state, of)
+        else:
+            shown, _ = await self._take(lambda: sea_parts(state.panel, of, found))
+            if self.state is state:
+                self._panel.show(state.panel, shown)
+        asked = of_sea_map(state, of)
+        if self.state is not state or asked == self._sea_map_of:
+            return
+        self._sea_map_of = None
+        self._stop.set_visibility(True)
+        try:
+            pieces = map_pieces(state, of)
+            wanted = partial(self._wants, state)
+            if await fill(self._sea_map, pieces, self._take, wanted, self._progress.set_text):
+                self._sea_map_of = asked
+            elif self._stopped:
+                self._progress.set_text("stopped; any change begins again")
+        finally:
+            self._stop.set_visibility(False)
+
+    def _wants(self, state: State) -> bool:
+        """Is a state still the one of the page, and its map not stopped?"""
+        return self.state is state and not self._stopped
+
+    async def _judge(self, state: State, of: Scene | SeaScene) -> None:
+        """The criteria of the ship at its speed."""
+        key = (state.ship, of.speed, *(getattr(state, name) for name in LOADING))
+        await self._panel.criteria.follow(of.ship, of.speed, key, self._take, lambda: self.state is state)
+
     def _say(self, words: str, notes: list[str]) -> None:
         self._sentence.set_content(words)
         self._heal.set_content("")
         self._notes.set_content("".join(f"<p>{html.escape(note)}</p>" for note in notes))
 
-    async def _show_scene(self, state: State, of: Scene) -> None:
+    async def _show_scene(self, state: State, of: Scene | SeaScene) -> None:
         damping, _ = await self._take(lambda: damping_hint(of))
         if self.state is not state:  # a dial in motion is not turned back
             return
         self._controls.show(of, state, damping)
-        self._map.place(of)
+        self._map.box.set_visibility(isinstance(of, Scene))
+        self._sea_map.box.set_visibility(isinstance(of, SeaScene))
+        if isinstance(of, SeaScene):
+            self._sea_map.place(of)
+        else:
+            self._map.place(of)
         self._panel.front(state)
         link = json.dumps(f"?{state.query()}")
         self._client.run_javascript(f"quarteringLink({link}, {json.dumps(self._first)})")
         self._first = False
 
     async def _fill_panel(self, state: State, of: Scene, found: Examined) -> None:
+        if state.panel == "criteria":
+            await self._judge(state, of)
+            return
         shown, _ = await self._take(lambda: parts(state, of, found))
         if self.state is state:
             self._panel.show(state.panel, shown)
@@ -331,11 +391,14 @@ class Page:
 
 def _of_map(state: State) -> State:
     """The part of a state the map depends on."""
-    return state.model_copy(update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height"})
+    return state.model_copy(
+        update={"heading": 0.0, "wave_length": None, "panel": "motion", "over": "wave_height", **NO_SEA}
+    )
 
 
 _FOOT = (
-    "Regular long-crested waves on deep water; no heave, pitch or flooding. Estimated coefficients are named under <i>Hull</i>."
+    "Regular long-crested waves, or an irregular sea, on deep water; no heave, pitch or flooding."
+    " Estimated coefficients are named under <i>Hull</i>."
     " For study and design; it shows compliance with no rule. The map: bow up, waves come from the side of the cell; the right"
     " half mirrors the left. Arrow keys on the map choose a cell. The same answers as a service:"
     " <a href='/api/docs'>/api/docs</a>."

@@ -14,6 +14,9 @@ export default {
   props: {
     headings: Array, radii: Array, roll: Array, kind: Array, kinds: Object, top: Number,
     chosen: Array, lines: Array, palette: Array, label: String, hatched: Array, dotted: Array, crossed: Array, also: Object,
+    rings: { type: Array, default: () => [[0.5, "0.5 L"], [1, "λ = L"], [1.5, "1.5 L"], [2, "2 L"]] },  // radius, its label
+    rows: { type: Array, default: null },  // words of each radius; by default wave lengths over L
+    size: { type: String, default: "roll" },
   },
   data() { return { told: "" }; },
   computed: {
@@ -25,7 +28,7 @@ export default {
   mounted() { this.uid = `m${maps++}`; this.build(); this.paint(); this.mark(); this.draw(); this.cross(); },
   watch: {
     roll() { this.paint(); }, kind() { this.paint(); }, top() { this.paint(); }, crossed() { this.cross(); }, also() { this.cross(); },
-    chosen() { this.mark(); }, lines() { this.draw(); },
+    chosen() { this.mark(); }, lines() { this.draw(); }, rings() { this.ring(); },
   },
   methods: {
     make(parent, name, attributes, text) {
@@ -80,13 +83,18 @@ export default {
         this.make(frame, "text", { x: x * 107, y: y * (m % 180 ? 107 : 109) + 2.2,
           "text-anchor": m % 180 === 0 ? "middle" : x < 0 ? "end" : "start" }, text);
       }
-      for (const ratio of [0.5, 1, 1.5, 2].filter((q) => q < this.outer)) {
-        const r = this.radius(ratio);
-        this.make(frame, "circle", { r, fill: "none" });
-        this.make(frame, "text", { x: 1.5, y: -r + 4.6, class: "q-ring" }, ratio === 1 ? "λ = L" : `${ratio} L`);
-      }
+      this.ringed = this.make(frame, "g", {});
+      this.ring();
       this.make(frame, "path", { class: "q-hull", d: "M0,-11L2.2,-6L2.6,-2L2.6,8L1.8,10.5L-1.8,10.5L-2.6,8L-2.6,-2L-2.2,-6Z" });
       this.pointer = this.make(svg, "g", { class: "q-chosen", "pointer-events": "none" });
+    },
+    ring() {
+      this.ringed.replaceChildren();
+      for (const [ratio, text] of this.rings.filter(([q]) => q < this.outer)) {
+        const r = this.radius(ratio);
+        this.make(this.ringed, "circle", { r, fill: "none" });
+        this.make(this.ringed, "text", { x: 1.5, y: -r + 4.6, class: "q-ring" }, text);
+      }
     },
     paint() {
       const n = this.palette.length - 1;
@@ -139,10 +147,11 @@ export default {
     },
     words([i, j]) {
       const k = i * this.radii.length + j, roll = this.roll[k], kind = this.kinds[String(this.kind[k])] || "not yet computed";
-      const size = roll === null || roll === undefined ? "" : `roll ${roll.toFixed(1)}°, `;
+      const size = roll === null || roll === undefined ? "" : `${this.size} ${roll.toFixed(1)}°, `;
       const way = (this.crossed || []).includes(k) ? ", capsizes on the way" : "";
       const other = (this.also || {})[k] === undefined ? "" : `, also ${this.also[k].toFixed(1)}°`;
-      return `${this.headings[i]}°, λ = ${this.radii[j].toFixed(1)} L: ${size}${kind}${way}${other}`;
+      const row = this.rows ? this.rows[j] : `λ = ${this.radii[j].toFixed(1)} L`;
+      return `${this.headings[i]}°, ${row}: ${size}${kind}${way}${other}`;
     },
     hover(event) { const at = this.cell(event); this.told = at ? 'cell ' + this.words(at) : ""; },
     choose(i, j) {

@@ -1,6 +1,7 @@
 // The ship in its wave, moving: from aft and from above, to scale. Everything that moves is a column of samples of one round;
 // the water is -a sin(k1 x - k2 y + omega t). Space plays and pauses, arrow keys step and change the pace.
 const RATES = [0.5, 1, 2, 4, 8];
+const BETWEEN_PICTURES = 1000 / 31;  // [ms]: a screen that shows 60 a second gets every other one
 
 export default {
   template: `
@@ -42,6 +43,8 @@ export default {
     seek(event) { this.at = Number(event.target.value); this.left = 0; this.draw(); },
     step(now) {
       if (!this.playing) return;
+      this.asked = requestAnimationFrame(this.step);
+      if (this.last !== null && now - this.last < BETWEEN_PICTURES) return;
       const s = this.scene, dt = s.time[1] - s.time[0];
       this.left = (this.left || 0) + (this.last === null ? 0 : this.rate * Math.min(0.2, (now - this.last) / 1000) / dt);
       this.last = now;
@@ -51,7 +54,6 @@ export default {
         this.at = (this.at + whole) % s.time.length;
         if (this.$refs.canvas.offsetParent !== null) this.draw();
       }
-      this.asked = requestAnimationFrame(this.step);
     },
     key(event) {
       const n = this.scene.time.length, i = RATES.indexOf(this.rate);

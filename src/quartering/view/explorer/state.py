@@ -17,14 +17,21 @@ from pydantic import (
     model_validator,
 )
 
+from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
 from quartering.hull.file.refusals import allowed, user_words
-from quartering.options import OPTIONS, checked, line_of, ship_options, unknown
+from quartering.loads.sea.sea import Spectrum
+from quartering.option_checks import checked
+from quartering.options import OPTIONS, line_of, ship_options, unknown
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
+from quartering.view.explorer.sea_state import LONG_CRESTED, Mode, checked_sea
 
-Panel = Literal["motion", "stability", "curve", "causes", "hull"]
+Panel = Literal["motion", "stability", "curve", "causes", "response", "hull", "criteria"]
 """What the right side of the page shows."""
+
+OF_WAVE, OF_SEA = ("motion", "stability", "curve", "causes"), ("response",)
+"""Panels of a regular wave alone, and of an irregular sea alone, the usual one of each first."""
 
 Over = Literal["wave_height", "wave_length", "speed", "frequency"]
 """What the response curve is drawn over."""
@@ -97,6 +104,8 @@ class State(Loaded):
     wave_height, steepness : float          one of the two: the same height [m], or the same H/lambda, for all waves of the map
     harmonics : int                         of the steady motion
     panel, over : str                       what the right side shows
+    mode : str                              a regular wave, or an irregular sea
+    hs, tp, tz, spectrum, spreading         of the sea, as of `quartering.Sea`; None: chosen for the ship
 
     Examples
     --------
@@ -117,6 +126,12 @@ class State(Loaded):
     harmonics: Literal[1, 3, 5, 7, 9] = 1
     panel: Panel = "motion"
     over: Over = "wave_height"
+    mode: Mode = "wave"
+    hs: Value | None = Field(default=None, description=line_of(ARGUMENTS["hs"]))
+    tp: Value | None = Field(default=None, description=line_of(ARGUMENTS["tp"]))
+    tz: Value | None = Field(default=None, description=line_of(ARGUMENTS["tz"]))
+    spectrum: Spectrum = "jonswap"
+    spreading: str = Field(default=LONG_CRESTED, max_length=20)
 
     @model_validator(mode="before")
     @classmethod
@@ -133,7 +148,16 @@ class State(Loaded):
     @classmethod
     def _in_range(cls, given: Any) -> Any:
         """Every value in the range of its option."""
-        return checked_loading(given)
+        return checked_sea(checked_loading(given))
+
+    @model_validator(mode="before")
+    @classmethod
+    def _panel_of_mode(cls, given: Any) -> Any:
+        """A panel of the other mode gives way to the first of this one."""
+        if not isinstance(given, dict):
+            return given
+        here, there = (OF_SEA, OF_WAVE) if given.get("mode") == "sea" else (OF_WAVE, OF_SEA)
+        return {**given, "panel": here[0]} if given.get("panel", "motion") in there else given
 
     @model_validator(mode="after")
     def _one_roll_damping(self) -> State:

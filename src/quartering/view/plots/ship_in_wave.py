@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from quartering.conventions import InputError
 from quartering.hull.ship import Ship
 from quartering.loads.waves import Wave, encounter_frequency, heading_components
-from quartering.motion.equations.system import Model
+from quartering.motion.equations.model import Model
 from quartering.view.moves import Moves, moves_of, pace_of
 from quartering.view.plots import style
 from quartering.view.ship_shape import shape_of
