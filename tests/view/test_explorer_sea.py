@@ -82,7 +82,7 @@ def test_the_case_file_gives_the_map_again(tmp_path, spectrum):
     assert read.described["spreading"] == "cos2"
     assert {*own.axes["speed"].tolist(), 7.7} == {*read.axes["speed"].tolist()}
     assert 47.0 in read.axes["heading"].tolist()
-    np.testing.assert_allclose(read.axes["tz"], own.axes["tz"], rtol=1e-12)
+    np.testing.assert_allclose(read.axes[own.period], own.axes[own.period], rtol=1e-12)
     assert read.loaded(0).loading.gm == own.ship.loading.gm == 0.9
 
 
