@@ -82,7 +82,7 @@ def test_the_case_file_gives_the_map_again(tmp_path, spectrum):
     assert read.described["spreading"] == "cos2"
     assert {*own.axes["speed"].tolist(), 7.7} == {*read.axes["speed"].tolist()}
     assert 47.0 in read.axes["heading"].tolist()
-    np.testing.assert_allclose(read.axes["tz"], own.axes["tz"], rtol=1e-12)
+    np.testing.assert_allclose(read.axes[own.period], own.axes[own.period], rtol=1e-12)
     assert read.loaded(0).loading.gm == own.ship.loading.gm == 0.9
 
 
@@ -143,7 +143,7 @@ def test_guidance_is_that_of_the_library(explorer):
         ("guidance", MAP | {"speed": [float("inf")]}, "finite"),
         ("guidance", MAP | {"speed": [i / 100 for i in range(2000)]}, "8,000 conditions"),
         ("guidance", MAP | {"hs": [25]}, "breaks"),
-        ("guidance", MAP | {"spectrum": "torsethaugen"}, "one hs and one tp"),
+        ("guidance", MAP | {"spectrum": "torsethaugen", "tp": None, "tz": 7}, "tz of a spectrum of two peaks"),
         ("guidance", MAP | {"threshold": 0}, "it is from 1 to 10"),
         ("guidance", MAP | {"ship": "../etc/passwd"}, "unknown"),
         ("guidance", b"[1", "JSON"),

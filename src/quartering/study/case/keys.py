@@ -63,9 +63,7 @@ class SeaAxes(_Strict):
     hs: Values = Field(description="significant wave heights [m]")
     tp: Values | None = Field(default=None, description="periods of the peak [s]; or give tz")
     tz: Values | None = Field(default=None, description="mean zero-crossing periods [s]; or give tp")
-    spectrum: Spectrum = Field(
-        default="jonswap", description="of the seas; torsethaugen of one height and one period of the peak"
-    )
+    spectrum: Spectrum = Field(default="jonswap", description="of the seas")
     gamma: float = Field(default=3.3, description="peak enhancement of jonswap, 1 to 20")
     spreading: float | str = Field(
         default="none", description="s of cos^2s of half the angle, cos2, or none for long-crested seas"

@@ -46,7 +46,6 @@ class SeaGrid(Grid):
     threshold: float = 2.0
     hours: float = 0.0
     seed: int = 0
-    period_ratio: float = 1.0
 
     @property
     def usual_block_size(self) -> int:

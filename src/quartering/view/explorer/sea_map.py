@@ -11,6 +11,7 @@ from nicegui import ui
 from nicegui.events import GenericEventArguments
 
 from quartering.study.seas.advice import Advice
+from quartering.study.seas.map_axes import period_of
 from quartering.units import quantity
 from quartering.view.explorer.computations import HEADINGS
 from quartering.view.explorer.desk import Take
@@ -73,7 +74,7 @@ class SeaMap:
         done: its conditions that are computed, speed by speed
         """
         self.whole = part if done == CONDITIONS else None
-        one = part.isel(loading=0, hs=0, tz=0).transpose("heading", "speed", ...)
+        one = part.isel({"loading": 0, "hs": 0, period_of(part): 0}).transpose("heading", "speed", ...)
         roll, advice = one["roll_mean_3h_max"].values, one["recommended"].values
         known = done > np.arange(roll.size).reshape(roll.shape[::-1]).T
         limit = float(part.attrs["roll_limit"])
