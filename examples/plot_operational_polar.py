@@ -15,7 +15,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import quartering as qt
-from quartering.study.seas.advice import Advice
+from quartering.study.seas.over_seas.advice import Advice
 from quartering.view.plots import style
 from quartering.view.plots.sea_polar import sea_polar
 

@@ -20,8 +20,8 @@ from quartering.options import OPTIONS, line_of, loading_axes, ship_options
 from quartering.study.case.read import case_grid
 from quartering.view.cli import app
 from quartering.view.console.ship_options import command_options
-from quartering.view.explorer.calls import VerdictCall
-from quartering.view.explorer.ship_registry import ShipRegistry
+from quartering.view.explorer.hulls.ship_registry import ShipRegistry
+from quartering.view.explorer.service.calls import VerdictCall
 
 ROOT = Path(__file__).parents[1]
 S60 = qt.ship("series60-cb60")
@@ -373,9 +373,9 @@ import quartering as qt
 from quartering.hull.file.schema import ship_schema
 from quartering.hull.file.new import write_ship
 from quartering.study.case.read import case_grid, case_schema
-from quartering.view.explorer.calls import VerdictCall
+from quartering.view.explorer.service.calls import VerdictCall
 from quartering.view.explorer.dials import scales_of
-from quartering.view.explorer.ship_registry import ShipRegistry
+from quartering.view.explorer.hulls.ship_registry import ShipRegistry
 from quartering.view.explorer.state import LOADING, State
 from typer.testing import CliRunner
 from quartering.view.cli import app

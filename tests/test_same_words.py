@@ -10,9 +10,9 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.view.cli import app
-from quartering.view.explorer.api import serve_api
+from quartering.view.explorer.hulls.ship_registry import ShipRegistry
 from quartering.view.explorer.job_queue import JobQueue
-from quartering.view.explorer.ship_registry import ShipRegistry
+from quartering.view.explorer.service.api import serve_api
 
 SHIP = qt.ship("series60-cb60")
 CONDITION = {"speed": 5, "heading": 30, "wave_length": 100, "wave_height": 1}

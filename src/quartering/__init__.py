@@ -65,12 +65,12 @@ if TYPE_CHECKING:
     from quartering.study.maps.polar import polar
     from quartering.study.maps.sweep import sweep
     from quartering.study.paper.model import paper_ship
-    from quartering.study.seas.design_point import design_point
-    from quartering.study.seas.long_term import long_term
+    from quartering.study.seas.failure_rates.long_term import long_term
     from quartering.study.seas.lyapunov import lyapunov
-    from quartering.study.seas.rare import failure_rate_at, largest_roll
     from quartering.study.seas.response import sea_response
-    from quartering.study.seas.simulation import irregular
+    from quartering.study.seas.simulated.design_point import design_point
+    from quartering.study.seas.simulated.rare import failure_rate_at, largest_roll
+    from quartering.study.seas.simulated.simulation import irregular
     from quartering.study.six_modes.broaching import broaching, broaching_branch
     from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.six_modes.parametric_map import parametric_map
@@ -116,7 +116,7 @@ _HOMES = {
     "basin": "motion.transient.basin",
     "Model": "motion.equations.model",
     "equations": "motion.of_ship",
-    "irregular": "study.seas.simulation",
+    "irregular": "study.seas.simulated.simulation",
     "simulate": "motion.transient.simulate",
     "Motion": "motion.steady.motion",
     "steady_motion": "motion.steady.motion",
@@ -134,15 +134,15 @@ _HOMES = {
     "operational_guidance": "study.criteria.operational",
     "cures": "study.effects.cure",
     "direct_assessment": "study.maps.assessment",
-    "design_point": "study.seas.design_point",
+    "design_point": "study.seas.simulated.design_point",
     "edge": "study.branches.edge",
     "edges_of_largest": "study.maps.extension",
-    "failure_rate_at": "study.seas.rare",
+    "failure_rate_at": "study.seas.simulated.rare",
     "gm_in_waves": "study.six_modes.gm_in_waves",
     "guidance": "study.maps.guidance",
     "righting_arm": "study.six_modes.gm_in_waves",
-    "largest_roll": "study.seas.rare",
-    "long_term": "study.seas.long_term",
+    "largest_roll": "study.seas.simulated.rare",
+    "long_term": "study.seas.failure_rates.long_term",
     "lyapunov": "study.seas.lyapunov",
     "paper_ship": "study.paper.model",
     "parametric_map": "study.six_modes.parametric_map",

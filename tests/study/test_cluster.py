@@ -13,9 +13,9 @@ from quartering.study.grid import grid
 from quartering.study.maps import executor
 from quartering.study.maps.result import open_result
 from quartering.study.maps.sweep import fill
-from quartering.study.seas.conditions import SIMULATION
-from quartering.study.seas.grid import sea_grid
-from quartering.study.seas.settings import SeaSettings
+from quartering.study.seas.over_seas.conditions import SIMULATION
+from quartering.study.seas.over_seas.grid import sea_grid
+from quartering.study.seas.over_seas.settings import SeaSettings
 
 SHIP = qt.ship("series60-cb60")
 CONDITIONS = {

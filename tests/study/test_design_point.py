@@ -5,9 +5,9 @@ import pytest
 from scipy.special import ndtr
 
 import quartering as qt
-from quartering.study.seas.asked import asked_of
-from quartering.study.seas.design_point import _sampled, _windows
-from quartering.study.seas.planned import planned
+from quartering.study.seas.simulated.asked import asked_of
+from quartering.study.seas.simulated.design_point import _sampled, _windows
+from quartering.study.seas.simulated.planned import planned
 from tests.study.sea_cases import CASES, MODEL, force, matrix
 
 LINEAR = qt.Model(np.eye(3), dict(list(MODEL.terms.items())[:12]), 1.0, (0, 0, 0), (0, 0, 0))

@@ -11,11 +11,11 @@ from quartering._machine import threads
 from quartering.motion.sea.march import NONE, ROLL
 from quartering.motion.sea.synthesis import RECORDS, Record
 from quartering.motion.transient.rk4 import alike
-from quartering.study.seas.assessed import Wanted, _carried_down, counted
-from quartering.study.seas.assessment_grid import Assessed, tasks_of
-from quartering.study.seas.blocks import BLOCK, Plan, Row
-from quartering.study.seas.failures import weighted_rate
+from quartering.study.seas.failure_rates.assessed import Wanted, _carried_down, counted
+from quartering.study.seas.failure_rates.assessment_grid import Assessed, tasks_of
 from quartering.study.seas.response import SeaStatus
+from quartering.study.seas.simulated.blocks import BLOCK, Plan, Row
+from quartering.study.seas.simulated.failures import weighted_rate
 from quartering.view.stored import opened
 
 pytestmark = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")

@@ -10,10 +10,10 @@ import quartering as qt
 from quartering.study.case.read import case_grid
 from quartering.study.maps.executor import _one_block, prepare_pickling
 from quartering.study.maps.sweep import evaluated, fill, in_pieces
-from quartering.study.seas.advice import Advice, Estimate, Judged, advised, crossings
-from quartering.study.seas.conditions import CLOSURE, SIMULATION
-from quartering.study.seas.grid import sea_grid
-from quartering.study.seas.settings import SeaSettings
+from quartering.study.seas.over_seas.advice import Advice, Estimate, Judged, advised, crossings
+from quartering.study.seas.over_seas.conditions import CLOSURE, SIMULATION
+from quartering.study.seas.over_seas.grid import sea_grid
+from quartering.study.seas.over_seas.settings import SeaSettings
 
 SHIP = qt.ship("series60-cb60")
 pytestmark = pytest.mark.filterwarnings("ignore:.* steep.*doubtful:quartering.conventions.RangeWarning")

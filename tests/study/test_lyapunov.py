@@ -10,8 +10,8 @@ from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.sea.windows import growth_of_disturbances
 from quartering.motion.transient.rk4 import alike
 from quartering.stability.sea import growth_with_stiffness_noise
-from quartering.study.seas.asked import asked_of
-from quartering.study.seas.planned import planned
+from quartering.study.seas.simulated.asked import asked_of
+from quartering.study.seas.simulated.planned import planned
 from tests.study.sea_cases import CASES, MODEL, force
 
 

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 
 import quartering as qt
-from quartering.study.seas.rare import failure_rate_at, largest_roll
+from quartering.study.seas.simulated.rare import failure_rate_at, largest_roll
 
 # failures and exposure [h] at wave heights [m]: an independent program's count for a ship with a limit of 40 deg, long-crested
 HEIGHTS, FAILURES, HOURS = [7, 6.5, 6, 5.5], [476, 386, 262, 201], [92.9, 136.2, 181.6, 325.9]

@@ -9,8 +9,8 @@ from quartering.motion.sea.march import march
 from quartering.motion.sea.rational import rational_fit
 from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.transient.rk4 import alike
-from quartering.study.seas import blocks
-from quartering.study.seas.failures import failure_rate, hours_without_failure, waiting_times_p
+from quartering.study.seas.simulated import blocks
+from quartering.study.seas.simulated.failures import failure_rate, hours_without_failure, waiting_times_p
 from tests.study.sea_cases import CASES, MODEL, force, matrix
 
 SHIP = qt.ship("series60-cb60")

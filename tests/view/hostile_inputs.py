@@ -28,9 +28,9 @@ from quartering.hull.user_database import database_of
 from quartering.hydro.database.capytaine import read_capytaine_file, write_capytaine_file
 from quartering.hydro.database.dataset import write_capytaine, write_wamit
 from quartering.view.cli import app
-from quartering.view.explorer.api import _examined
-from quartering.view.explorer.calls import VerdictCall
-from quartering.view.explorer.ship_registry import ShipRegistry
+from quartering.view.explorer.hulls.ship_registry import ShipRegistry
+from quartering.view.explorer.service.api import _examined
+from quartering.view.explorer.service.calls import VerdictCall
 from tests.loads.own_file import of_strips
 
 SECONDS = 12

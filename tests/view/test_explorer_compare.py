@@ -10,9 +10,9 @@ from tests.view.pages import STABLE, filled, link
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
 from quartering.study.maps.compare import map_difference
-from quartering.view.explorer.beside import compared, kept, link_of, offered, same
+from quartering.view.explorer.comparison.beside import compared, kept, link_of, offered, same
 from quartering.view.explorer.computations import joined, map_blocks, scene
-from quartering.view.explorer.ship_registry import Known, ShipRegistry
+from quartering.view.explorer.hulls.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.state import State
 
 CASES = {"ballast": {"gm": "0.9 m"}}

@@ -15,9 +15,9 @@ from fastapi import HTTPException
 
 from quartering.view.explorer import guard, patience
 from quartering.view.explorer.guard import Guard
+from quartering.view.explorer.hulls.ship_registry import ShipRegistry
 from quartering.view.explorer.job_queue import JobQueue
-from quartering.view.explorer.problems import plain_names, without_paths
-from quartering.view.explorer.ship_registry import ShipRegistry
+from quartering.view.explorer.service.problems import plain_names, without_paths
 
 pytestmark = pytest.mark.quick
 

@@ -19,9 +19,9 @@ from tests.view.service import ask
 
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
-from quartering.view.explorer.sea_downloads import case_file
-from quartering.view.explorer.sea_scene import map_grid, sea_scene
-from quartering.view.explorer.ship_registry import ShipRegistry
+from quartering.view.explorer.hulls.ship_registry import ShipRegistry
+from quartering.view.explorer.sea.sea_downloads import case_file
+from quartering.view.explorer.sea.sea_scene import map_grid, sea_scene
 from quartering.view.explorer.state import State
 
 SEA = {"ship": "series60-cb60", "hs": 3, "tp": 9, "spreading": "10", "speed": 7.5, "heading": 45}

@@ -9,7 +9,7 @@ import xarray as xr
 from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.study.seas.occurrence import read_table
+from quartering.study.seas.failure_rates.occurrence import read_table
 from quartering.view.cli import app
 from quartering.view.plots.assessment import assessment_picture
 from quartering.view.plots.design_point import design_point_picture

@@ -132,7 +132,7 @@ def sea_facts(one: Ship, sea: Sea, speed: float, found: Mapping[str, xr.Dataset]
 
 def guidance_facts(ds: xr.Dataset) -> dict[str, Any]:
     """Everything about a map over seas, for programs."""
-    from quartering.study.seas.advice import Advice
+    from quartering.study.seas.over_seas.advice import Advice
 
     about = ("ship", "loading", "sea", "judge", "threshold", "threshold_source", "roll_limit", "hours", "seed")
     names = (

@@ -11,7 +11,7 @@ import xarray as xr
 from quartering.conventions import InputError, headed, written
 from quartering.study.maps.query import OF_CONDITIONS, needing_more, sea_of
 from quartering.study.maps.result import open_result
-from quartering.study.seas.map_axes import period_of
+from quartering.study.seas.over_seas.map_axes import period_of
 from quartering.view.wording import harmonics_of, more_harmonics_words, value_words
 
 

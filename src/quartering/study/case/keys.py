@@ -10,7 +10,7 @@ from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Spectrum
 from quartering.motion.steady.harmonic import MOST_HARMONICS
 from quartering.options import OPTIONS, choice_axes, line_of, loading_axes
-from quartering.study.seas.settings import Judge
+from quartering.study.seas.over_seas.settings import Judge
 
 
 def _no_switch(given: Any) -> Any:

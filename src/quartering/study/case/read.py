@@ -28,8 +28,8 @@ from quartering.study.case.keys import Case, LoadingAxes, SeaAxes, SwellKeys, Va
 from quartering.study.case.values import values_of
 from quartering.study.grid import CONDITION_AXES, SEA_AXES, STEEPNESS, Grid, axis, grid
 from quartering.study.loadings import CHOICE_AXES
-from quartering.study.seas.grid import sea_grid
-from quartering.study.seas.settings import SeaSettings
+from quartering.study.seas.over_seas.grid import sea_grid
+from quartering.study.seas.over_seas.settings import SeaSettings
 
 
 @dataclass(frozen=True)

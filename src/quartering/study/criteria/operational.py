@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY, InputError
 from quartering.study.criteria.constants import constant, limit
-from quartering.study.seas.map_axes import dims_of
+from quartering.study.seas.over_seas.map_axes import dims_of
 
 Flags = NDArray[np.int8]
 

@@ -24,13 +24,13 @@ from quartering.study.criteria.constants import constant
 from quartering.study.grid import Grid
 from quartering.study.maps.store import MANIFEST
 from quartering.study.maps.sweep import evaluated, filled
-from quartering.study.seas.assessment_dataset import summed
-from quartering.study.seas.assessment_grid import AssessmentGrid, tasks_of
-from quartering.study.seas.failures import failure_rate
-from quartering.study.seas.grid import SeaGrid, sea_grid
-from quartering.study.seas.long_term import YEAR
-from quartering.study.seas.occurrence import table_of, weights_of
-from quartering.study.seas.settings import SeaSettings
+from quartering.study.seas.failure_rates.assessment_dataset import summed
+from quartering.study.seas.failure_rates.assessment_grid import AssessmentGrid, tasks_of
+from quartering.study.seas.failure_rates.long_term import YEAR
+from quartering.study.seas.failure_rates.occurrence import table_of, weights_of
+from quartering.study.seas.over_seas.grid import SeaGrid, sea_grid
+from quartering.study.seas.over_seas.settings import SeaSettings
+from quartering.study.seas.simulated.failures import failure_rate
 
 _POINTS = ("speed", "heading", "tz", "hs")
 

@@ -18,8 +18,8 @@ from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea, Spectrum
 from quartering.loads.sea.spreading import Spreading
 from quartering.study.maps.sweep import evaluated, filled
-from quartering.study.seas.grid import sea_grid
-from quartering.study.seas.settings import Judge, SeaSettings
+from quartering.study.seas.over_seas.grid import sea_grid
+from quartering.study.seas.over_seas.settings import Judge, SeaSettings
 
 
 @takes(ship="Ship")

@@ -19,10 +19,11 @@ from quartering.study import conditions, dataset
 from quartering.study.condition.resonance import missed_resonance
 from quartering.study.grid import CONDITION_AXES, STEEPNESS, Grid
 from quartering.study.maps.query import MISSED
-from quartering.study.seas import assessed, assessment_dataset, guidance_dataset
-from quartering.study.seas import conditions as sea_conditions
-from quartering.study.seas.assessment_grid import AssessmentGrid
-from quartering.study.seas.grid import SeaGrid
+from quartering.study.seas.failure_rates import assessed, assessment_dataset
+from quartering.study.seas.failure_rates.assessment_grid import AssessmentGrid
+from quartering.study.seas.over_seas import conditions as sea_conditions
+from quartering.study.seas.over_seas import guidance_dataset
+from quartering.study.seas.over_seas.grid import SeaGrid
 
 Found = Mapping[str, NDArray[np.generic]]
 Coordinates = Mapping[str, tuple[tuple[str, ...], NDArray[np.float64]]]

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from quartering.motion.status import OnTheWay, Status
 from quartering.stability.kind import Kind
 from quartering.study.maps.estimate import duration
-from quartering.study.seas.advice import Advice
+from quartering.study.seas.over_seas.advice import Advice
 
 
 class Failures(NamedTuple):

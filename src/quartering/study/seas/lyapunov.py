@@ -21,10 +21,10 @@ from quartering.motion.sea.equations import Force
 from quartering.motion.sea.synthesis import RECORDS, series_of
 from quartering.motion.sea.windows import growth_of_disturbances
 from quartering.study.dataset import made_by
-from quartering.study.seas.asked import asked_of
-from quartering.study.seas.blocks import BLOCK, Plan
 from quartering.study.seas.dataset import name_of, scalars, sea_coordinates
-from quartering.study.seas.planned import planned
+from quartering.study.seas.simulated.asked import asked_of
+from quartering.study.seas.simulated.blocks import BLOCK, Plan
+from quartering.study.seas.simulated.planned import planned
 
 Floats = NDArray[np.float64]
 FEWEST: Final = 20

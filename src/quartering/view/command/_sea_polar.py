@@ -125,8 +125,8 @@ def _lines(ds: xr.Dataset, took: float) -> Iterator[Table | str]:
 
 def guidance_lines(ds: xr.Dataset) -> Iterator[Table | str]:
     """What guidance says of each sea, its danger lines, and what it rests on."""
-    from quartering.study.seas.advice import Advice
-    from quartering.study.seas.map_axes import period_of
+    from quartering.study.seas.over_seas.advice import Advice
+    from quartering.study.seas.over_seas.map_axes import period_of
 
     rows = []
     for i in range(ds.sizes["hs"]):
@@ -170,7 +170,7 @@ def _place(one: xr.Dataset) -> dict[Any, int] | None:
 
 def _worst(ds: xr.Dataset, typed: Typed) -> str:
     """Options of the condition with the largest roll."""
-    from quartering.study.seas.map_axes import period_of
+    from quartering.study.seas.over_seas.map_axes import period_of
 
     place = _place(ds)
     at = ds.isel(place or dict.fromkeys(("hs", period_of(ds), "speed", "heading"), 0))

@@ -60,7 +60,7 @@ def assess(
     """Direct assessment: failures over all seas a ship meets, every cell that can matter simulated."""
     from quartering.stability.precompile import announce_compilation
     from quartering.study.maps.assessment import direct_assessment
-    from quartering.study.seas.occurrence import read_table
+    from quartering.study.seas.failure_rates.occurrence import read_table
 
     one = typed_ship(ship, changes)
     path = reserve_path(output, (*PICTURES, ".nc", *TABLES))
@@ -123,7 +123,7 @@ def _ordered(ds: xr.Dataset) -> xr.Dataset:
 
 
 def _cells(ds: xr.Dataset) -> Table:
-    from quartering.study.seas.assessment_grid import Assessed
+    from quartering.study.seas.failure_rates.assessment_grid import Assessed
 
     flat = _ordered(ds)
     total = max(float(ds["long_term_rate"][0]), 1e-300)
@@ -150,7 +150,7 @@ def _cells(ds: xr.Dataset) -> Table:
 
 
 def _statuses(ds: xr.Dataset) -> Table:
-    from quartering.study.seas.assessment_grid import Assessed
+    from quartering.study.seas.failure_rates.assessment_grid import Assessed
 
     one = ds.isel(loading=0)
     weight, upper = one["weight"].transpose(*one["status"].dims), one["rate_upper"].fillna(0.0)
@@ -166,7 +166,7 @@ def _statuses(ds: xr.Dataset) -> Table:
 
 
 def _verdict(ds: xr.Dataset) -> str:
-    from quartering.study.seas.assessment_grid import Assessed
+    from quartering.study.seas.failure_rates.assessment_grid import Assessed
     from quartering.view.plots.assessment import sum_words
 
     low, high = (float(ds[f"long_term_{end}"][0]) for end in ("lower", "upper"))
@@ -187,7 +187,7 @@ def _worst(ds: xr.Dataset) -> str:
 
 def _facts(ds: xr.Dataset) -> dict[str, Any]:
     """Everything about an assessment, for programs."""
-    from quartering.study.seas.assessment_grid import Assessed
+    from quartering.study.seas.failure_rates.assessment_grid import Assessed
 
     sums = [name for name in ds.data_vars if ds[name].dims == ("loading",)]
     status = ds["status"].values

@@ -60,7 +60,7 @@ def design_point(
     output: PictureOrData = None,
 ) -> Answer:
     """Probability and rate of a roll too rare to count, sampled about the likeliest sea that leads to it."""
-    from quartering.study.seas.design_point import design_point as found_about
+    from quartering.study.seas.simulated.design_point import design_point as found_about
 
     one, typed = typed_ship(ship, changes), TypedSea(heading, hs, tp, tz, spectrum, gamma, spreading, swell)
     path = reserve_path(output, (*PICTURES, ".nc", *TABLES))

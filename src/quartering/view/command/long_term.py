@@ -28,8 +28,8 @@ def long_term(
     output: DataOrTables = None,
 ) -> Answer:
     """Failures a year over all seas a ship meets: rates of a map, weighted by how often seas and headings occur."""
-    from quartering.study.seas.long_term import long_term as sum_over
-    from quartering.study.seas.occurrence import read_table
+    from quartering.study.seas.failure_rates.long_term import long_term as sum_over
+    from quartering.study.seas.failure_rates.occurrence import read_table
     from quartering.view.stored import opened
 
     path = reserve_path(output, (".nc", *TABLES))
@@ -54,8 +54,8 @@ def _first(ds: xr.Dataset) -> dict[str, int]:
 def _lines(ds: xr.Dataset) -> Iterator[Table | str]:
     import numpy as np
 
-    from quartering.study.seas.long_term import YEAR
-    from quartering.study.seas.map_axes import period_of
+    from quartering.study.seas.failure_rates.long_term import YEAR
+    from quartering.study.seas.over_seas.map_axes import period_of
 
     rate, lower, upper = (np.atleast_1d(ds[name].values) for name in ("failure_rate", "rate_lower", "rate_upper"))
     rows = [

@@ -78,7 +78,7 @@ def _write(text: str, page: Path, part: Path) -> None:
 
 def _lines(ds: xr.Dataset) -> Iterator[Table | str]:
     from quartering.study.criteria.operational import ADVICE, FORMS
-    from quartering.study.seas.map_axes import dims_of
+    from quartering.study.seas.over_seas.map_axes import dims_of
 
     rows = [
         (

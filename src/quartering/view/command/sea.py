@@ -92,7 +92,7 @@ class Found(NamedTuple):
 def _answers(one: Ship, waves: Sea, speed: float, form: Form, hours: float) -> dict[str, Found]:
     """The answer of each method; of the simulation where it has hours."""
     from quartering.study.seas.response import sea_response
-    from quartering.study.seas.simulation import irregular
+    from quartering.study.seas.simulated.simulation import irregular
 
     found: dict[str, Found] = {}
     for method in METHODS:

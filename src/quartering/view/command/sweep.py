@@ -48,7 +48,7 @@ def sweep(
     from quartering.study.maps.executor import check_cluster
     from quartering.study.maps.progress import summary
     from quartering.study.maps.sweep import sized
-    from quartering.study.seas.grid import SeaGrid
+    from quartering.study.seas.over_seas.grid import SeaGrid
     from quartering.view.wording import WAY_WORDS, more_harmonics_words
 
     check_cluster(cluster)

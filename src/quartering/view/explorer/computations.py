@@ -22,7 +22,7 @@ from quartering.study.effects.sensitivity import sensitivity
 from quartering.study.loadings import loaded
 from quartering.study.maps.polar import polar
 from quartering.units import quantity
-from quartering.view.explorer.ship_registry import Known
+from quartering.view.explorer.hulls.ship_registry import Known
 from quartering.view.explorer.state import LOADING, State
 
 HEADINGS = np.linspace(0.0, 180.0, 37)

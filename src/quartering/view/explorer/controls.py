@@ -16,8 +16,8 @@ from quartering.units import quantity
 from quartering.view.explorer.computations import Scene
 from quartering.view.explorer.damping_dials import DampingDials
 from quartering.view.explorer.dials import Dial, Scale, plain, scales_of
-from quartering.view.explorer.sea_dials import SeaDials
-from quartering.view.explorer.sea_scene import SeaScene
+from quartering.view.explorer.sea.sea_dials import SeaDials
+from quartering.view.explorer.sea.sea_scene import SeaScene
 from quartering.view.explorer.state import DIALS, LOADING, State
 
 _MODES = {"wave": "wave", "sea": "sea"}

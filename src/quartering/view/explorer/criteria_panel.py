@@ -14,8 +14,8 @@ from quartering.hull.ship import Ship
 from quartering.study.criteria.judged import judging
 from quartering.study.criteria.record import LABELS, MODES, Criteria, Judgement
 from quartering.view.criteria_words import recalled_words
-from quartering.view.explorer.desk import Take
-from quartering.view.explorer.problems import without_paths
+from quartering.view.explorer.service.desk import Take
+from quartering.view.explorer.service.problems import without_paths
 
 _LOOKS: Final = {"vulnerable": "unstable", "not vulnerable": "stable"}
 _WHAT: Final = (

@@ -14,7 +14,7 @@ from quartering.options import OPTIONS
 from quartering.study.loadings import KEEL_AXES, user_value
 from quartering.view.explorer.computations import Scene
 from quartering.view.explorer.dials import Dial, scales_of
-from quartering.view.explorer.sea_scene import SeaScene
+from quartering.view.explorer.sea.sea_scene import SeaScene
 from quartering.view.explorer.state import State
 
 _WAYS = {"fraction": "per cent of critical", "components": "bilge keels, by Ikeda"}

@@ -17,26 +17,27 @@ from nicegui.client import Client
 from quartering.conventions import InputError
 from quartering.hydro.coefficients import coefficients
 from quartering.study.condition.examine import Examined
-from quartering.view.explorer import downloads, sea_downloads
+from quartering.view.explorer import downloads
 from quartering.view.explorer.cell_panel import CellPanel, parts
-from quartering.view.explorer.compare_panel import ComparePanel
-from quartering.view.explorer.comparison import Comparison
+from quartering.view.explorer.comparison.compare_panel import ComparePanel
+from quartering.view.explorer.comparison.following import Comparison
 from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
 from quartering.view.explorer.controls import Controls
 from quartering.view.explorer.damping_dials import damping_hint
 from quartering.view.explorer.first_steps import FirstSteps
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
+from quartering.view.explorer.hulls.ship_registry import Known, ShipRegistry
+from quartering.view.explorer.hulls.upload_dialog import UploadDialog
 from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.map_panel import MapPanel
-from quartering.view.explorer.problems import without_paths
 from quartering.view.explorer.saved_views import SavedViews
-from quartering.view.explorer.sea_map import SeaMap, fill
-from quartering.view.explorer.sea_panel import sea_headline, sea_notes, sea_parts
-from quartering.view.explorer.sea_scene import SeaScene, advice, map_pieces, of_sea_map, response, sea_scene
-from quartering.view.explorer.sea_state import NO_SEA
-from quartering.view.explorer.ship_registry import Known, ShipRegistry
+from quartering.view.explorer.sea import sea_downloads
+from quartering.view.explorer.sea.sea_map import SeaMap, fill
+from quartering.view.explorer.sea.sea_panel import sea_headline, sea_notes, sea_parts
+from quartering.view.explorer.sea.sea_scene import SeaScene, advice, map_pieces, of_sea_map, response, sea_scene
+from quartering.view.explorer.sea.sea_state import NO_SEA
+from quartering.view.explorer.service.problems import without_paths
 from quartering.view.explorer.state import LOADING, State, read_link
-from quartering.view.explorer.upload_dialog import UploadDialog
 
 _KEPT = {None: "system", True: "dark", False: "light"}
 _THEMES = {None: ("contrast", "as the system"), True: ("dark_mode", "dark"), False: ("light_mode", "light")}

@@ -32,8 +32,8 @@ def run_explorer(ship: str | None, host: str, port: int, browser: bool, names: S
 
     from quartering.view.explorer.application import explorer
     from quartering.view.explorer.guard import LOOPBACK
+    from quartering.view.explorer.hulls.ship_registry import ShipRegistry
     from quartering.view.explorer.patience import Patient
-    from quartering.view.explorer.ship_registry import ShipRegistry
 
     announce_compilation()
     registry = ShipRegistry(ship)

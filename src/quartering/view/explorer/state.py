@@ -25,7 +25,7 @@ from quartering.option_checks import checked
 from quartering.options import OPTIONS, line_of, ship_options, unknown
 from quartering.study.loadings import KEEL_AXES
 from quartering.units import Sizes
-from quartering.view.explorer.sea_state import LONG_CRESTED, Mode, checked_sea
+from quartering.view.explorer.sea.sea_state import LONG_CRESTED, Mode, checked_sea
 
 Panel = Literal["motion", "stability", "curve", "causes", "response", "hull", "criteria", "compare"]
 """What the right side of the page shows."""

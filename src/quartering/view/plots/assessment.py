@@ -13,8 +13,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
-from quartering.study.seas.assessment_grid import Assessed
-from quartering.study.seas.long_term import YEAR
+from quartering.study.seas.failure_rates.assessment_grid import Assessed
+from quartering.study.seas.failure_rates.long_term import YEAR
 from quartering.view.plots import style
 from quartering.view.plots.sea_polar import limit_words
 

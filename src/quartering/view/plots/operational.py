@@ -14,7 +14,7 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from quartering.study.criteria.operational import ADVICE, FORMS, NOT_RECOMMENDED, UNDECIDED
-from quartering.study.seas.map_axes import mirrors, period_of
+from quartering.study.seas.over_seas.map_axes import mirrors, period_of
 from quartering.view.plots import style
 from quartering.view.plots.polar_map import edges
 

@@ -14,8 +14,8 @@ from matplotlib.patches import Patch
 from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
-from quartering.study.seas.advice import Advice
-from quartering.study.seas.map_axes import mirrors, period_of
+from quartering.study.seas.over_seas.advice import Advice
+from quartering.study.seas.over_seas.map_axes import mirrors, period_of
 from quartering.units import quantity
 from quartering.view.plots import style
 from quartering.view.plots.guidance import round_knots

@@ -8,7 +8,7 @@ from html import escape
 import xarray as xr
 
 from quartering.study.criteria.operational import ADVICE, FORMS
-from quartering.study.seas.map_axes import period_of
+from quartering.study.seas.over_seas.map_axes import period_of
 from quartering.view.plots.operational import operational_picture
 from quartering.view.report.pictures import inline_svg
 

@@ -9,8 +9,8 @@ import xarray as xr
 
 from quartering._machine.digest import fingerprint
 from quartering.references import cite
-from quartering.study.seas.advice import Advice
-from quartering.study.seas.map_axes import period_of
+from quartering.study.seas.over_seas.advice import Advice
+from quartering.study.seas.over_seas.map_axes import period_of
 from quartering.study.seas.response import SeaStatus
 from quartering.view.plots.sea_polar import limit_words, sea_polar
 from quartering.view.report.page import filled

@@ -1,0 +1,1 @@
+"""Rates of failures over all the seas a ship meets."""

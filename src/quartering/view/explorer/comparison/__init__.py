@@ -1,0 +1,1 @@
+"""A second ship or loading beside that of the page."""

@@ -1,0 +1,1 @@
+"""Ships of the explorer: built-in ones, and hulls that visitors bring."""

@@ -1,0 +1,1 @@
+"""The page in an irregular sea: its state, dials, map, panel and files."""
