@@ -86,7 +86,6 @@ def polar(
 ) -> Answer:
     """Map of roll and stability; of two ships or loadings, the difference; of irregular seas by --hs and --tp, over speed."""
     from quartering.stability.precompile import announce_compilation
-    from quartering.view.wording import edge_words, notes
 
     if hs is not None:
         _refuse_waves(wave_lengths, steepness, wave_height, harmonics, extend, beside, modes)
@@ -111,23 +110,36 @@ def polar(
     with bar("conditions", axes.conditions) as progress:
         ds = mapped(one, axes, harmonics, chosen, modes=asked, extend=extend, progress=progress)
     ds.attrs["ship_argument"] = ship
+    more = " --modes six" if modes == "six" else ""
+    return _answer(one, ds, (path, picture), f"{option_words(changes)}{more}", extended=extend)
+
+
+def _answer(one: Ship, ds: xr.Dataset, files: tuple[Path, Path | None], typed: str, *, extended: bool) -> Answer:
+    """The map of one ship as the command gives it.
+
+    typed: the options of the ship and of its modes, to be typed again
+    """
+    from quartering.view.wording import edge_words, notes
+
+    path, picture = files
+    ship = ds.attrs["ship_argument"]
     summary = [summary_of(one, ds.isel(speed=i)) for i in range(ds.sizes["speed"])]
 
     def lines() -> Iterator[Table | str]:
         yield from _lines(one, ds, summary)
-        yield from edge_words(ds, _FURTHER, "" if extend else ", or --extend")
+        yield from edge_words(ds, _FURTHER, "" if extended else ", or --extend")
         yield from notes(ds)
 
-    more = " --modes six" if modes == "six" else ""
-    step = f"quartering verdict {ship} {_worst_words(ds, summary)}{option_words(changes)}{more}"
+    written: list[File] = []
+    if picture is not None:
+        written = [File(path, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))]
+    reported = [] if picture is None or "--modes" in typed else [f"quartering report {path}"]
     return Answer(
         lines(),
         lambda: _facts(ds, summary) | _written(path, picture),
-        []
-        if picture is None
-        else [File(path, lambda part: ds.to_netcdf(part)), *picture_files(picture, lambda: _picture(ds))],
+        written,
         written=f"Wrote {path}" + ("" if picture is None else f" and {picture}"),
-        next_steps=[step, *([] if picture is None or more else [f"quartering report {path}"])],
+        next_steps=[f"quartering verdict {ship} {_worst_words(ds, summary)}{typed}", *reported],
         output=path,
         data=lambda: [map_table(ds)],
     )

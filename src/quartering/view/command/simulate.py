@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -82,12 +81,10 @@ def simulate(
         note = f"Full nonlinear equations, from rest but for the roll angle. {ship_notes(one)}"
         return trace_picture(trace, steady, title, note)
 
-    def lines() -> Iterator[str]:
-        if capsize is not None:
-            yield f"Capsizes after {capsize:.3g} s (roll past {limit.words})."
-            return
-        known = f"the steady motion peaks at {steady:.3g} deg" if steady is not None else "no steady motion was found"
-        yield f"Largest roll {largest:.3g} deg, in the last quarter {late:.3g} deg; {known}."
+    known = f"the steady motion peaks at {steady:.3g} deg" if steady is not None else "no steady motion was found"
+    sentence = f"Largest roll {largest:.3g} deg, in the last quarter {late:.3g} deg; {known}."
+    if capsize is not None:
+        sentence = f"Capsizes after {capsize:.3g} s (roll past {limit.words})."
 
     def facts() -> dict[str, object]:
         return {
@@ -97,7 +94,7 @@ def simulate(
         }  # fmt: skip
 
     return Answer(
-        lines(),
+        iter([sentence]),
         facts,
         [*picture_files(path, draw), *_moving(path, program, one, model, trace)],
         remarks=[ship_notes(one)],

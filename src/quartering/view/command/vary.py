@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -66,7 +67,6 @@ def vary(
     from quartering.stability.precompile import announce_compilation
     from quartering.study.effects.vary import vary as variation
     from quartering.study.loadings import KEEL_AXES
-    from quartering.view.wording import condition_words, notes
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, ranges)
     chosen: Form = form  # type: ignore[assignment]  # vary and tornado refuse an unknown one
@@ -97,6 +97,20 @@ def vary(
     for key in unfitted:
         del ds[key].attrs["user_value"]
 
+    words = unvaried_words(typed) + option_words(told)
+    return _answer(ds, path, [
+        f"quartering vary {ship}{words} --tornado 10% -o tornado.png",
+        *_over_map_words(ship, told, left),
+        f"quartering polar {ship}{option_words(told)}",
+    ])  # fmt: skip
+
+
+def _answer(ds: xr.Dataset, path: Path | None, next_steps: list[str]) -> Answer:
+    """What one or two varied values do, as the command gives it."""
+    from quartering.view.wording import condition_words, notes
+
+    dims = list(map(str, ds["verdict"].dims))
+
     def draw() -> Figure:
         from quartering.view.plots.vary import vary_picture
 
@@ -104,21 +118,16 @@ def vary(
 
     def lines() -> Iterator[Table | str]:
         yield f"{condition_words(ds)}."
-        yield from _lines(ds) if len(parameters) == 1 else _map_lines(ds)
+        yield from _lines(ds) if len(dims) == 1 else _map_lines(ds)
         yield from notes(ds)
 
-    words = unvaried_words(typed) + option_words(told)
     return Answer(
         lines(),
         lambda: _facts(ds) | {"written": None if path is None else str(path)},
         dataset_or_picture(path, ds, draw),
         output=path,
-        data=lambda: [data_table(ds, str(ds.attrs["title"]), MEASURES, list(map(str, ds["verdict"].dims)))],
-        next_steps=[
-            f"quartering vary {ship}{words} --tornado 10% -o tornado.png",
-            *_over_map_words(ship, told, left),
-            f"quartering polar {ship}{option_words(told)}",
-        ],
+        data=lambda: [data_table(ds, str(ds.attrs["title"]), MEASURES, dims)],
+        next_steps=next_steps,
     )
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
 
 Answer = TypeVar("Answer")
+Take = Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]]
+"""Waits for the turn of a piece of work: its result, and its warnings."""
 
 
 class JobQueue:

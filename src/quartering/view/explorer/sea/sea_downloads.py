@@ -14,8 +14,8 @@ import xarray as xr
 
 from quartering.view.explorer.computations import HEADINGS
 from quartering.view.explorer.downloads import stem
+from quartering.view.explorer.job_queue import Take
 from quartering.view.explorer.sea.sea_scene import SeaScene, map_pieces
-from quartering.view.explorer.service.desk import Take
 from quartering.view.explorer.state import LOADING, State
 
 _REPORT = "quartering.view.report.seas"

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import asyncio
 import html
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Mapping
 from typing import Annotated, Any
 
 import numpy as np
@@ -14,7 +13,6 @@ from fastapi.exceptions import RequestValidationError
 from fastapi.responses import HTMLResponse, JSONResponse
 from starlette.exceptions import HTTPException as StarletteError
 
-from quartering.conventions import InputError
 from quartering.hull.file.refusals import allowed, user_words
 from quartering.hull.told import condition, number, numbers
 from quartering.loads.waves import STEEPEST, Wave
@@ -26,20 +24,19 @@ from quartering.study.effects.cure import Cure
 from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
-from quartering.view.explorer.computations import joined, noting, sought
+from quartering.view.explorer.computations import joined, sought
 from quartering.view.explorer.guard import METHODS
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
 from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.service.calls import MOST_CELLS, PolarCall, ShipCall, VerdictCall
 from quartering.view.explorer.service.criteria_api import CriteriaCall, serve_criteria
-from quartering.view.explorer.service.desk import OF_GET, OF_POST, ONCE, Desk, answer_json
+from quartering.view.explorer.service.desk import OF_GET, OF_POST, ONCE, Desk, answer_json, busy
 from quartering.view.explorer.service.problems import STATUSES, refused, responses, without_paths
 from quartering.view.explorer.service.sea_api import GuidanceCall, SeaCall, serve_sea
 
 _AT_ONCE = 1024
 _RESULTS = ("roll", "roll_peak", "other_roll_peak", "sway", "yaw", "k2", "exponent", "encounter_frequency")
-_BUSY, _CLIENT_LEFT = 503, 499
-_MOST_CALLS, _MOST_SEARCHES = 32, 4
+_MOST_SEARCHES = 4
 _CALLS: dict[str, tuple[type[ShipCall], str]] = {
     "verdict": (VerdictCall, "GET, POST"), "polar": (PolarCall, "POST"), "sea": (SeaCall, "GET, POST"),
     "guidance": (GuidanceCall, "POST"), "criteria": (CriteriaCall, "POST"),
@@ -53,67 +50,13 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
     registry: ships that can be asked for
     jobs: all calls together are one client of it, so that they never crowd out the people on the pages
     """
-    routes = APIRouter(prefix="/api", tags=["api"])
-    under_way, searches, once = [0], [0], ONCE
-
-    async def answered(request: Request, work: Callable[[], Awaitable[JSONResponse]]) -> JSONResponse:
-        """The answer of some work, unless too many wait already; a caller who leaves gives its place to the next at once."""
-        if under_way[0] >= _MOST_CALLS:
-            return refused(f"{_MOST_CALLS} calls are waiting already; try again in a moment", _BUSY)
-        under_way[0] += 1
-        working, leaving = asyncio.ensure_future(work()), asyncio.ensure_future(_left(request))
-        try:
-            await asyncio.wait({working, leaving}, return_when=asyncio.FIRST_COMPLETED)
-            return working.result() if working.done() else refused("the caller has gone", _CLIENT_LEFT)
-        except InputError as error:
-            return refused(without_paths(str(error)))
-        finally:
-            under_way[0] -= 1
-            working.cancel()
-            leaving.cancel()
-
-    async def take(work: Callable[[], Any]) -> tuple[Any, list[str]]:
-        return await jobs.take("api", noting(work))
-
-    async def take_long(work: Callable[[], Any]) -> tuple[Any, list[str]]:
-        return await jobs.take("api, long work", noting(work))
-
-    async def cured(found: Examined) -> list[Cure]:
-        searches[0] += 1
-        try:
-            return await sought(found, take_long, lambda: True)
-        finally:
-            searches[0] -= 1
-
-    async def judged(call: VerdictCall, with_cures: bool) -> JSONResponse:
-        found, notes = await take(lambda: _examined(call, registry))
-        if not _ailing(found):
-            healing: list[Cure] | None = []
-        elif with_cures and searches[0] >= _MOST_SEARCHES:
-            return refused(f"{_MOST_SEARCHES} searches for cures are under way; try again, or ask by GET", _BUSY)
-        else:
-            healing = await cured(found) if with_cures else None
-        told, _ = await take(lambda: facts(found, healing))
-        return answer_json(told, notes)
-
-    async def mapped(call: PolarCall) -> JSONResponse:
-        blocks, notes = [], []
-        for block in (await take(lambda: _blocks(call, registry)))[0]:
-            part, said = await take_long(block)
-            blocks.append(part)
-            notes += said
-        whole = joined(blocks)
-        if call.extend:
-            whole, said = await take_long(
-                lambda: carried_on(whole, lambda axes: _further(call, registry, axes), MOST_CELLS)
-            )
-            notes += said
-        return answer_json(_map(whole), list(dict.fromkeys(notes)))
+    routes, desk, once = APIRouter(prefix="/api", tags=["api"]), Desk(jobs), ONCE
+    judge = _Judge(registry, desk)
 
     @routes.get("/verdict", dependencies=once, summary="Judge one condition", responses=responses(*OF_GET))
     async def get_verdict(request: Request, call: Annotated[VerdictCall, Query()]) -> JSONResponse:
         """What `quartering verdict --json` prints, but no cures are sought: `cures` is null for an unstable motion."""
-        return await answered(request, lambda: judged(call, False))
+        return await desk.answered(request, lambda: judge.judged(call, with_cures=False))
 
     @routes.post(
         "/verdict",
@@ -123,14 +66,13 @@ def serve_api(server: FastAPI, registry: ShipRegistry, jobs: JobQueue) -> None:
     )
     async def post_verdict(request: Request, call: VerdictCall) -> JSONResponse:
         """What `quartering verdict --json` prints: motion, indices, multipliers, sentence, cures, sources."""
-        return await answered(request, lambda: judged(call, True))
+        return await desk.answered(request, lambda: judge.judged(call, with_cures=True))
 
     @routes.post("/polar", dependencies=once, summary="Map of roll and stability", responses=responses(*OF_POST))
     async def post_polar(request: Request, call: PolarCall) -> JSONResponse:
         """Nested lists [speed][heading][wave length] with their units; null where there is no answer."""
-        return await answered(request, lambda: mapped(call))
+        return await desk.answered(request, lambda: _mapped(call, registry, desk))
 
-    desk = Desk(answered, take, take_long)
     serve_sea(routes, registry, desk)
     serve_criteria(routes, registry, desk)
 
@@ -169,10 +111,45 @@ def _refuse_the_rest(server: FastAPI, routes: APIRouter) -> None:
         return refused("the server failed at this call, a fault of its own; whoever runs it finds it in the log", 500)
 
 
-async def _left(request: Request) -> None:
-    """Wait until the caller leaves."""
-    while (await request.receive())["type"] != "http.disconnect":
-        pass
+class _Judge:
+    """Verdicts, and the few searches for cures that are made at a time."""
+
+    def __init__(self, registry: ShipRegistry, desk: Desk) -> None:
+        self._registry, self._desk, self._searches = registry, desk, 0
+
+    async def judged(self, call: VerdictCall, *, with_cures: bool) -> JSONResponse:
+        found, notes = await self._desk.take(lambda: _examined(call, self._registry))
+        if not _ailing(found):
+            healing: list[Cure] | None = []
+        elif with_cures and self._searches >= _MOST_SEARCHES:
+            return busy(f"{_MOST_SEARCHES} searches for cures are under way; try again, or ask by GET")
+        else:
+            healing = await self._cured(found) if with_cures else None
+        told, _ = await self._desk.take(lambda: facts(found, healing))
+        return answer_json(told, notes)
+
+    async def _cured(self, found: Examined) -> list[Cure]:
+        self._searches += 1
+        try:
+            return await sought(found, self._desk.take_long, lambda: True)
+        finally:
+            self._searches -= 1
+
+
+async def _mapped(call: PolarCall, registry: ShipRegistry, desk: Desk) -> JSONResponse:
+    """The map of a call, block by block, and carried on past its edges if wanted."""
+    blocks, notes = [], []
+    for block in (await desk.take(lambda: _blocks(call, registry)))[0]:
+        part, said = await desk.take_long(block)
+        blocks.append(part)
+        notes += said
+    whole = joined(blocks)
+    if call.extend:
+        whole, said = await desk.take_long(
+            lambda: carried_on(whole, lambda axes: _further(call, registry, axes), MOST_CELLS)
+        )
+        notes += said
+    return answer_json(_map(whole), list(dict.fromkeys(notes)))
 
 
 def _examined(call: VerdictCall, registry: ShipRegistry) -> Examined:

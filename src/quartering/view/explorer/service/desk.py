@@ -2,36 +2,55 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 from collections.abc import Awaitable, Callable, Iterator
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 from fastapi import Depends, HTTPException, Request
 from fastapi.responses import JSONResponse
 
+from quartering.conventions import InputError
 from quartering.view.console.printed import plain
-from quartering.view.explorer.service.problems import plain_names
+from quartering.view.explorer.computations import noting
+from quartering.view.explorer.job_queue import JobQueue
+from quartering.view.explorer.service.problems import plain_names, refused, without_paths
 
 OF_GET: Final = (400, 403, 422, 500, 503)
 OF_POST: Final = (400, 403, 408, 413, 415, 422, 500, 503)
 """Refusals of a route."""
-Take = Callable[[Callable[[], Any]], Awaitable[tuple[Any, list[str]]]]
-"""Waits for the turn of a piece of work: its result, and its warnings."""
+_BUSY, _CLIENT_LEFT, _MOST_CALLS = 503, 499, 32
 
 
-class Desk(NamedTuple):
-    """How calls are served.
+class Desk:
+    """How calls are served: all of them together are one client of the queue, and never crowd out the people on the pages."""
 
-    Parameters
-    ----------
-    answered : function    of a request and what makes its answer; refuses it where too many wait
-    take : Take            for what is short
-    take_long : Take       for what comes in many pieces
-    """
+    def __init__(self, jobs: JobQueue) -> None:
+        self._jobs, self._under_way = jobs, 0
 
-    answered: Callable[[Request, Callable[[], Awaitable[JSONResponse]]], Awaitable[JSONResponse]]
-    take: Take
-    take_long: Take
+    async def answered(self, request: Request, work: Callable[[], Awaitable[JSONResponse]]) -> JSONResponse:
+        """The answer of some work, unless too many wait already; a caller who leaves gives its place to the next at once."""
+        if self._under_way >= _MOST_CALLS:
+            return busy(f"{_MOST_CALLS} calls are waiting already; try again in a moment")
+        self._under_way += 1
+        working, leaving = asyncio.ensure_future(work()), asyncio.ensure_future(_left(request))
+        try:
+            await asyncio.wait({working, leaving}, return_when=asyncio.FIRST_COMPLETED)
+            return working.result() if working.done() else refused("the caller has gone", _CLIENT_LEFT)
+        except InputError as error:
+            return refused(without_paths(str(error)))
+        finally:
+            self._under_way -= 1
+            working.cancel()
+            leaving.cancel()
+
+    async def take(self, work: Callable[[], Any]) -> tuple[Any, list[str]]:
+        """Wait for the turn of what is short: its result, and its warnings."""
+        return await self._jobs.take("api", noting(work))
+
+    async def take_long(self, work: Callable[[], Any]) -> tuple[Any, list[str]]:
+        """As `take`, of what comes in many pieces."""
+        return await self._jobs.take("api, long work", noting(work))
 
     async def stepped(self, begin: Callable[[], Iterator[tuple[Any, Any]]]) -> tuple[Any, list[str]]:
         """What the last of some steps yields beside how far it is, others being served between; and all warnings."""
@@ -43,6 +62,17 @@ class Desk(NamedTuple):
             if step is None:
                 return last, list(dict.fromkeys(notes))
             last = step[1]
+
+
+def busy(words: str) -> JSONResponse:
+    """The refusal of a call while too many others are served."""
+    return refused(words, _BUSY)
+
+
+async def _left(request: Request) -> None:
+    """Wait until the caller leaves."""
+    while (await request.receive())["type"] != "http.disconnect":
+        pass
 
 
 def answer_json(content: dict[str, Any], notes: list[str]) -> JSONResponse:
