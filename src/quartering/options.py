@@ -209,7 +209,7 @@ def part_values(of: Option, given: Any, where: str, sizes: Sizes) -> Any:
 
     Returns None for none, or another word the group may be
 
-    >>> part_values(option("autopilot"), "1,10s", "my ship", NO_SHIP)
+    >>> part_values(option("autopilot"), "1,10s", "my ship", Sizes())
     {'gain': 1.0, 'rate_gain': 10.0, 'lag': 0.0}
     """
     own = parts(of.name)

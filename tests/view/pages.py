@@ -18,6 +18,8 @@ def faded_in(page):
     """Wait until a dialog stands there whole: half transparent, its colours are others."""
     page.wait_for_function(
         "!document.querySelector('[class*=-enter-]') && document.getAnimations().every(one => one.playState !== 'running')"
+        " && [...document.querySelectorAll('.q-dialog__inner, .q-dialog__inner > *')].every("
+        "one => getComputedStyle(one).opacity === '1')"
     )
 
 

@@ -52,6 +52,7 @@ def test_a_turned_dial_moves_verdict_link_and_map(visit):
     assert page.wrong == []
 
 
+@pytest.mark.soak
 def test_dragging_a_slider_follows_with_the_mouse(visit):
     page = visit(STABLE)
     box = page.locator("#slider-gm").bounding_box()
@@ -207,6 +208,7 @@ def test_a_wave_that_breaks_is_told_and_the_page_goes_on(visit):
     assert page.locator(".wrong").count() == 0
 
 
+@pytest.mark.soak
 def test_a_ship_that_keeps_pace_with_the_wave_gets_no_answer_but_its_map(visit):
     speed = math.sqrt(9.81 * 150.0 / (2 * math.pi))  # the celerity of the wave
     page = visit(f"ship=series60-cb60&speed={speed!r}&heading=0&wave_length=150&wave_height=4")
@@ -216,6 +218,7 @@ def test_a_ship_that_keeps_pace_with_the_wave_gets_no_answer_but_its_map(visit):
     filled(page)
 
 
+@pytest.mark.soak
 def test_it_fits_a_phone_and_follows_the_dark(visit):
     page = visit(STABLE, width=375, height=800, scheme="dark")
     filled(page)

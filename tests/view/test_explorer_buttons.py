@@ -57,6 +57,7 @@ def test_a_copied_link_opens_the_same_view(visit, context, explorer):
     assert page.wrong == other.wrong == []
 
 
+@pytest.mark.soak
 def test_where_the_browser_forbids_it_nothing_is_said_to_be_copied(visit):
     page = visit(STABLE)
     page.evaluate("Object.defineProperty(navigator, 'clipboard', { value: undefined })")

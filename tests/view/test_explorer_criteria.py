@@ -85,6 +85,7 @@ def test_the_tab_has_level_one_at_once_and_level_two_by_a_button(visit):
     assert page.wrong == page.elsewhere == []
 
 
+@pytest.mark.soak
 def test_the_criteria_on_a_phone_in_the_dark_say_what_is_missing(visit):
     page = visit("ship=series60-cb60&panel=criteria&mode=sea", width=390, height=844, scheme="dark")
     page.wait_for_function(ROWS.format(5))

@@ -143,7 +143,7 @@ def test_guidance_is_that_of_the_library(explorer):
         ("guidance", MAP | {"speed": [float("inf")]}, "finite"),
         ("guidance", MAP | {"speed": [i / 100 for i in range(2000)]}, "8,000 conditions"),
         ("guidance", MAP | {"hs": [25]}, "breaks"),
-        ("guidance", MAP | {"spectrum": "torsethaugen", "tp": None, "tz": 7}, "tz of a spectrum of two peaks"),
+        ("guidance", MAP | {"spectrum": "torsethaugen", "tp": None, "tz": [7]}, "tz of a spectrum of two peaks"),
         ("guidance", MAP | {"threshold": 0}, "it is from 1 to 10"),
         ("guidance", MAP | {"ship": "../etc/passwd"}, "unknown"),
         ("guidance", b"[1", "JSON"),
@@ -190,6 +190,7 @@ def test_the_switch_to_a_sea_and_back(visit):
     assert page.wrong == page.elsewhere == []
 
 
+@pytest.mark.soak
 def test_a_sea_on_a_phone_in_the_dark(visit):
     page = visit(PAGE, width=390, height=844, scheme="dark")
     page.wait_for_function(FILLED)

@@ -44,6 +44,7 @@ def test_the_ship_moves_in_its_wave_and_stops_and_steps_by_keyboard(visit):
     assert page.wrong == page.elsewhere == []
 
 
+@pytest.mark.soak
 def test_who_wants_less_motion_gets_a_picture_that_stands(visit):
     page = visit(STABLE, motion="reduce")
     page.wait_for_selector(".q-ship-play[aria-label='play']")
@@ -108,6 +109,7 @@ def test_a_slider_says_its_name_and_its_value_with_the_unit(visit):
     assert slider.get_attribute("aria-label") == "GM"
 
 
+@pytest.mark.soak
 def test_the_theme_is_remembered(visit):
     page = visit(STABLE)
     page.get_by_role("button", name="light or dark").click()
@@ -119,6 +121,7 @@ def test_the_theme_is_remembered(visit):
     page.wait_for_function("document.cookie.includes('quartering-theme=system')")
 
 
+@pytest.mark.soak
 def test_switching_tabs_leaves_the_console_silent(visit):
     page = visit(STABLE)
     page.wait_for_selector(".panel .main-svg")

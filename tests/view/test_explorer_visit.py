@@ -50,7 +50,7 @@ def test_a_first_visit_is_told_what_it_looks_at_by_keyboard_once_and_again_when_
     assert page.wrong == page.elsewhere == []
 
 
-@pytest.mark.parametrize(("width", "scheme"), [(1440, "light"), (390, "dark")])
+@pytest.mark.parametrize(("width", "scheme"), [(1440, "light"), pytest.param(390, "dark", marks=pytest.mark.soak)])
 def test_views_are_saved_opened_and_deleted_by_keyboard_and_old_ones_are_told(visit, width, scheme):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe-core comes with the extra `dev`")
     page = visit(f"{STABLE}&gm=0.7", width=width, scheme=scheme)

@@ -158,6 +158,7 @@ def test_text_from_files_is_escaped(result):
     assert "&lt;script&gt;alert(1)" in page
 
 
+@pytest.mark.soak
 def test_fingerprint_changes_with_the_ship_and_not_from_run_to_run(page, result):
     def mark(text: str) -> str:
         return re.search(r"<dt>fingerprint</dt><dd>(\w+)</dd>", text)[1]
