@@ -17,7 +17,8 @@ peaks) tells why.
 import numpy as np
 
 import quartering as qt
-from quartering.study.paper.curves import resonances, response_curves
+from quartering.study.condition.resonance import resonant_headings
+from quartering.study.paper.curves import response_curves
 from quartering.view.plots.paper_figures import draw_figure
 from quartering.view.plots.style import shown
 
@@ -28,7 +29,7 @@ for name in ("series60-cb60", "series60-cb70"):
         peak = int(np.argmax(one["roll"].values))
         print(
             f"{name}, wave {length:.0f} m: roll {float(one['roll'][peak]):.1f} deg at {float(one['heading'][peak]):.0f} deg;"
-            f" frequencies meet at {resonances(one)[0]:.0f} deg"
+            f" frequencies meet at {resonant_headings(one)[0]:.0f} deg"
         )
 
 # %%
