@@ -18,7 +18,7 @@ import quartering as qt
 from quartering.motion.of_ship import ship_system
 from quartering.motion.steady.motion import steady_motions
 from quartering.stability.assessment import assess
-from quartering.stability.short_index import short_index
+from quartering.stability.short_index import roll_cubics, short_index, through_water
 
 RED, BLUE, GREY = "#D55E00", "#0072B2", "#6b6b6b"
 PAPER = {"velocities": "absolute", "drag": "cubic", "ends": "strips", "righting": "polynomial"}
@@ -43,7 +43,9 @@ def judged(ship: qt.Ship, ratio: float, headings: np.ndarray):
 def parts(ship: qt.Ship, ratio: float, headings: np.ndarray, *, moving: bool) -> np.ndarray:
     """What I1 P1^2, I2 P2^2, I3 P3^2 add to K2/(2 n2) (n, 3) [1/s]."""
     system, displacement, first, _ = judged(ship, ratio, headings)
-    added = short_index(system, displacement, first.n2, first.rho[:, 0], moving=moving)
+    amplitude = np.abs(through_water(system, displacement) if moving else displacement)
+    cubics = roll_cubics(system, displacement)
+    added = short_index(cubics, amplitude, system.frequency, first.n2, first.rho[:, 0])
     return added / (2 * first.n2[:, None])
 
 
