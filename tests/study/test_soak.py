@@ -315,7 +315,6 @@ def test_programs_with_any_number_of_threads_give_the_same_bytes(count, program,
     assert _files(tmp_path / "sweep") == expected
 
 
-@pytest.mark.xfail(strict=False, reason="q of 2 in 18,468 differs by 3.4e-12; the rest of the ladder is not known")
 def test_a_lesser_processor_gives_the_same_to_twelve_digits(program, undisturbed, tmp_path):
     """The same machine told to be one of 2004: no wide vectors in kernels, arrays or linear algebra, and no fused products."""
     environment = {
@@ -329,5 +328,6 @@ def test_a_lesser_processor_gives_the_same_to_twelve_digits(program, undisturbed
         if there[name].dtype.kind == "i":
             np.testing.assert_array_equal(there[name], here[name], err_msg=name)
         else:
-            size = float(np.nanmax(np.abs(here[name].values)))
+            # `missed` is a share of roll: its whole is 1, however little of it the harmonics leave out
+            size = 1.0 if name == "missed" else float(np.nan_to_num(np.abs(here[name].values)).max())
             np.testing.assert_allclose(there[name], here[name], rtol=1e-12, atol=1e-12 * size, err_msg=name)

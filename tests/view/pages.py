@@ -16,6 +16,7 @@ def filled(page):
 
 def faded_in(page):
     """Wait until a dialog stands there whole: half transparent, its colours are others."""
+    page.wait_for_timeout(500)  # until it has begun to
     page.wait_for_function(
         "!document.querySelector('[class*=-enter-]') && document.getAnimations().every(one => one.playState !== 'running')"
         " && [...document.querySelectorAll('.q-dialog__inner, .q-dialog__inner > *')].every("

@@ -105,6 +105,7 @@ def test_an_unknown_part_of_a_link_is_told_and_the_rest_is_shown(visit):
 def test_a_slider_says_its_name_and_its_value_with_the_unit(visit):
     page = visit(STABLE)
     slider = page.locator("#slider-gm[role=slider], #slider-gm [role=slider]").first
+    page.wait_for_function("document.querySelector('[aria-valuetext]#slider-gm, #slider-gm [aria-valuetext]')")
     assert slider.get_attribute("aria-valuetext") == f"{page.input_value('#number-gm')} m"
     assert slider.get_attribute("aria-label") == "GM"
 
