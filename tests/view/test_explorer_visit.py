@@ -101,6 +101,11 @@ def test_views_are_saved_opened_and_deleted_by_keyboard_and_old_ones_are_told(vi
 def test_a_hull_is_chosen_by_keyboard_in_a_dialog_whose_parts_have_names(visit):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe-core comes with the extra `dev`")
     page = visit(STABLE)
+    # As at a first visit: without the three steps the button lies before the map, and axe takes the dimmed page for its
+    # background, #949492, where the screen shows white on blue.
+    page.evaluate("localStorage.clear()")
+    page.reload()
+    page.wait_for_selector(".says h1 b")
     filled(page)
     chosen = []
     page.on("filechooser", lambda one: chosen.append(one))
@@ -108,7 +113,8 @@ def test_a_hull_is_chosen_by_keyboard_in_a_dialog_whose_parts_have_names(visit):
     page.keyboard.press("Enter")
     page.get_by_role("button", name="Draw it").click(trial=True)  # it stands still, and nothing lies over it
     faded_in(page)
-    found = axe.Axe().run(page).response["violations"]
+    page.mouse.move(5, 500)  # away from the button, whose colour is another under the pointer
+    found = axe.Axe().run(page, context=".q-dialog").response["violations"]
     serious = [one for one in found if one["impact"] in ("serious", "critical")]
     assert [(one["id"], one["nodes"][0]["html"], one["nodes"][0]["failureSummary"]) for one in serious] == []
     page.get_by_role("button", name="Choose a file").focus()
