@@ -47,11 +47,17 @@ class Scene(NamedTuple):
     waves: tuple[Wave, ...]
 
 
+def loaded_ship(state: State, known: Known) -> Ship:
+    """The ship as the dials of its loading are turned."""
+    own = known.ship
+    return loaded(
+        own, {name: number(own, name, value) for name in LOADING if (value := getattr(state, name)) is not None}
+    )
+
+
 def scene(state: State, known: Known) -> Scene:
     """Ship, wave and speed of a state."""
-    own = known.ship
-    changes = {name: number(own, name, value) for name in LOADING if (value := getattr(state, name)) is not None}
-    length = own.hull.length
+    length = known.ship.hull.length
     speed = quantity("0.25 Fn", "speed", length=length) if state.speed is None else state.speed
     at = length if state.wave_length is None else state.wave_length
 
@@ -60,7 +66,7 @@ def scene(state: State, known: Known) -> Scene:
 
     lengths = [float(ratio) * length for ratio in RATIOS]
     waves = tuple(Wave(one, height(one)) for one in lengths if height(one) <= STEEPEST * one)
-    return Scene(known, loaded(own, changes), Wave(at, height(at)), speed, state.heading, state.harmonics, waves)
+    return Scene(known, loaded_ship(state, known), Wave(at, height(at)), speed, state.heading, state.harmonics, waves)
 
 
 def verdict(of: Scene) -> Examined:

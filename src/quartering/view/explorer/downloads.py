@@ -10,12 +10,16 @@ import tempfile
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import xarray as xr
 
 from quartering.view.explorer.computations import HEADINGS, Scene, joined, map_blocks
 from quartering.view.explorer.hulls.ship_registry import Known
 from quartering.view.explorer.state import LOADING, State
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 _REPORT = "quartering.view.report"
 
@@ -46,34 +50,48 @@ def map_dataset(of: Scene) -> xr.Dataset:
 
 def picture(of: Scene, ending: str) -> bytes:
     """The map as a picture, "png" or "svg"."""
-    from quartering.view.plots import style
     from quartering.view.plots.polar_map import polar_map
 
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"map.{ending}"
-        style.save(polar_map(map_dataset(of)), path)
-        return path.read_bytes()
+    return figure_bytes(polar_map(map_dataset(of)), ending)
 
 
 def netcdf(of: Scene) -> bytes:
     """The map as netCDF."""
+    return dataset_bytes(map_dataset(of))
+
+
+def figure_bytes(figure: Figure, ending: str) -> bytes:
+    """A figure as a file, "png" or "svg"."""
+    from quartering.view.plots import style
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"map.{ending}"
+        style.save(figure, path)
+        return path.read_bytes()
+
+
+def dataset_bytes(whole: xr.Dataset) -> bytes:
+    """A dataset as netCDF."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "map.nc"
-        map_dataset(of).to_netcdf(path)
+        whole.to_netcdf(path)
         return path.read_bytes()
 
 
 def case_file(state: State, of: Scene) -> tuple[str, bytes]:
     """Name and content of the case that gives the view again; a zip with the lines for a hull that was uploaded."""
-    known = of.known
-    text = case_text(state, of, "ship.yaml" if known.files else known.key)
+    return with_its_lines(of.known, "case", lambda ship: case_text(state, of, ship))
+
+
+def with_its_lines(known: Known, kind: str, text: Callable[[str], str]) -> tuple[str, bytes]:
+    """Name and content of a case: its text, of the name of its ship, or a zip of it with the lines of an uploaded hull."""
     if not known.files:
-        return f"{stem(known)}-case.yaml", text.encode()
+        return f"{stem(known)}-{kind}.yaml", text(known.key).encode()
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as bundle:
-        for name, data in {"case.yaml": text.encode(), **known.files}.items():
+        for name, data in {"case.yaml": text("ship.yaml").encode(), **known.files}.items():
             bundle.writestr(name, data)
-    return f"{stem(known)}-case.zip", packed.getvalue()
+    return f"{stem(known)}-{kind}.zip", packed.getvalue()
 
 
 def case_text(state: State, of: Scene, ship: str) -> str:
@@ -81,7 +99,6 @@ def case_text(state: State, of: Scene, ship: str) -> str:
     heading = sorted({*HEADINGS.tolist(), of.heading})
     lengths = sorted({*(wave.length for wave in of.waves), of.wave.length})
     sea = f"steepness: {state.steepness!r}" if state.wave_height is None else f"wave_height: {state.wave_height!r}"
-    own = {name: getattr(state, name) for name in LOADING if getattr(state, name) is not None}
     lines = [
         "# From the explorer: the map, and the chosen condition.",
         "# Run it:  quartering sweep <this file> -o result    then    quartering worst result",
@@ -91,11 +108,17 @@ def case_text(state: State, of: Scene, ship: str) -> str:
         f"heading: {json.dumps(heading)}     # deg",
         f"wave_length: {json.dumps(lengths)} # m",
         sea + ("    # height over length" if state.wave_height is None else "    # m"),
-        *(["loading:"] if own else []),
-        *(f'  {name}: "{value!r}{"" if name == "roll_damping" else " m"}"' for name, value in own.items()),
+        *loading_lines(state),
         f"harmonics: {of.harmonics}",
     ]
     return "\n".join(lines) + "\n"
+
+
+def loading_lines(state: State) -> list[str]:
+    """The dials of the loading that are turned, as a case file has them."""
+    own = {name: getattr(state, name) for name in LOADING if getattr(state, name) is not None}
+    lines = [f'  {name}: "{value!r}{"" if name == "roll_damping" else " m"}"' for name, value in own.items()]
+    return ["loading:", *lines] if lines else []
 
 
 def has_report() -> bool:

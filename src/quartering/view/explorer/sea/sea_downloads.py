@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import importlib
-import io
 import json
-import tempfile
-import zipfile
 from collections.abc import Callable
-from pathlib import Path
 
 import xarray as xr
 
 from quartering.view.explorer.computations import HEADINGS
-from quartering.view.explorer.downloads import stem
+from quartering.view.explorer.downloads import dataset_bytes, figure_bytes, loading_lines, stem, with_its_lines
 from quartering.view.explorer.job_queue import Take
 from quartering.view.explorer.sea.sea_scene import SeaScene, map_pieces
-from quartering.view.explorer.state import LOADING, State
+from quartering.view.explorer.state import State
 
 _REPORT = "quartering.view.report.seas"
 
@@ -38,7 +34,7 @@ def files() -> dict[str, File]:
         "Case file that gives this view": case_file,
         "Map, PNG": of_map("png", lambda whole: picture(whole, "png")),
         "Map, SVG": of_map("svg", lambda whole: picture(whole, "svg")),
-        "Map, netCDF": of_map("nc", netcdf),
+        "Map, netCDF": of_map("nc", dataset_bytes),
         "Report, HTML": of_map("html", report),
     }
 
@@ -60,21 +56,9 @@ async def made(make: File, state: State, of: SeaScene, whole: xr.Dataset | None,
 
 def picture(whole: xr.Dataset, ending: str) -> bytes:
     """The map as a picture, "png" or "svg"."""
-    from quartering.view.plots import style
     from quartering.view.plots.sea_polar import sea_polar
 
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / f"map.{ending}"
-        style.save(sea_polar(whole), path)
-        return path.read_bytes()
-
-
-def netcdf(whole: xr.Dataset) -> bytes:
-    """The map as netCDF."""
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "map.nc"
-        whole.to_netcdf(path)
-        return path.read_bytes()
+    return figure_bytes(sea_polar(whole), ending)
 
 
 def report(whole: xr.Dataset) -> bytes:
@@ -85,20 +69,11 @@ def report(whole: xr.Dataset) -> bytes:
 
 def case_file(state: State, of: SeaScene, _: xr.Dataset | None = None) -> tuple[str, bytes]:
     """Name and content of the case that gives the map again; a zip with the lines for a hull that was uploaded."""
-    known = of.known
-    text = case_text(state, of, "ship.yaml" if known.files else known.key)
-    if not known.files:
-        return f"{stem(known)}-sea.yaml", text.encode()
-    packed = io.BytesIO()
-    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as bundle:
-        for name, data in {"case.yaml": text.encode(), **known.files}.items():
-            bundle.writestr(name, data)
-    return f"{stem(known)}-sea.zip", packed.getvalue()
+    return with_its_lines(of.known, "sea", lambda ship: case_text(state, of, ship))
 
 
 def case_text(state: State, of: SeaScene, ship: str) -> str:
     """Case file with the map, and the chosen condition among its speeds and headings."""
-    own = {name: getattr(state, name) for name in LOADING if getattr(state, name) is not None}
     lines = [
         "# From the explorer: the map of an irregular sea, and the chosen condition.",
         "# Run it:  quartering sweep <this file> -o result    then    quartering show result -o guidance.png",
@@ -110,7 +85,6 @@ def case_text(state: State, of: SeaScene, ship: str) -> str:
         *(f"  {name}: {value!r}    # {'m' if name == 'hs' else 's'}" for name, value in of.told.items()),
         f"  spectrum: {state.spectrum}",
         f"  spreading: {json.dumps(state.spreading)}",
-        *(["loading:"] if own else []),
-        *(f'  {name}: "{value!r}{"" if name == "roll_damping" else " m"}"' for name, value in own.items()),
+        *loading_lines(state),
     ]
     return "\n".join(lines) + "\n"

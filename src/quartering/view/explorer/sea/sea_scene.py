@@ -11,19 +11,17 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from quartering.hull.ship import Ship
-from quartering.hull.told import number
 from quartering.loads.sea.sea import Sea
-from quartering.study.loadings import loaded
 from quartering.study.maps.sweep import evaluated, in_pieces
 from quartering.study.seas.over_seas.advice import Advice
 from quartering.study.seas.over_seas.grid import SeaGrid, sea_grid
 from quartering.study.seas.over_seas.settings import SeaSettings
 from quartering.study.seas.response import sea_response
 from quartering.units import quantity
-from quartering.view.explorer.computations import HEADINGS
+from quartering.view.explorer.computations import HEADINGS, loaded_ship
 from quartering.view.explorer.hulls.ship_registry import Known
 from quartering.view.explorer.sea.sea_state import sea_of, told_of, told_spreading
-from quartering.view.explorer.state import LOADING, State
+from quartering.view.explorer.state import State
 
 FROUDE: Final = np.round(np.linspace(0.0, 0.24, 7), 10)
 """Speeds of the map as Froude numbers: those of `quartering polar --hs`."""
@@ -47,13 +45,12 @@ class SeaScene(NamedTuple):
 
 def sea_scene(state: State, known: Known) -> SeaScene:
     """Ship, sea and speed of a state."""
-    own = known.ship
-    changes = {name: number(own, name, value) for name in LOADING if (value := getattr(state, name)) is not None}
-    one = quantity("1 Fn", "speed", length=own.hull.length)
+    length = known.ship.hull.length
+    one = quantity("1 Fn", "speed", length=length)
     speed = 0.25 * one if state.speed is None else state.speed
     speeds = tuple(float(froude) / _TOP * _top(speed / one) * one for froude in FROUDE)
-    told = told_of(state, own.hull.length)
-    return SeaScene(known, loaded(own, changes), sea_of(state, told), told, speed, state.heading, speeds)
+    told = told_of(state, length)
+    return SeaScene(known, loaded_ship(state, known), sea_of(state, told), told, speed, state.heading, speeds)
 
 
 def _top(froude: float) -> float:
