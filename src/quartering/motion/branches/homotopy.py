@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quartering.motion.branches.arclength import Equations, corrected, follow
 from quartering.motion.equations.batch import copies
@@ -74,20 +75,23 @@ def _by_newton(system: System, wide: Floats, many: tuple[int, ...], *, quick: bo
 
 def same(a: Floats, b: Floats, share: float = _SAME) -> bool:
     """Are two motions one, to what Newton's method leaves or another share of their size?"""
-    size = np.maximum(np.abs(a).max(axis=1), np.abs(b).max(axis=1)) + 1e-12
-    return bool((np.abs(a - b).max(axis=1) < share * size + 1e-12).all())
+    return bool(_alike(a, b, share))
 
 
 def distinct(motions: Floats) -> list[Floats]:
     """Those of the motions (n, 3, b) that are not the `same` as one before them."""
-    size = np.abs(motions).max(axis=2)
-    apart = np.abs(motions[:, None] - motions).max(axis=3)
-    alike = (apart < _SAME * (np.maximum(size[:, None], size) + 1e-12) + 1e-12).all(axis=2)
+    alike = _alike(motions[:, None], motions, _SAME)
     kept: list[int] = []
     for i in range(len(motions)):
         if not alike[i, kept].any():
             kept.append(i)
     return [motions[i] for i in kept]
+
+
+def _alike(a: Floats, b: Floats, share: float) -> NDArray[np.bool_]:
+    """Which of motions (.., 3, b) that broadcast are one, mode by mode, to a share of the larger."""
+    size = np.maximum(np.abs(a).max(axis=-1), np.abs(b).max(axis=-1)) + 1e-12
+    return np.asarray((np.abs(a - b).max(axis=-1) < share * size + 1e-12).all(axis=-1))
 
 
 def _shared(one: Floats, reached: list[Floats | None]) -> bool:
