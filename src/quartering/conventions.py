@@ -21,6 +21,9 @@ from typing import Any, Final, NamedTuple
 GRAVITY: Final = 9.81
 """Acceleration of gravity [m/s2]."""
 
+NORMAL_95: Final = 1.96
+"""Standard errors to either side of a mean that leave 5 % outside [1]."""
+
 WATER_DENSITY: Final = 1025.0
 """Density of sea water [kg/m3]."""
 

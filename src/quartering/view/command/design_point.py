@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from quartering.arguments import ARGUMENTS
+from quartering.conventions import NORMAL_95
 from quartering.units import NO_SHIP
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, FormName, Heading, PictureOrData, ShipName, Speed
@@ -37,8 +38,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from quartering.view.console.printed import Table
-
-_NORMAL = 1.96
 
 
 def design_point(
@@ -93,7 +92,7 @@ def _lines(ds: xr.Dataset, took: float) -> Iterator[Table | str]:
         ("up-crossings, to one side", "crossing_rate", " 1/s"),
     ):
         best, error = float(ds[name]), float(ds[f"{name}_error"])
-        low, high = max(best - _NORMAL * error, 0.0), best + _NORMAL * error
+        low, high = max(best - NORMAL_95 * error, 0.0), best + NORMAL_95 * error
         rows.append((words, f"{best:.3g}{unit}", f"{error:.2g}", f"{low:.3g} to {high:.3g}"))
     rows.append(("probability by the distance alone", f"{float(ds['probability_form']):.3g}", "-", "-"))
     title = f"Roll of {ds.attrs['level']:.3g} deg: {ds.attrs['ship']}, {ds.attrs['speed']:.4g} m/s, {ds.attrs['seas']}"

@@ -7,6 +7,7 @@ from time import process_time
 from typing import TYPE_CHECKING, Any
 
 from quartering.arguments import ARGUMENTS
+from quartering.conventions import NORMAL_95
 from quartering.units import NO_SHIP
 from quartering.view.console.answer import Answer
 from quartering.view.console.arguments import Changes, DataOrTables, FormName, Heading, ShipName, Speed
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from quartering.view.console.printed import Table
-
-_NORMAL = 1.96
 
 
 def lyapunov(
@@ -82,7 +81,7 @@ def _intervals(ds: xr.Dataset) -> dict[str, tuple[float, float]]:
 
 def _lines(ds: xr.Dataset, took: float) -> Iterator[Table | str]:
     rows = [
-        (words, f"{rate:+.4g}", f"{error:.2g}", f"{rate - _NORMAL * error:+.4g} to {rate + _NORMAL * error:+.4g}")
+        (words, f"{rate:+.4g}", f"{error:.2g}", f"{rate - NORMAL_95 * error:+.4g} to {rate + NORMAL_95 * error:+.4g}")
         for words, (rate, error) in _intervals(ds).items()
     ]
     heads = ("growth of disturbances in", "rate [1/s]", "standard error", "95 % interval")
@@ -99,13 +98,13 @@ def _lines(ds: xr.Dataset, took: float) -> Iterator[Table | str]:
 def _sentence(ds: xr.Dataset) -> str:
     """What both rates say together."""
     (surely, error), (square, square_error) = _intervals(ds).values()
-    if surely - _NORMAL * error > 0:
+    if surely - NORMAL_95 * error > 0:
         return "Disturbances grow in almost every record: the motion is unstable."
-    if surely + _NORMAL * error > 0:
+    if surely + NORMAL_95 * error > 0:
         return "Not decided: the interval holds 0; simulate more hours."
-    if square - _NORMAL * square_error > 0:
+    if square - NORMAL_95 * square_error > 0:
         return "Disturbances die out in almost every record, but rare ones grow large: their mean square does."
-    if square + _NORMAL * square_error > 0:
+    if square + NORMAL_95 * square_error > 0:
         return "Disturbances die out in almost every record; of their mean square that is not decided: more hours."
     return "Disturbances die out, in almost every record and in the mean square: the motion is stable."
 

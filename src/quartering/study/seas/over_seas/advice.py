@@ -17,6 +17,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from quartering.conventions import NORMAL_95
 from quartering.study.seas.moments import Moments
 from quartering.study.seas.over_seas.settings import Judge
 
@@ -26,7 +27,6 @@ CLOSURE_OVER: Final = 1.15
 """Largest motion of the closure over that simulated, at most, as found in twelve seas [1]."""
 RATE_OPEN: Final = 100.0
 """Factor that a Gaussian rate of failures is left open by, to either side [1]."""
-_NORMAL: Final = 1.96
 
 
 class Advice(IntEnum):
@@ -96,7 +96,7 @@ def judged_by_simulation(found: xr.Dataset) -> Judged:
     """What a simulation gives."""
 
     def mean(name: str) -> Estimate:
-        value, error = float(found[f"{name}_mean_largest"]), _NORMAL * float(found[f"{name}_mean_largest_error"])
+        value, error = float(found[f"{name}_mean_largest"]), NORMAL_95 * float(found[f"{name}_mean_largest_error"])
         return Estimate(value, value - error, value + error)
 
     rate = (float(found[name]) for name in ("failure_rate", "rate_lower", "rate_upper"))
