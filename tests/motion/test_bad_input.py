@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
-from quartering.motion.equations.system import canonical
+from quartering.motion.equations.system import acceleration_form
 from quartering.motion.equations.terms import term_table
 from quartering.motion.status import Status
 from quartering.motion.steady.motion import steady_motions
@@ -69,12 +69,12 @@ def test_one_singular_inertia_of_many_is_that_conditions_alone():
     inertia = np.repeat(np.eye(3)[None], 3, axis=0)
     inertia[1, 1, 1] = 0.0
     table = term_table(IDLE | {"K_p": -0.1})
-    system = canonical(inertia, table, [0.8, 0.8, 0.8], np.zeros(3), np.array([0.0, 0.1, 0.0]))
+    system = acceleration_form(inertia, table, [0.8, 0.8, 0.8], (np.zeros(3), np.array([0.0, 0.1, 0.0]), 0.0))
     _, _, status, _ = steady_motions(system, 3)
     assert [Status(int(code)).ok for code in status] == [True, False, True]
     assert "inertia" in Status(int(status[1])).advice
     with pytest.raises(qt.InputError, match="singular"):
-        canonical(inertia[1], table, [0.8], np.zeros(3), np.ones(3))
+        acceleration_form(inertia[1], table, [0.8], (np.zeros(3), np.ones(3), 0.0))
     with pytest.raises(qt.InputError, match="greater than zero"):
         qt.Model(np.eye(3), IDLE, 0.0, (0, 0, 0), (0, 0, 0))
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from quartering.conventions import CUBIC_MONOMIALS
-from quartering.motion.equations.system import FEWEST, System, canonical, kernel_arguments
+from quartering.motion.equations.system import FEWEST, System, acceleration_form, kernel_arguments
 from quartering.motion.equations.terms import term_table
 from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
 from quartering.motion.steady.newton import newton_batch
@@ -24,9 +24,9 @@ def systems(extra=(), mean=0.0, force=0.1, seed=1971) -> System:
         linear[:, k, column] = -random.uniform(0.05, 1.0, COUNT)
     linear[:, 1, 1] = -1.0
     excitation = force * random.uniform(-1, 1, (2, COUNT, 3))
-    system = canonical(
-        np.eye(3), table, random.uniform(0.4, 2.0, COUNT), *excitation, mean * random.uniform(-1, 1, (COUNT, 3)), linear
-    )
+    frequency = random.uniform(0.4, 2.0, COUNT)
+    forces = (*excitation, mean * random.uniform(-1, 1, (COUNT, 3)))
+    system = acceleration_form(np.eye(3), table, frequency, forces, linear=linear)
     return replace(system, coefficients=system.coefficients * random.uniform(-0.2, 0.2, (COUNT, 1, 1)))
 
 

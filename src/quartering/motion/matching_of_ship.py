@@ -10,7 +10,7 @@ from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.manoeuvring.crossflow import reference_velocity
 from quartering.loads.lift import ship_water_velocity
 from quartering.motion.drag_of_ship import drag_strips
-from quartering.motion.equations.system import canonical
+from quartering.motion.equations.system import acceleration_form
 from quartering.motion.equations.terms import term_table
 from quartering.motion.matched import Matching
 from quartering.names import CUBIC_NAMES
@@ -26,11 +26,11 @@ def ship_matching(ship: Ship, c: Coefficients, frequency: Floats, *waves: Floats
     own = {name: value for name, value in own.items() if value and c.terms[name].kind == "cross-flow"}
     if not own:
         return None
-    still = np.zeros(3)
+    still = (0.0, 0.0, 0.0)
     water = ship_water_velocity(ship, *waves)
     return Matching(
-        cubics=canonical(c.inertia, term_table(own), frequency, still, still, water=water),
-        strips=canonical(c.inertia, term_table({}), frequency, still, still, strips=drag_strips(ship, *waves)),
+        cubics=acceleration_form(c.inertia, term_table(own), frequency, still, water=water),
+        strips=acceleration_form(c.inertia, term_table({}), frequency, still, strips=drag_strips(ship, *waves)),
         scale=reference_velocity(ship.hull.length),
         terms=own,
     )

@@ -21,7 +21,7 @@ from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import Wave, least_encounter_frequency
 from quartering.motion.drag_of_ship import at_height, moving_water
 from quartering.motion.equations.model import Model
-from quartering.motion.equations.system import Floats, System, canonical
+from quartering.motion.equations.system import Floats, System, acceleration_form
 from quartering.motion.equations.terms import TermTable, term_table
 from quartering.motion.matched import Matching
 from quartering.motion.matching_of_ship import ship_matching
@@ -131,7 +131,7 @@ def ship_system(
     frequency = np.where(slow, np.nan, np.abs(omega))
     given: dict[str, Any] = {} if c.rudder is None else {"rudder": c.rudder, "autopilot": ship.autopilot}
     given |= {"linear": linear, "restoring": c.righting, **moving}
-    system = canonical(c.inertia, table, frequency, force.real, -force.imag, **given)
+    system = acceleration_form(c.inertia, table, frequency, (force.real, -force.imag, 0.0), **given)
     matching = None if form == "paper" else ship_matching(ship, c, frequency, wavenumber, speed, heading)
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c, matching)
 

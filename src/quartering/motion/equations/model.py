@@ -15,7 +15,7 @@ from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.righting.limit import CapsizeLimit, first_vanishing, least_limit
 from quartering.hull.righting.spline import OddSpline, odd_spline
-from quartering.motion.equations.system import Floats, System, canonical
+from quartering.motion.equations.system import Floats, System, acceleration_form
 from quartering.motion.equations.terms import checked_number, parse, term_table
 from quartering.motion.equations.water import Strips
 from quartering.names import RUDDER_NAMES, term
@@ -139,7 +139,7 @@ class Model(ShownInNotebooks):
         known: dict[str, Any] = {"restoring": self.restoring, "water": self.water, "strips": strips}
         if strips is not None and len(strips.water) != 1:
             raise InputError(f"strips of {len(strips.water)} conditions; a model is one: give water one number a strip")
-        system = canonical(masses, table, frequency, *forces, rudder=rudder, autopilot=autopilot, **known)
+        system = acceleration_form(masses, table, frequency, forces, rudder=rudder, autopilot=autopilot, **known)
         object.__setattr__(self, "system", system)
 
     @cached_property

@@ -31,7 +31,7 @@ PER_CONDITION: Final = Parts._fields
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """The canonical equations of n conditions: accelerations as explicit functions of the state and the time.
+    """The equations of n conditions: accelerations as explicit functions of the state and the time.
 
     ``d/dt (v, p, r) = linear (v, phi, p, r) + coefficients products + push strips + arm moment(phi) + mean + cos cos(w t)
     + sin sin(w t)``, d phi/dt = p. With an autopilot the heading psi (d psi/dt = r), and with a lag the rudder angle delta,
@@ -212,13 +212,12 @@ def kernel_arguments(system: System, table: Basis) -> tuple[Any, ...]:
     return system.program, system.parts, (*table.arrays, table.waves(system.periods, system.inputs.shape[2]))
 
 
-def canonical(
+def acceleration_form(
     inertia: ArrayLike,
     table: TermTable,
     frequency: ArrayLike,
-    force_cos: ArrayLike,
-    force_sin: ArrayLike,
-    force_mean: ArrayLike = 0.0,
+    excitation: tuple[ArrayLike, ArrayLike, ArrayLike],
+    *,
     linear: ArrayLike | None = None,
     rudder: ArrayLike = 0.0,
     autopilot: Autopilot | None = None,
@@ -226,12 +225,12 @@ def canonical(
     water: tuple[ArrayLike, ArrayLike] | None = None,
     strips: Strips | None = None,
 ) -> System:
-    """Remove the acceleration coupling: multiply every row by the inverse inertia.
+    """The equations solved for the accelerations: every row multiplied by the inverse inertia.
 
     inertia (n, 3, 3): rigid body plus added mass [kg, kg m, kg m2]
     table: the terms on the right
     frequency (n,): w > 0 [rad/s]
-    force_cos, force_sin, force_mean (n, 3): excitation [N, N m, N m]
+    excitation: of cos, of sin, and the mean, (n, 3) each [N, N m, N m]
     linear (n, 3, 4): linear terms of each condition in place of the table's
     rudder (n, 3): Y_delta, K_delta, N_delta [N, N m, N m]
     autopilot: that moves it; without one it stays amidships
@@ -244,6 +243,7 @@ def canonical(
     """
     w = np.atleast_1d(np.asarray(frequency, dtype=float))
     inverse = _inverse(np.asarray(inertia, dtype=float))
+    cos, sin, mean = excitation
 
     def row(force: ArrayLike) -> Floats:
         forces = np.broadcast_to(np.asarray(force, dtype=float), (w.size, 3))
@@ -272,9 +272,9 @@ def canonical(
         coefficients=rows(table.coefficients),
         powers=table.powers,
         modulus=table.modulus,
-        mean=row(force_mean),
-        cos=row(force_cos),
-        sin=row(force_sin),
+        mean=row(mean),
+        cos=row(cos),
+        sin=row(sin),
         frequency=w,
         extra=extra,
         layout=layout,

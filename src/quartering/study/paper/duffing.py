@@ -11,7 +11,7 @@ import xarray as xr
 from quartering.conventions import InputError
 from quartering.motion.branches.branch import Curve, follow_branch
 from quartering.motion.equations.model import Model
-from quartering.motion.equations.system import Floats, System, canonical
+from quartering.motion.equations.system import Floats, System, acceleration_form
 from quartering.motion.equations.terms import term_table
 from quartering.motion.status import Status
 from quartering.motion.steady.harmonic import harmonic_balance, orders_for
@@ -107,7 +107,7 @@ def _motions(
         )
     model = duffing_model(beta, force, 1.0, damping)
     repeated = np.repeat(frequency, [len(found) for found in chosen])
-    system = canonical(np.eye(3), term_table(model.terms), repeated, model.force_cos, model.force_sin)
+    system = acceleration_form(np.eye(3), term_table(model.terms), repeated, (model.force_cos, model.force_sin, 0.0))
     guess = np.zeros((repeated.size, 3, 2 * len(orders)))
     guess[:, 1, :2] = np.concatenate(chosen)
     u, status, _ = harmonic_balance(system, orders, start=guess)
@@ -130,7 +130,7 @@ def _joined(known: tuple[Floats, list[int], Floats], frequency: Floats, u: Float
 def _described(model: Model, frequency: Floats, folds: list[int], u: Floats, index: int) -> xr.Dataset:
     """One curve as a dataset, judged."""
     orders = tuple(range(1, u.shape[2], 2))
-    system = canonical(np.eye(3), term_table(model.terms), frequency, model.force_cos, model.force_sin)
+    system = acceleration_form(np.eye(3), term_table(model.terms), frequency, (model.force_cos, model.force_sin, 0.0))
     growth = _growth(system, u, orders)
     side = np.where(u[:, 1, 0] < 0, -1.0, 1.0)
     columns = {

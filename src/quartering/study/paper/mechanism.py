@@ -16,7 +16,7 @@ from quartering.hull.righting.arm import fitted_to
 from quartering.hull.ship import Ship
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.waves import Wave
-from quartering.motion.equations.system import canonical
+from quartering.motion.equations.system import acceleration_form
 from quartering.motion.equations.terms import term_table
 from quartering.motion.of_ship import ShipSystem, nonlinear_terms, ship_system
 from quartering.names import term
@@ -70,7 +70,9 @@ def _uncoupled(at: ShipSystem) -> ShipSystem:
     table = term_table(own)
     cos, sin = (np.einsum("nij,nj->ni", c.inertia, part) * [0.0, 1.0, 0.0] for part in (at.system.cos, at.system.sin))
     frequency = np.where(at.slow, np.nan, omega)
-    system = canonical(inertia, table, frequency, cos, sin, linear=linear + table.linear, restoring=c.righting)
+    system = acceleration_form(
+        inertia, table, frequency, (cos, sin, 0.0), linear=linear + table.linear, restoring=c.righting
+    )
     return replace(at, system=system)
 
 
