@@ -374,7 +374,7 @@ from quartering.hull.file.schema import ship_schema
 from quartering.hull.file.new import write_ship
 from quartering.study.case.read import case_grid, case_schema
 from quartering.view.explorer.service.calls import VerdictCall
-from quartering.view.explorer.dials import scales_of
+from quartering.view.explorer.dials.dials import scales_of
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
 from quartering.view.explorer.state import LOADING, State
 from typer.testing import CliRunner

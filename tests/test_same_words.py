@@ -10,8 +10,8 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.view.cli import app
+from quartering.view.explorer.computing.job_queue import JobQueue
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
-from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.service.api import serve_api
 
 SHIP = qt.ship("series60-cb60")

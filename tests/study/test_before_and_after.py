@@ -130,7 +130,7 @@ def test_failed_conditions_are_grouped_with_advice():
     """Closed form: omega = 0 at U = sqrt(g lambda / 2 pi) in following seas."""
     found = grid(SHIP, [0.0, np.sqrt(9.81 * 60.0 / (2 * np.pi))], [0.0], [60.0], [0.5, 1.0])
     from quartering.study.conditions import evaluate_block
-    from quartering.study.maps.block_file import counted
+    from quartering.study.maps.stored.block_file import counted
 
     (group,) = failures(counted(evaluate_block(found, 0), WAVES))
     assert group.conditions == 2

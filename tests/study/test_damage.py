@@ -10,7 +10,7 @@ import xarray as xr
 import quartering as qt
 from quartering.study.grid import grid
 from quartering.study.maps.result import open_result
-from quartering.study.maps.store import read_store
+from quartering.study.maps.stored.store import read_store
 from quartering.study.maps.sweep import fill
 
 SHIP = qt.ship("wigley")

@@ -18,7 +18,7 @@ import pytest
 
 import quartering as qt
 from quartering.study.maps.result import open_result
-from quartering.study.maps.store import read_store
+from quartering.study.maps.stored.store import read_store
 
 pytestmark = [pytest.mark.soak, pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")]
 

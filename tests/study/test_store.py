@@ -22,14 +22,14 @@ from quartering.hydro.database.dataset import write_capytaine
 from quartering.hydro.manoeuvring.measured import LIBRARY
 from quartering.study.grid import grid
 from quartering.study.maps import estimate as estimates
-from quartering.study.maps import store as store_file
-from quartering.study.maps import zarr_store
 from quartering.study.maps.estimate import timed_block_size
 from quartering.study.maps.kinds import SEAS, WAVES
 from quartering.study.maps.result import open_result
-from quartering.study.maps.store import open_store
+from quartering.study.maps.stored import store as store_file
+from quartering.study.maps.stored import zarr_store
+from quartering.study.maps.stored.store import open_store
+from quartering.study.maps.stored.zarr_store import write_zarr
 from quartering.study.maps.sweep import fill
-from quartering.study.maps.zarr_store import write_zarr
 from tests.loads.own_file import of_strips
 
 SHIP = qt.ship("series60-cb60")

@@ -11,7 +11,7 @@ pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
 from quartering.study.maps.compare import map_difference
 from quartering.view.explorer.comparison.beside import compared, kept, link_of, offered, same
-from quartering.view.explorer.computations import joined, map_blocks, scene
+from quartering.view.explorer.computing.computations import joined, map_blocks, scene
 from quartering.view.explorer.hulls.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.state import State
 

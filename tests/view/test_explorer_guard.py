@@ -13,10 +13,10 @@ pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 import uvicorn
 from fastapi import HTTPException
 
-from quartering.view.explorer import guard, patience
-from quartering.view.explorer.guard import Guard
+from quartering.view.explorer.computing import guard, patience
+from quartering.view.explorer.computing.guard import Guard
+from quartering.view.explorer.computing.job_queue import JobQueue
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
-from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.service.problems import plain_names, without_paths
 
 pytestmark = pytest.mark.quick

@@ -18,11 +18,11 @@ from quartering.view.cli import app
 
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
-from quartering.view.explorer.computations import noting, scene
+from quartering.view.explorer.computing.computations import noting, scene
+from quartering.view.explorer.computing.job_queue import JobQueue
 from quartering.view.explorer.downloads import case_file, map_dataset, netcdf, picture, report
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
 from quartering.view.explorer.hulls.uploads import LARGEST, Sizes, hull_of_upload
-from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.state import STARTING, State
 
 BARGE = "x,0,4,6\n" + "\n".join(f"{x},5,5,5" for x in (-30, -10, 10, 30))

@@ -13,7 +13,7 @@ def test_a_page_opens_inside_the_range_of_the_theory():
     import warnings
 
     pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
-    from quartering.view.explorer.computations import scene, verdict
+    from quartering.view.explorer.computing.computations import scene, verdict
     from quartering.view.explorer.headline import beyond
     from quartering.view.explorer.hulls.ship_registry import ShipRegistry
     from quartering.view.explorer.state import STARTING

@@ -16,7 +16,7 @@ import quartering as qt
 from quartering.conventions import RangeWarning
 from quartering.loads.validity import FASTEST, SHORTEST
 from quartering.study.maps import executor
-from quartering.study.maps.store import LAYOUT
+from quartering.study.maps.stored.store import LAYOUT
 from quartering.units import Sizes
 from quartering.view.cli import app
 from quartering.view.console.typed_values import value

@@ -22,7 +22,7 @@ from quartering.loads.sea.sea import Spectrum
 from quartering.loads.sea.spreading import Spreading
 from quartering.study.criteria.constants import constant
 from quartering.study.grid import Grid
-from quartering.study.maps.store import MANIFEST
+from quartering.study.maps.stored.store import MANIFEST
 from quartering.study.maps.sweep import evaluated, filled
 from quartering.study.seas.failure_rates.assessment_dataset import summed
 from quartering.study.seas.failure_rates.assessment_grid import AssessmentGrid, tasks_of

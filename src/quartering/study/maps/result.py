@@ -15,7 +15,7 @@ from xarray.core import indexing
 from quartering.conventions import InputError
 from quartering.study.grid import STEEPNESS, Grid
 from quartering.study.maps.kinds import StudyKind, kind_of, kind_of_case
-from quartering.study.maps.store import Store, read_block, read_store
+from quartering.study.maps.stored.store import Store, read_block, read_store
 
 
 def open_result(folder: str | Path, *, partial: bool = False) -> xr.Dataset:

@@ -18,12 +18,12 @@ from quartering.hull.option_types import StudyAxes
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.study.grid import Grid, grid
-from quartering.study.maps.block_file import counted
 from quartering.study.maps.estimate import timed_block_size
 from quartering.study.maps.executor import check_cluster, computed, reached
 from quartering.study.maps.kinds import kind_of
 from quartering.study.maps.result import in_memory, open_result
-from quartering.study.maps.store import Store, begun_block_size, block_counts, open_store, write_block
+from quartering.study.maps.stored.block_file import counted
+from quartering.study.maps.stored.store import Store, begun_block_size, block_counts, open_store, write_block
 
 
 @takes(ship="Ship")

@@ -34,7 +34,7 @@ def show(
 ) -> Answer:
     """What a stored result holds: the worst of every speed and heading; its map, or a table, without computing again."""
     from quartering.study.maps.query import cut, worst_by, write_csv
-    from quartering.study.maps.zarr_store import write_zarr
+    from quartering.study.maps.stored.zarr_store import write_zarr
     from quartering.view.stored import map_of, opened
 
     picture, target = reserve_path(output, (*PICTURES, *TABLES)), reserve_path(csv, (".csv",))
@@ -71,7 +71,7 @@ def _guidance(
     ds: xr.Dataset, result: str, where: Mapping[str, float], picture: Path | None, target: Path | None, zarr: str | None
 ) -> Answer:
     """What a stored result in irregular seas holds: advice in each sea, and its diagrams."""
-    from quartering.study.maps.zarr_store import write_zarr
+    from quartering.study.maps.stored.zarr_store import write_zarr
     from quartering.view.command._sea_polar import guidance_lines
     from quartering.view.sea_words import guidance_facts
     from quartering.view.stored import sea_part

@@ -11,7 +11,7 @@ from nicegui.element import Element
 from quartering.hull.ship import Ship
 from quartering.loads.waves import encounter_frequency, heading_components
 from quartering.study.condition.examine import Examined
-from quartering.view.explorer.computations import History
+from quartering.view.explorer.computing.computations import History
 from quartering.view.moves import Moves, moves_of, pace_of
 from quartering.view.ship_shape import Shape, shape_of
 

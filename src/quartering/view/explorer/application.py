@@ -11,10 +11,10 @@ from starlette.formparsers import MultiPartParser
 from starlette.types import ASGIApp
 
 from quartering.conventions import InputError
-from quartering.view.explorer.computations import map_blocks, noting, scene, verdict
-from quartering.view.explorer.guard import LARGEST_BODY, LOOPBACK, Guard
+from quartering.view.explorer.computing.computations import map_blocks, noting, scene, verdict
+from quartering.view.explorer.computing.guard import LARGEST_BODY, LOOPBACK, Guard
+from quartering.view.explorer.computing.job_queue import JobQueue
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
-from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.page import Page
 from quartering.view.explorer.service.api import serve_api
 from quartering.view.explorer.service.problems import without_paths

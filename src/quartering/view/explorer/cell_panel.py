@@ -21,7 +21,7 @@ from quartering.study.condition.examine import Examined, estimated
 from quartering.view.explorer import charts
 from quartering.view.explorer.animation import Drawn, hull_form, ship_in_wave
 from quartering.view.explorer.comparison.compare_panel import ComparePanel
-from quartering.view.explorer.computations import History, Scene, causes, curve, history
+from quartering.view.explorer.computing.computations import History, Scene, causes, curve, history
 from quartering.view.explorer.criteria_panel import CriteriaPanel
 from quartering.view.explorer.state import OF_SEA, OF_WAVE, State
 from quartering.view.wording import estimated_words, exponents_words

@@ -16,7 +16,7 @@ from quartering.hull.righting.arm import righting_arm, righting_polynomial
 from quartering.hull.ship import Ship
 from quartering.stability.kind import Kind
 from quartering.stability.verdict import Verdict
-from quartering.view.explorer.computations import History, Scene
+from quartering.view.explorer.computing.computations import History, Scene
 
 Chart = dict[str, Any]
 BLUE, ORANGE, GREEN, GREY = "#2f86c9", "#d9702b", "#1f9e77", "#8a919c"

@@ -14,7 +14,7 @@ from quartering.hull.ship import Ship
 from quartering.study.criteria.judged import judging
 from quartering.study.criteria.record import LABELS, MODES, Criteria, Judgement
 from quartering.view.criteria_words import recalled_words
-from quartering.view.explorer.job_queue import Take
+from quartering.view.explorer.computing.job_queue import Take
 from quartering.view.explorer.service.problems import without_paths
 
 _LOOKS: Final = {"vulnerable": "unstable", "not vulnerable": "stable"}

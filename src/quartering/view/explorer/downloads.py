@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 import xarray as xr
 
-from quartering.view.explorer.computations import HEADINGS, Scene, joined, map_blocks
+from quartering.view.explorer.computing.computations import HEADINGS, Scene, joined, map_blocks
 from quartering.view.explorer.hulls.ship_registry import Known
 from quartering.view.explorer.state import LOADING, State
 

@@ -15,7 +15,7 @@ from quartering.hull.righting.arm import fitted_to
 from quartering.stability.kind import Kind
 from quartering.study.condition.resonance import resonance_fields
 from quartering.study.maps.query import capsizing, other_rolls
-from quartering.view.explorer.computations import HEADINGS, RATIOS, Scene
+from quartering.view.explorer.computing.computations import HEADINGS, RATIOS, Scene
 from quartering.view.plots import style
 
 _COLOURS = 64

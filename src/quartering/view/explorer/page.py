@@ -21,14 +21,14 @@ from quartering.view.explorer import downloads
 from quartering.view.explorer.cell_panel import CellPanel, parts
 from quartering.view.explorer.comparison.compare_panel import ComparePanel
 from quartering.view.explorer.comparison.following import Comparison
-from quartering.view.explorer.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
-from quartering.view.explorer.controls import Controls
-from quartering.view.explorer.damping_dials import damping_hint
+from quartering.view.explorer.computing.computations import HEADINGS, Scene, map_blocks, noting, scene, sought, verdict
+from quartering.view.explorer.computing.job_queue import JobQueue
+from quartering.view.explorer.dials.controls import Controls
+from quartering.view.explorer.dials.damping_dials import damping_hint
 from quartering.view.explorer.first_steps import FirstSteps
 from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.hulls.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.hulls.upload_dialog import UploadDialog
-from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.map_panel import MapPanel
 from quartering.view.explorer.saved_views import SavedViews
 from quartering.view.explorer.sea import sea_downloads
@@ -38,10 +38,7 @@ from quartering.view.explorer.sea.sea_scene import SeaScene, advice, map_pieces,
 from quartering.view.explorer.sea.sea_state import NO_SEA
 from quartering.view.explorer.service.problems import without_paths
 from quartering.view.explorer.state import LOADING, State, read_link
-
-_KEPT = {None: "system", True: "dark", False: "light"}
-_THEMES = {None: ("contrast", "as the system"), True: ("dark_mode", "dark"), False: ("light_mode", "light")}
-
+from quartering.view.explorer.theme import theme_button
 
 _COPY = """return (async () => {{
   const link = location.origin + location.pathname + {query};
@@ -137,24 +134,7 @@ class Page:
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
             for words, make in downloads.files().items():
                 ui.menu_item(words, on_click=partial(self._send, make, sea_downloads.files()[words]))
-        dark = ui.dark_mode(self._dark)
-        theme = ui.button(color=None).props("flat dense").mark("theme")
-
-        def show() -> None:
-            icon, words = _THEMES[dark.value]
-            theme.set_icon(icon)
-            theme.props(f'aria-label="light or dark: {words}" title="light or dark: {words}"')
-
-        def turn() -> None:
-            order = list(_THEMES)
-            dark.value = order[(order.index(dark.value) + 1) % len(order)]
-            show()
-            kept = f"quartering-theme={_KEPT[dark.value]}; path=/; max-age=31536000; SameSite=Strict"
-            self._client.run_javascript(f"document.cookie = {json.dumps(kept)}")
-
-        show()
-
-        theme.on_click(turn)
+        theme_button(self._client, self._dark)
         ui.button(icon="help_outline", color=None, on_click=lambda: self._steps.begin()).props(
             'flat dense aria-label="what am I looking at" title="what am I looking at"'
         )

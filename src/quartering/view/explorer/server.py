@@ -31,9 +31,9 @@ def run_explorer(ship: str | None, host: str, port: int, browser: bool, names: S
     import uvicorn
 
     from quartering.view.explorer.application import explorer
-    from quartering.view.explorer.guard import LOOPBACK
+    from quartering.view.explorer.computing.guard import LOOPBACK
+    from quartering.view.explorer.computing.patience import Patient
     from quartering.view.explorer.hulls.ship_registry import ShipRegistry
-    from quartering.view.explorer.patience import Patient
 
     announce_compilation()
     registry = ShipRegistry(ship)

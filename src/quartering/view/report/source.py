@@ -21,7 +21,7 @@ from quartering.loads.waves import Wave
 from quartering.study.dataset import heading_of
 from quartering.study.loadings import base_of
 from quartering.study.maps.polar import polar
-from quartering.study.maps.store import read_store
+from quartering.study.maps.stored.store import read_store
 from quartering.study.maps.sweep import sweep
 from quartering.units import quantity
 from quartering.view.console.progress import bar

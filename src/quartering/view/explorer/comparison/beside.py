@@ -15,7 +15,7 @@ from quartering.hull.ship import Ship
 from quartering.options import OPTIONS
 from quartering.study.loadings import user_value
 from quartering.study.maps.compare import map_difference
-from quartering.view.explorer.computations import Scene, scene
+from quartering.view.explorer.computing.computations import Scene, scene
 from quartering.view.explorer.hulls.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.state import LOADING, State
 from quartering.view.map_summary import summary_of

@@ -12,7 +12,7 @@ from nicegui.events import GenericEventArguments
 
 from quartering.study.maps.compare import Change, OnlyOne
 from quartering.view.explorer.comparison.beside import Compared
-from quartering.view.explorer.computations import HEADINGS, RATIOS, Scene
+from quartering.view.explorer.computing.computations import HEADINGS, RATIOS, Scene
 from quartering.view.explorer.map_panel import PolarMap, key
 from quartering.view.explorer.state import State
 from quartering.view.plots.difference_map import LEAST, SCALE

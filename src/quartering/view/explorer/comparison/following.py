@@ -13,7 +13,7 @@ from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
 from quartering.view.explorer.comparison.beside import Compared, Kept, compared, kept, link_of, offered, same
 from quartering.view.explorer.comparison.compare_panel import ALIKE, STOPPED, ComparePanel
-from quartering.view.explorer.computations import HEADINGS, Scene, joined, map_blocks
+from quartering.view.explorer.computing.computations import HEADINGS, Scene, joined, map_blocks
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
 from quartering.view.explorer.service.problems import without_paths
 from quartering.view.explorer.state import State

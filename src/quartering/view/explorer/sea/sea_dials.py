@@ -7,7 +7,7 @@ from typing import Any, Final
 
 from nicegui import ui
 
-from quartering.view.explorer.dials import Dial, plain
+from quartering.view.explorer.dials.dials import Dial, plain
 from quartering.view.explorer.sea.sea_scene import SeaScene
 from quartering.view.explorer.sea.sea_state import PERIODS, SPECTRA, SPREADINGS
 from quartering.view.explorer.state import State

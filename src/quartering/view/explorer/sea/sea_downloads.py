@@ -8,9 +8,9 @@ from collections.abc import Callable
 
 import xarray as xr
 
-from quartering.view.explorer.computations import HEADINGS
+from quartering.view.explorer.computing.computations import HEADINGS
+from quartering.view.explorer.computing.job_queue import Take
 from quartering.view.explorer.downloads import dataset_bytes, figure_bytes, loading_lines, stem, with_its_lines
-from quartering.view.explorer.job_queue import Take
 from quartering.view.explorer.sea.sea_scene import SeaScene, map_pieces
 from quartering.view.explorer.state import State
 

@@ -13,8 +13,8 @@ from nicegui.events import GenericEventArguments
 from quartering.study.seas.over_seas.advice import Advice
 from quartering.study.seas.over_seas.map_axes import period_of
 from quartering.units import quantity
-from quartering.view.explorer.computations import HEADINGS
-from quartering.view.explorer.job_queue import Take
+from quartering.view.explorer.computing.computations import HEADINGS
+from quartering.view.explorer.computing.job_queue import Take
 from quartering.view.explorer.map_panel import PolarMap, palette
 from quartering.view.explorer.sea.sea_scene import FROUDE, SeaScene
 from quartering.view.plots.guidance import round_knots

@@ -18,7 +18,7 @@ from quartering.study.seas.over_seas.grid import SeaGrid, sea_grid
 from quartering.study.seas.over_seas.settings import SeaSettings
 from quartering.study.seas.response import sea_response
 from quartering.units import quantity
-from quartering.view.explorer.computations import HEADINGS, loaded_ship
+from quartering.view.explorer.computing.computations import HEADINGS, loaded_ship
 from quartering.view.explorer.hulls.ship_registry import Known
 from quartering.view.explorer.sea.sea_state import sea_of, told_of, told_spreading
 from quartering.view.explorer.state import State

@@ -24,10 +24,10 @@ from quartering.study.effects.cure import Cure
 from quartering.study.maps.extension import carried_on, edges_of_largest
 from quartering.study.maps.polar import polar
 from quartering.units import wave_length_of
-from quartering.view.explorer.computations import joined, sought
-from quartering.view.explorer.guard import METHODS
+from quartering.view.explorer.computing.computations import joined, sought
+from quartering.view.explorer.computing.guard import METHODS
+from quartering.view.explorer.computing.job_queue import JobQueue
 from quartering.view.explorer.hulls.ship_registry import ShipRegistry
-from quartering.view.explorer.job_queue import JobQueue
 from quartering.view.explorer.service.calls import MOST_CELLS, PolarCall, ShipCall, VerdictCall
 from quartering.view.explorer.service.criteria_api import CriteriaCall, serve_criteria
 from quartering.view.explorer.service.desk import OF_GET, OF_POST, ONCE, Desk, answer_json, busy

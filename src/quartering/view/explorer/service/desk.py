@@ -12,8 +12,8 @@ from fastapi.responses import JSONResponse
 
 from quartering.conventions import InputError
 from quartering.view.console.printed import plain
-from quartering.view.explorer.computations import noting
-from quartering.view.explorer.job_queue import JobQueue
+from quartering.view.explorer.computing.computations import noting
+from quartering.view.explorer.computing.job_queue import JobQueue
 from quartering.view.explorer.service.problems import plain_names, refused, without_paths
 
 OF_GET: Final = (400, 403, 422, 500, 503)

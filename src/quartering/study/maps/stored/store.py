@@ -17,9 +17,9 @@ from quartering._machine.publish import publish
 from quartering.conventions import InputError
 from quartering.study.dataset import plain_attributes
 from quartering.study.grid import Grid
-from quartering.study.maps.block_file import Arrays, belongs, block_file, counted, part_of
 from quartering.study.maps.kinds import StudyKind, kind_of
-from quartering.study.maps.seal import DamagedError, is_sound, read_index, read_variable
+from quartering.study.maps.stored.block_file import Arrays, belongs, block_file, counted, part_of
+from quartering.study.maps.stored.seal import DamagedError, is_sound, read_index, read_variable
 
 LAYOUT = 3
 """Number of the layout of the folder; another one is refused."""

@@ -14,7 +14,7 @@ from scipy.io import netcdf_file
 from quartering._machine.digest import fingerprint
 from quartering.study.grid import Block, Grid
 from quartering.study.maps.kinds import StudyKind, kind_of
-from quartering.study.maps.seal import sealed
+from quartering.study.maps.stored.seal import sealed
 
 Arrays = Mapping[str, NDArray[np.generic]]
 

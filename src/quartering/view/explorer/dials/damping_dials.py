@@ -12,8 +12,8 @@ from quartering.hydro.damping.method import AMPLITUDE
 from quartering.hydro.damping.of_ship import equivalent_fraction
 from quartering.options import OPTIONS
 from quartering.study.loadings import KEEL_AXES, user_value
-from quartering.view.explorer.computations import Scene
-from quartering.view.explorer.dials import Dial, scales_of
+from quartering.view.explorer.computing.computations import Scene
+from quartering.view.explorer.dials.dials import Dial, scales_of
 from quartering.view.explorer.sea.sea_scene import SeaScene
 from quartering.view.explorer.state import State
 

@@ -13,9 +13,9 @@ from quartering.hull.ship import Ship
 from quartering.options import OPTIONS
 from quartering.study.loadings import user_value
 from quartering.units import quantity
-from quartering.view.explorer.computations import Scene
-from quartering.view.explorer.damping_dials import DampingDials
-from quartering.view.explorer.dials import Dial, Scale, plain, scales_of
+from quartering.view.explorer.computing.computations import Scene
+from quartering.view.explorer.dials.damping_dials import DampingDials
+from quartering.view.explorer.dials.dials import Dial, Scale, plain, scales_of
 from quartering.view.explorer.sea.sea_dials import SeaDials
 from quartering.view.explorer.sea.sea_scene import SeaScene
 from quartering.view.explorer.state import DIALS, LOADING, State
