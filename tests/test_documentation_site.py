@@ -3,6 +3,7 @@
 import doctest
 import importlib
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -22,10 +23,15 @@ def extensions():
     sys.path.remove(str(ROOT / "docs" / "_extensions"))
 
 
-def claimed() -> set[str]:
+@cache
+def claims_of_code():
     from paper_code import claims
 
-    return {claim.place for claim in claims(PACKAGE)}
+    return list(claims(PACKAGE))
+
+
+def claimed() -> set[str]:
+    return {claim.place for claim in claims_of_code()}
 
 
 def printed() -> dict[str, str]:
@@ -44,9 +50,7 @@ def test_every_equation_that_code_claims_stands_in_the_theory():
 
 
 def test_the_main_results_are_found_where_they_are_implemented():
-    from paper_code import claims
-
-    where = {(claim.place, f"{claim.module}.{claim.name}") for claim in claims(PACKAGE)}
+    where = {(claim.place, f"{claim.module}.{claim.name}") for claim in claims_of_code()}
     for place, name in (
         ("A-11", "motion.steady.struble.modified_struble"),
         ("13", "stability.first_order.first_order"),

@@ -13,6 +13,7 @@ from scipy.interpolate import PchipInterpolator
 from quartering.hull.file.read import available_ships, ship
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.hull import at_draught, box_hull, scaled, wigley_hull
+from tests.tiers import mostly_soak
 
 SHIPS = [entry.name for entry in available_ships()]
 
@@ -167,7 +168,9 @@ def test_stretching_one_direction_changes_kb_and_bm_as_it_must(length: float, be
     assert other.bm == pytest.approx(one.bm * beam**2 / height)
 
 
-@pytest.mark.parametrize("name", [name for name in SHIPS if name != "dtmb5415"])
+@pytest.mark.parametrize(
+    "name", mostly_soak([name for name in SHIPS if name != "dtmb5415"], "wigley", "dtc", "fishing-30m")
+)
 @settings(deadline=None, max_examples=10)
 @given(st.floats(0.6, 1.1))
 def test_volume_grows_with_draught_at_the_rate_of_the_waterplane_area(name: str, fraction: float) -> None:

@@ -27,6 +27,7 @@ from quartering.hydro.section.multipole import radiation
 from quartering.hydro.section.outline import section_outline, strip_outline
 from quartering.hydro.strip.table import default_frequencies, radiation_table, user_outlines
 from tests.hydro.section_cases import bare_strips, read_table
+from tests.tiers import mostly_soak
 
 REFERENCE = read_table("sections_reference.csv") + read_table("rectangles_reference.csv")
 HULLS = ("box", "wigley", "dtc", "dtmb5415", "s175", *(f"series60-cb{cb}" for cb in (60, 65, 70, 75, 80)))
@@ -196,7 +197,7 @@ def test_measured_order_of_convergence(outline, order):
         assert np.log(error[0] / error[2]) / np.log(27 / 12) > order
 
 
-@pytest.mark.parametrize("name", HULLS)
+@pytest.mark.parametrize("name", mostly_soak(HULLS, "wigley", "dtmb5415"))
 def test_every_station_of_every_hull_is_smooth_in_frequency_and_conserves_energy(name):
     """A plain source method spikes a hundredfold on the thin ends; here neighbours predict each frequency."""
     hull = ship(name).hull
@@ -332,7 +333,7 @@ def test_automatic_table_is_on_the_own_contours_and_its_potentials_integrate_to_
     assert lewis.forms is not None
 
 
-@pytest.mark.parametrize("name", HULLS)
+@pytest.mark.parametrize("name", mostly_soak(HULLS, "wigley", "dtmb5415"))
 def test_every_section_of_every_hull_is_solved_on_its_contour(name):
     hull, w = strips(ship(name).hull), np.array([0.6])
     auto, fitted, lewis = (radiation_table(hull, w, 1025.0, method=m) for m in ("auto", "close-fit", "lewis"))

@@ -11,6 +11,7 @@ from quartering.conventions import RangeWarning
 from quartering.hull.user_database import database_of
 from quartering.hydro.database.check import soundness, strip_agreement
 from quartering.hydro.database.dataset import write_capytaine, write_wamit
+from tests.tiers import mostly_soak
 
 S60 = qt.ship("series60-cb60")
 
@@ -20,7 +21,7 @@ def matrices(omega):
     return omega, ds.added_mass.to_numpy(), ds.damping.to_numpy()
 
 
-@pytest.mark.parametrize("count", [5, 8, 12, 40])
+@pytest.mark.parametrize("count", mostly_soak([5, 8, 12, 40], 5, 12))
 @pytest.mark.parametrize("name", ["wigley", "dtc"])
 def test_nothing_is_found_in_strip_theory_however_few_its_frequencies(name, count):
     omega = np.linspace(0.15, 2.0, count)

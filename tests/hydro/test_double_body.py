@@ -61,6 +61,7 @@ def test_half_sphere_without_potential_on_the_calm_plane():
     assert whole[1, 0, 0] / (2 / 3 * np.pi) == pytest.approx(0.2732, abs=1e-3)
 
 
+@pytest.mark.soak
 def test_error_falls_with_the_square_of_the_panels():
     """Measured on the sphere: halving the panels both ways leaves a quarter."""
     errors = [

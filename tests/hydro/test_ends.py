@@ -21,6 +21,7 @@ from quartering.hydro.strip.integrals import moment_matrix, section_moments
 from quartering.hydro.strip.kramers_kronig import kramers_kronig
 from quartering.hydro.strip.moments import hull_moments, section_table
 from quartering.hydro.strip.table import radiation_table
+from tests.tiers import mostly_soak
 
 SHIPS = ["series60-cb60", "series60-cb80", "wigley", "s175", "mariner", "dtc", "dtmb5415", "box"]
 
@@ -48,7 +49,7 @@ def test_the_bytes_do_not_depend_on_the_threads_of_the_linear_algebra():
     assert found[0] == found[1] == found[2]
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "wigley", "dtmb5415"))
 def test_sections_add_up_to_the_hull_in_three_dimensions(name):
     """At zero frequency the integrals over the sections change by what panels change against the same panels by strips.
 
@@ -66,7 +67,7 @@ def test_sections_add_up_to_the_hull_in_three_dimensions(name):
     assert (np.abs(off / scale) < (0.03 if name == "dtmb5415" else 0.02)).all(), off / scale
 
 
-@pytest.mark.parametrize("name", ["series60-cb60", "wigley"])
+@pytest.mark.parametrize("name", mostly_soak(["series60-cb60", "wigley"], "wigley"))
 def test_long_ships_go_to_strips(name):
     """Stations set twice and four times as far apart: the share of the ends falls like 1/L, for an end has one size."""
     hull = qt.ship(name).hull
@@ -110,7 +111,7 @@ def test_added_mass_and_damping_belong_together(name):
     assert kramers_kronig(found).consistent
 
 
-@pytest.mark.parametrize("name", ["series60-cb60", "wigley", "s175"])
+@pytest.mark.parametrize("name", mostly_soak(["series60-cb60", "wigley", "s175"], "wigley"))
 def test_memory_in_sway_is_that_of_panels(name):
     """Both limits of the frequency are solved: their difference, over that of the strips, is the panels' within 2 %."""
     hull = qt.ship(name).hull

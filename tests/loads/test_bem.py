@@ -45,6 +45,7 @@ def test_without_capytaine_the_message_says_what_to_install(monkeypatch):
         bem_forces(qt.ship("wigley"), [100.0])
 
 
+@pytest.mark.soak
 @pytest.mark.usefixtures("capytaine")
 @pytest.mark.parametrize("name", ["wigley", pytest.param("series60-cb60", marks=pytest.mark.soak)])
 def test_pressure_of_the_undisturbed_wave_is_the_same_in_both(name):
@@ -110,6 +111,7 @@ def test_beam_sea_roll_moment_differs_by_the_ends_of_the_ship(name, most):
     assert (np.abs(fourth) < 0.65 * np.abs(first)).all(), fourth
 
 
+@pytest.mark.soak
 @pytest.mark.usefixtures("capytaine")
 def test_radiation_is_symmetric_and_damped():
     """Reciprocity, to what 480 panels a side give, and energy; frequencies come back as they were asked for."""

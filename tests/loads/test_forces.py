@@ -174,6 +174,7 @@ def test_bad_wave_number_is_refused(k):
         phasors(CARGO, [k], [0.0], [90.0])
 
 
+@pytest.mark.soak
 def test_total_force_in_a_beam_sea_is_that_of_the_panel_code_capytaine_within_what_strip_theory_misses():
     """Journee's Wigley III. Lewis strips over 3-D panels give A22 1.12 and A44 1.29 times at most: the error bar."""
     hull, table = wigley(3.0, 0.3, 0.1875, stations=24, bluntness=0.2), rows("wigley3_forces_3d.csv")

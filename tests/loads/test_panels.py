@@ -71,6 +71,7 @@ def test_a_ship_with_panels_is_the_ship_with_a_file_of_the_same_panels(tmp_path)
         assert "Ancellin19" in ours.references
 
 
+@pytest.mark.soak
 @installed
 def test_roll_in_a_beam_sea_is_near_that_of_strips_with_three_dimensional_ends(monkeypatch):
     """Within 10 % from 0.8 ship lengths on: the aim, and what docs/how_good_is_it.md tabulates for Wigley (0.96 to 1.07)."""

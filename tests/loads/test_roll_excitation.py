@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import quartering as qt
+from tests.tiers import mostly_soak
 
 _SPEC = importlib.util.spec_from_file_location(
     "roll_excitation", Path(__file__).parents[2] / "examples" / "plot_roll_excitation.py"
@@ -45,7 +46,9 @@ def with_ends(panels):
 
 
 @pytest.mark.parametrize("form", ["stf", "relative-motion", "paper-corrected"])
-@pytest.mark.parametrize("name", ["series60-cb60", "series60-cb80", "wigley", "s175", "box"])
+@pytest.mark.parametrize(
+    "name", mostly_soak(["series60-cb60", "series60-cb80", "wigley", "s175", "box"], "series60-cb60")
+)
 @pytest.mark.parametrize("ends", ["strips", "three-dimensional"])
 def test_long_waves_roll_a_free_ship_by_her_righting_arm_whatever_her_added_mass(name, form, ends):
     """Closed form: -m g GM k sin(mu) as k -> 0, reached like 1/lambda, so two long waves are extrapolated to none.
@@ -66,6 +69,7 @@ def test_long_waves_roll_a_free_ship_by_her_righting_arm_whatever_her_added_mass
     assert abs(2 * share[1] - share[0] - 1) < 0.02
 
 
+@pytest.mark.soak
 def test_moment_that_rolls_a_free_ship_is_that_of_panels(measured):
     """Agreement: about the axis she rolls about, the aim holds that the moment on the ship held fast misses."""
     name, ratio = measured

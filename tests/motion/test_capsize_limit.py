@@ -16,6 +16,7 @@ from quartering.hydro.capsize import capsize_limit
 from quartering.motion.status import Status
 from quartering.motion.steady.motion import steady_motion, within_limit
 from quartering.motion.transient.basin import basin, capsize_times
+from tests.tiers import mostly_soak
 
 SHIPS = [entry.name for entry in available_ships()]
 IDLE = {"Y_v": -1.0, "N_r": -1.0, "K_p": -0.1}
@@ -73,7 +74,7 @@ def test_a_model_may_be_told_its_vanishing_angle():
             roll_alone(terms, **bad)
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "wigley", "dtmb5415", "coaster-90m"))
 def test_righting_curve_does_not_turn_up_again(name):
     """Past its vanishing angle, with the deck closed at the top of the offsets, no hull rights itself below 90 deg.
 

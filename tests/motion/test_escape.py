@@ -43,6 +43,7 @@ def melnikov_force() -> float:
     return DAMPING * np.sinh(np.pi * FREQUENCY) / (5 * np.pi * FREQUENCY**2)
 
 
+@pytest.mark.soak
 def test_safe_basin_is_whole_below_the_melnikov_force_and_eroded_above():
     assert melnikov_force() == pytest.approx(0.06333530, abs=1e-8)
     angles, rates = np.meshgrid(np.linspace(-0.7, 1.0, 60), np.linspace(-0.7, 0.7, 50))

@@ -7,6 +7,7 @@ import quartering as qt
 from quartering.motion.branches.homotopy import along_arc, carried
 from quartering.motion.branches.search import from_grid
 from tests.batch_of_rolls import Rolls, attractors, by_shooting
+from tests.tiers import mostly_soak
 
 IDLE = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0}
 SPECIMEN = Rolls(*np.array([[0.00808], [0.9795], [0.0], [0.83386], [0.00918]]))
@@ -44,7 +45,7 @@ def bistable(count, seed):
     return Rolls(*np.array(rows).T)
 
 
-@pytest.mark.parametrize("harmonics", [3, 5, 9])
+@pytest.mark.parametrize("harmonics", mostly_soak([3, 5, 9], 3))
 def test_the_upper_motion_newtons_method_loses_between_one_harmonic_and_more_is_found(harmonics):
     """Shooting: 0.0302, 0.6353 and 0.6625 rad."""
     (exact,) = by_shooting(SPECIMEN, 1.0)

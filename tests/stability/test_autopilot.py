@@ -12,6 +12,7 @@ from quartering.stability.assessment import assess
 from quartering.stability.contribution import contributions
 from quartering.stability.variational.hill import hill_exponents
 from tests.motion.test_autopilot import AUTOPILOTS, INERTIA, TERMS, model_with
+from tests.tiers import mostly_soak
 
 LINEAR = {name: value for name, value in TERMS.items() if name not in ("K_phiphiphi", "K_ppp", "K_prr")}
 
@@ -44,7 +45,7 @@ def test_multipliers_of_linear_equations_are_those_of_the_matrix_exponential(aut
 
 
 @pytest.mark.parametrize("mean", [(0.0, 0.0, 0.0), (0.02, 0.1, 0.05)], ids=["symmetric", "wind"])
-@pytest.mark.parametrize("autopilot", AUTOPILOTS, ids=str)
+@pytest.mark.parametrize("autopilot", mostly_soak(AUTOPILOTS, AUTOPILOTS[-1]), ids=str)
 def test_hill_and_the_monodromy_matrix_agree_and_keep_liouville(autopilot, mean):
     model = model_with(autopilot, mean)
     motion = qt.steady_motion(model, 9)

@@ -6,6 +6,7 @@ import pytest
 from quartering.motion.steady.harmonic import harmonic_balance
 from quartering.stability.variational.hill import exponents_of_batch
 from tests.reference import CASES, COUPLED, DYNAMICS, complexes, coupled_model, model_of
+from tests.tiers import mostly_soak
 
 
 @pytest.mark.parametrize(("name", "branch"), CASES)
@@ -46,7 +47,7 @@ MATHIEU = [
 ]
 
 
-@pytest.mark.parametrize(("q", "a", "trace"), MATHIEU)
+@pytest.mark.parametrize(("q", "a", "trace"), mostly_soak(MATHIEU, MATHIEU[0], MATHIEU[-1], several=True))
 def test_mathieu_characteristic_values(q, a, trace):
     """A variational equation with stiffness a - 2 q cos 2t: build it from a motion that modulates the restoring moment."""
     from quartering.motion.equations.model import Model

@@ -133,6 +133,7 @@ def test_port_and_starboard_are_alike():
     np.testing.assert_allclose(np.sort_complex(both[0]), np.sort_complex(both[1]), atol=1e-6)
 
 
+@pytest.mark.soak
 def test_the_wave_lets_the_ship_go_where_its_equilibria_fold():
     """Two equilibria meet at the fold: a real eigenvalue passes zero there, and beyond it none is found."""
     steered = S175.with_(autopilot="1,10s")

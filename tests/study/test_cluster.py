@@ -93,6 +93,7 @@ def test_local_workers_begin_and_end_with_the_sweep():
     xr.testing.assert_identical(qt.sweep(SHIP, **small, cluster="local:2"), qt.sweep(SHIP, **small))
 
 
+@pytest.mark.soak
 @pytest.mark.filterwarnings("ignore")
 def test_local_workers_write_the_bytes_of_seas_that_threads_write(tmp_path):
     """Guidance in seas with a loading, one cell of it simulated: every block's file equal byte for byte, and the datasets."""

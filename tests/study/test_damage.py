@@ -12,6 +12,7 @@ from quartering.study.grid import grid
 from quartering.study.maps.result import open_result
 from quartering.study.maps.stored.store import read_store
 from quartering.study.maps.sweep import fill
+from tests.tiers import mostly_soak
 
 SHIP = qt.ship("wigley")
 CONDITIONS = {
@@ -45,12 +46,13 @@ def _flipped(data, bit):
     return bytes(changed)
 
 
-def test_a_flipped_bit_is_never_read_as_a_number(folder):
+@pytest.mark.parametrize("flips", mostly_soak([30, 150], 30))
+def test_a_flipped_bit_is_never_read_as_a_number(folder, flips):
     """By definition: after a flip each number is the one that was written, or reading is refused; a rerun sees all flips."""
     expected, block = open_result(folder).load(), folder / "blocks" / "0000001.nc"
     data, random = block.read_bytes(), np.random.default_rng(16)
     refused = []
-    for bit in random.integers(0, 8 * len(data), 150).tolist():
+    for bit in random.integers(0, 8 * len(data), flips).tolist():
         block.write_bytes(_flipped(data, bit))
         assert read_store(folder).damaged() == [1]
         try:

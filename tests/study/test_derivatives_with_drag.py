@@ -9,6 +9,7 @@ differences over less than 5e-4 hold their noise.
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 import quartering as qt
 from quartering.hull.righting.spline import odd_spline
@@ -62,6 +63,7 @@ def apart(found, models, start, step):
     return np.abs(found - expected) / np.maximum(np.abs(expected), np.abs(around.mean(axis=0)))
 
 
+@pytest.mark.soak
 def test_every_coefficient_of_a_model_with_strips_and_a_spline():
     """Authority: motions solved again, four of each term; roll of 31 deg, past the knots of the spline."""
     model = dragged_model(2.0, restoring=SPLINE)

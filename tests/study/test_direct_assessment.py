@@ -95,6 +95,7 @@ class Exponential:
         )
 
 
+@pytest.mark.soak
 def test_ending_a_count_where_it_is_known_well_enough_shifts_it_by_a_failure_at_most():
     """A rate of 1e-4 1/s: mean of 300 adaptive counts within three standard errors and one failure; its interval holds."""
     rate, wanted = 1e-4, Wanted(1.0, 0.3, 0.0)

@@ -6,8 +6,11 @@ import pytest
 from quartering.conventions import InputError
 from quartering.study.paper.duffing import duffing_curves, duffing_table
 from tests.reference import DYNAMICS
+from tests.tiers import mostly_soak
 
 REFERENCE = DYNAMICS["duffing"]
+
+HARDENING, SOFTENING = (0.2, 0.3, 1.6, 0.05), (-0.2, 0.1, 0.85, 0.02)
 
 
 @pytest.mark.parametrize("row", REFERENCE["rows"], ids=lambda r: f"w={r['w']}")
@@ -50,7 +53,9 @@ def test_damped_motion_is_unstable_exactly_between_its_folds():
     np.testing.assert_array_equal(~curves["stable"].values[clear], inside[clear])
 
 
-@pytest.mark.parametrize(("beta", "force", "w", "damping"), [(0.2, 0.3, 1.6, 0.05), (-0.2, 0.1, 0.85, 0.02)])
+@pytest.mark.parametrize(
+    ("beta", "force", "w", "damping"), mostly_soak([HARDENING, SOFTENING], SOFTENING, several=True)
+)
 def test_table_and_curves_find_the_same_motions(beta, force, w, damping):
     """Two ways to them: from the closed form at one frequency, and along the curve from both ends."""
     found = duffing_table(beta, force, w, damping)

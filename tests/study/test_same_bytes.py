@@ -16,6 +16,7 @@ from quartering.study.grid import grid
 from quartering.study.maps.result import in_memory
 from quartering.study.maps.sweep import evaluated
 from tests.loads.own_file import of_strips
+from tests.tiers import mostly_soak
 
 SPEEDS, HEADINGS = [0.0, 4.0, 8.0], np.arange(0.0, 181.0, 30.0)
 RATIOS, HEIGHTS = np.array([0.55, 0.8, 1.1, 1.7]), [0.5, 2.0, 4.0]
@@ -32,9 +33,6 @@ CASES = {
     "bilge keels": ("series60-cb60", {"roll_damping": "ikeda", "bilge_keels": (30.0, 0.3)}, {}),
     "absolute velocities": ("s175", {"velocities": "absolute"}, {}),
 }
-
-ALWAYS = {"measured"}
-"""Of every run, beside the ship with a database of its own, which has several loadings."""
 
 
 def _wanted(name, changes, more):
@@ -53,7 +51,7 @@ def _same(one, other):
         assert one[name].values.tobytes() == other[name].values.tobytes(), name
 
 
-@pytest.mark.parametrize("case", [pytest.param(one, marks=() if one in ALWAYS else pytest.mark.soak) for one in CASES])
+@pytest.mark.parametrize("case", mostly_soak(CASES, "several loadings"))
 def test_blocks_of_any_size_give_the_same_bytes(case):
     wanted = _wanted(*CASES[case])
     expected = _whole(wanted.in_blocks_of(grids.LARGEST_BLOCK))
@@ -61,6 +59,7 @@ def test_blocks_of_any_size_give_the_same_bytes(case):
         _same(_whole(wanted.in_blocks_of(size)), expected)
 
 
+@pytest.mark.soak
 def test_blocks_of_a_ship_with_its_own_database_give_the_same_bytes(tmp_path):
     from quartering.hydro.database.dataset import write_capytaine
 

@@ -135,6 +135,7 @@ def test_an_uploaded_hull_is_drawn_and_its_case_runs_again(visit, tmp_path, monk
     assert rerun(tmp_path / "case.yaml", page, said) == "upload"
 
 
+@pytest.mark.soak
 def test_the_case_file_runs_again_with_the_same_answer(visit, tmp_path, monkeypatch):
     page = visit(f"{STABLE}&gm=0.8&heading=33")
     said = page.inner_text(".says")
@@ -170,6 +171,7 @@ def rerun(case, page, said):
     return "upload" if "ship.yaml" in case.read_text() else "built-in"
 
 
+@pytest.mark.soak
 def test_bad_files_are_refused_in_the_dialog_and_another_visitor_notices_nothing(visit, tmp_path):
     other, page = visit(STABLE), visit(STABLE)
     before = sentence(other)
@@ -198,6 +200,7 @@ def test_a_link_that_cannot_be_says_why_and_opens_a_page(visit):
     assert "nan" in page.inner_text(".wrong")
 
 
+@pytest.mark.soak
 def test_a_wave_that_breaks_is_told_and_the_page_goes_on(visit):
     page = visit(STABLE)
     page.locator("#number-wave_height").fill("40")

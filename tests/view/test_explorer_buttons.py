@@ -65,6 +65,7 @@ def test_where_the_browser_forbids_it_nothing_is_said_to_be_copied(visit):
     page.get_by_text("take the link from its address line").wait_for()
 
 
+@pytest.mark.soak
 def test_stop_ends_a_long_map_and_the_server_answers_on(visit, explorer):
     page = visit(HARD)
     page.wait_for_function(STOP)
@@ -80,6 +81,7 @@ def test_stop_ends_a_long_map_and_the_server_answers_on(visit, explorer):
     assert page.wrong == []
 
 
+@pytest.mark.soak
 @pytest.mark.parametrize("system", [pytest.param("light", marks=pytest.mark.soak), "dark"])
 def test_the_theme_follows_the_system_until_it_is_chosen(visit, system):
     page = visit(STABLE, scheme=system)
@@ -104,6 +106,7 @@ def test_the_theme_follows_the_system_until_it_is_chosen(visit, system):
     assert page.wrong == []
 
 
+@pytest.mark.soak
 def test_bilge_keels_are_fitted_by_keyboard_and_taken_off_again(visit):
     """The numbers are those of the ship that `with_` gives the keels a page begins with, 0.25 L x 0.02 B."""
     page = visit(STABLE)

@@ -107,6 +107,7 @@ def test_a_loading_is_kept_and_what_the_dials_do_to_it_is_drawn_and_told(visit, 
     assert page.wrong == page.elsewhere == []
 
 
+@pytest.mark.soak
 @pytest.mark.parametrize(("width", "scheme"), [(1440, "light"), pytest.param(390, "dark", marks=pytest.mark.soak)])
 def test_axe_finds_nothing_serious_where_two_ships_are_compared(visit, width, scheme):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe-core comes with the extra `dev`")

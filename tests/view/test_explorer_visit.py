@@ -98,6 +98,7 @@ def test_views_are_saved_opened_and_deleted_by_keyboard_and_old_ones_are_told(vi
     assert page.wrong == page.elsewhere == []
 
 
+@pytest.mark.soak
 def test_a_hull_is_chosen_by_keyboard_in_a_dialog_whose_parts_have_names(visit):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="axe-core comes with the extra `dev`")
     page = visit(STABLE)
@@ -134,6 +135,7 @@ RINGED = """() => {
 """What has the focus, where neither it nor what it stands in shows a ring of 2 px."""
 
 
+@pytest.mark.soak
 def test_every_stop_of_the_tab_key_shows_a_ring_of_two_pixels(visit):
     page = visit(f"{STABLE}&panel=compare&gm=0.7")
     filled(page)

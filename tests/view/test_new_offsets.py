@@ -8,16 +8,18 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.view.cli import app
+from tests.tiers import mostly_soak
 
 PAGE = (Path(__file__).parents[2] / "docs" / "your_own_ship.md").read_text(encoding="utf-8")
 FILES = re.findall(r"```text\n(.*?)```", PAGE, re.DOTALL)
+PAIRS = list(zip(FILES, ["barge.csv", "points.csv", "geomet.out"], strict=True))
 
 
 def run(*words):
     return CliRunner().invoke(app, ["new", *words])
 
 
-@pytest.mark.parametrize(("text", "name"), list(zip(FILES, ["barge.csv", "points.csv", "geomet.out"], strict=True)))
+@pytest.mark.parametrize(("text", "name"), mostly_soak(PAIRS, PAIRS[0], several=True))
 def test_every_file_of_the_page_runs(tmp_path, monkeypatch, text, name):
     """Authority: closed form of the prism, 80 12 3 m3; of the table the trapezium at most."""
     monkeypatch.chdir(tmp_path)

@@ -393,6 +393,7 @@ def test_the_first_failure_is_found_in_the_lowest_waves():
     pytest.fail("no steepness failed")
 
 
+@pytest.mark.soak
 def test_no_wave_of_guidance_is_left_undrawn():
     lengths = np.linspace(0.5, 2.0, 8) * LENGTH
     ds = qt.sweep(SHIP, [5.0, 8.0], [30.0, 90.0], lengths, [2.0, 4.0])

@@ -9,6 +9,7 @@ import quartering as qt
 from quartering.hull.told import number
 from quartering.study.criteria import dead_ship, excessive_acceleration, parametric_rolling, pure_loss, surf_riding
 from quartering.study.criteria.particulars import particulars
+from tests.tiers import mostly_soak
 
 ROOT = Path(__file__).parents[3]
 SHIPS = ("fishing-30m", "coaster-90m", "dtc", "s175", "dtmb5415")
@@ -25,7 +26,7 @@ def text_of(name):
     return (ROOT / "docs" / "criteria" / f"{name}.md").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "coaster-90m"))
 def test_the_first_levels_of_a_page_are_those_of_the_library(name):
     """And the second levels that rest on sums alone."""
     made = tool()
