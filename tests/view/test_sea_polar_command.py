@@ -31,7 +31,9 @@ def test_a_map_over_seas_is_that_of_python(tmp_path):
 
 def test_the_picture_has_the_danger_lines_and_the_advice():
     """Lines at right angles to the way of the ship; a panel for each sea."""
-    ds = qt.guidance(qt.ship("series60-cb60"), [3, 6], [9, 12], speed=np.linspace(0, 8, 5))
+    ds = qt.guidance(
+        qt.ship("series60-cb60"), [3, 6], [9, 12], speed=np.linspace(0, 8, 5), heading=np.arange(0, 181, 30)
+    )
     made = sea_polar(ds)
     panels = [ax for ax in made.axes if ax.name == "polar"]
     assert len(panels) == 4
