@@ -42,6 +42,8 @@ REFERENCES: Final[dict[str, str]] = {
     "University of Michigan, Department of Naval Architecture and Marine Engineering, Report 239.",
     "Fritsch84": "Fritsch, F. N., Butland, J. (1984). A method for constructing local monotone piecewise cubic "
     "interpolants. SIAM Journal on Scientific and Statistical Computing 5.",
+    "deBoor78": "de Boor, C. (1978). A practical guide to splines. Springer.",
+    "Brent73": "Brent, R. P. (1973). Algorithms for minimization without derivatives. Prentice-Hall.",
     "Gill72": "Gill, P. E., Miller, G. F. (1972). An algorithm for the integration of unequally spaced data. "
     "The Computer Journal 15.",
     "Abramowitz64": "Abramowitz, M., Stegun, I. A. (1964). Handbook of mathematical functions. National Bureau of "

@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import InputError
-from quartering.hull.file.read import available_ships, ship
+from quartering.hull.file.built_in import available_ships
+from quartering.hull.file.read import ship
 from quartering.hull.lines.contour import along, chord_at_height, contour_curve
 from quartering.hull.lines.hull import Hull, at_draught, box_hull, scaled, wigley_hull, with_depth
 from quartering.hull.lines.immersed import immersed_curve, strips

@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from quartering.conventions import GRAVITY, InputError, RangeWarning
-from quartering.hull.file.read import available_ships, ship
+from quartering.hull.file.built_in import available_ships
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.contour import along
 from quartering.hull.lines.hull import Hull, box_hull

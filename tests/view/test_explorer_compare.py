@@ -118,3 +118,15 @@ def test_axe_finds_nothing_serious_where_two_ships_are_compared(visit, width, sc
     assert [one["id"] for one in found if one["impact"] in ("serious", "critical")] == []
     assert page.evaluate("document.documentElement.scrollWidth") <= width
     assert page.wrong == []
+
+
+@pytest.mark.parametrize("width", [1440, 1280])
+def test_the_names_of_all_panels_stand_in_one_line(visit, width):
+    page = visit(STABLE, width=width)
+    page.get_by_role("tab", name="Compare").wait_for()
+    tops = page.evaluate(
+        "[...document.querySelectorAll('.tabs .q-tab')].map(one => one.getBoundingClientRect())"
+        ".filter(one => one.width > 0).map(one => Math.round(one.top))"
+    )
+    assert len(tops) >= 7
+    assert len(set(tops)) == 1

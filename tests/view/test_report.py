@@ -4,6 +4,7 @@ import re
 import sys
 import zlib
 from html.parser import HTMLParser
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ from quartering.view.report.conditions import sensitivities, worst_conditions
 from quartering.view.report.failure_modes import criteria_section
 from quartering.view.report.guidance import guidance
 from quartering.view.report.page import guidance_page, report_page, write_pdf
-from quartering.view.report.pictures import inline_svg, map_svgs
+from quartering.view.report.pictures import inline_svg, map_svgs, pictures_for
 from quartering.view.report.source import Source, report_source
 
 SHIP = ship("series60-cb60")
@@ -318,6 +319,7 @@ def test_pdf_has_pages(tmp_path, page):
         pytest.skip(str(refusal))
     written = (tmp_path / "page.pdf").read_bytes()
     assert written.startswith(b"%PDF-")
+    assert len(written) < 1_000_000
     parts = [written, *(unpacked(part) for part in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", written, re.DOTALL))]
     assert max(int(count) for part in parts for count in re.findall(rb"/Count (\d+)", part)) >= 4
 
@@ -338,6 +340,28 @@ def test_svg_keeps_its_own_references():
     names = set(re.findall(r'\bid="([^"]+)"', svg))
     assert set(re.findall(r"url\(#([^)]*)\)", svg)) <= names
     assert "http://purl.org" not in svg
+
+
+def lettered():
+    """A figure with a word on it."""
+    from matplotlib.figure import Figure
+
+    figure = Figure()
+    figure.text(0.1, 0.5, "roll resonance")
+    return figure
+
+
+def test_letters_of_pictures_stay_letters_in_pdf_and_are_outlines_in_html(tmp_path):
+    with pictures_for(Path("page.html")):
+        assert "<text" not in inline_svg(lettered(), "a word")
+    with pictures_for(Path("page.pdf")):
+        svg = inline_svg(lettered(), "a word")
+    assert re.search(r"<text[^>]*>roll resonance</text>", svg)
+    assert "<use" not in svg
+    write_pdf(f"<!DOCTYPE html>{svg}", tmp_path / "page.pdf")
+    written = (tmp_path / "page.pdf").read_bytes()
+    parts = [written, *(unpacked(part) for part in re.findall(rb"stream\r?\n(.*?)\r?\nendstream", written, re.DOTALL))]
+    assert any(b"DejaVu" in part for part in parts)  # the font is in the file
 
 
 def unstable_everywhere(result):

@@ -15,19 +15,18 @@ from typing import Any
 
 import numba
 
+from quartering._machine.machine_code import MachineCode
+
 _njit: Any = numba.njit  # its stubs do not know every option
 
 
 def _kind(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Decorator of one kind; without a folder for the cache (read-only package, no home) it compiles in every process."""
+    """Decorator of one kind."""
 
     def compiled(function: Callable[..., Any]) -> Any:
-        try:
-            return _njit(cache=True, nogil=True, **options)(function)
-        except RuntimeError as error:
-            if "cannot cache" not in str(error):
-                raise
-            return _njit(nogil=True, **options)(function)
+        made = _njit(nogil=True, **options)(function)
+        made._cache = MachineCode(function)
+        return made
 
     return compiled
 

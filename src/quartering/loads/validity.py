@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike, NDArray
 from quartering.conventions import GRAVITY, RangeWarning
 from quartering.hydro.source.of_ship import source_of
 from quartering.hydro.strip.table import FREQUENCY_RANGE
-from quartering.loads.source import wave_source
 from quartering.loads.waves import Floats, encounter_frequency
 
 if TYPE_CHECKING:
@@ -90,5 +89,7 @@ def conditions_held(
     >>> conditions_held(ship("box"), np.array([0.1]), np.array([5.0]), np.array([90.0])).tolist()
     [True]
     """
+    from quartering.loads.source import wave_source  # kernels, which what has no wave needs not
+
     omega = encounter_frequency(np.sqrt(GRAVITY * wavenumber), speed, heading)
     return source_of(ship).holds(np.abs(omega)) & wave_source(ship, form).hold(wavenumber, heading)

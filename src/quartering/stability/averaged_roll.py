@@ -11,6 +11,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.piecewise import zero
+
 Floats = NDArray[np.float64]
 
 
@@ -58,8 +60,6 @@ def averaged_amplitudes(
     With R = 1 - W^2/4 + 3/4 alpha3 A^2 + 5/8 alpha5 A^4 and I = (2 zeta + 8/(3 pi) delta (W/2) A + 3/4 beta3 (W/2)^2 A^2) W/2,
     (R/(h/2 + h3 A^2/2))^2 + (I/(h/2 + h3 A^2/4))^2 = 1.  Valid: amplitudes below 1 rad to 0.5 %.
     """
-    from scipy.optimize import brentq
-
     half = ratio / 2.0
 
     def excess(A: float) -> float:
@@ -70,5 +70,5 @@ def averaged_amplitudes(
 
     grid = np.linspace(0.0, largest, 3001)[1:]
     values = np.array([excess(A) for A in grid])
-    roots = [brentq(excess, grid[i], grid[i + 1], xtol=1e-14) for i in np.flatnonzero(values[:-1] * values[1:] < 0.0)]
+    roots = [zero(excess, grid[i], grid[i + 1], xtol=1e-14) for i in np.flatnonzero(values[:-1] * values[1:] < 0.0)]
     return np.array(roots, dtype=float)

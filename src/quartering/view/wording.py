@@ -12,20 +12,10 @@ import numpy as np
 from quartering.conventions import in_unit, written
 from quartering.hull.righting.arm import fitted_to
 from quartering.hull.ship import Ship
-from quartering.hydro.coefficients import coefficients
-from quartering.hydro.decay.free_roll import damping_words
 from quartering.hydro.strip.ends import ENDS_WORDS
-from quartering.hydro.terms import estimates
-from quartering.loads.comparison import MEANINGS, PANELS
 from quartering.loads.waves import Wave
-from quartering.motion.status import OnTheWay
 from quartering.names import DRAG_NAME
 from quartering.references import REFERENCES
-from quartering.stability.kind import Kind
-from quartering.study.condition.beside import also_words
-from quartering.study.loadings import CHOICE_AXES
-from quartering.study.maps.extension import edges_of_largest
-from quartering.study.maps.query import capsizing, other_rolls
 from quartering.units import quantity
 
 if TYPE_CHECKING:
@@ -176,6 +166,10 @@ def notes(ds: xr.Dataset) -> list[str]:
 
 def ship_notes(one: Ship) -> str:
     """Small print of one condition: what is estimated, and by which version it was computed."""
+    from quartering.hydro.coefficients import coefficients
+    from quartering.hydro.decay.free_roll import damping_words
+    from quartering.hydro.terms import estimates
+
     estimated = estimates(coefficients(one, 0.5, 0.0).table())
     ground = OVER_GROUND if one.velocities == "absolute" else ""
     damping = sentence(damping_words(one))
@@ -198,6 +192,8 @@ def edge_words(ds: xr.Dataset, advice: str, otherwise: str = "") -> list[str]:
     advice: how to go on past an edge, with the axis in the place of {}
     otherwise: said after that
     """
+    from quartering.study.maps.extension import edges_of_largest
+
     edges = edges_of_largest(ds)
     if not edges:
         return []
@@ -221,6 +217,8 @@ def value_words(name: str, value: float, unit: str) -> str:
     >>> value_words("gm", 0.8, "m"), value_words("velocities", 1.0, "1")
     ('0.8 m', 'absolute')
     """
+    from quartering.study.loadings import CHOICE_AXES
+
     if name in CHOICE_AXES:
         return CHOICE_AXES[name][int(value)]
     return f"{float(value):.4g}{in_unit(unit)}"
@@ -233,6 +231,11 @@ def verdict_words(one: xr.Dataset) -> str:
     >>> verdict_words(xr.Dataset({"verdict": 1})), verdict_words(xr.Dataset({"verdict": 0, "capsizes_on_the_way": 3}))
     ('roll', 'stable motion, capsizes on the way')
     """
+    from quartering.motion.status import OnTheWay
+    from quartering.stability.kind import Kind
+    from quartering.study.condition.beside import also_words
+    from quartering.study.maps.query import capsizing, other_rolls
+
     words = OnTheWay.BOTH.label if bool(capsizing(one)) else Kind(int(one["verdict"])).label
     return f"{words}, {also_words(other_rolls(one).values)}".removesuffix(", ")
 
@@ -317,6 +320,8 @@ def row_words(row: xr.Dataset) -> str:
 
 def flip_words(row: xr.Dataset) -> str:
     """Where the verdict flips when only this value is changed."""
+    from quartering.stability.kind import Kind
+
     flip = float(row["flip"])
     if not np.isfinite(flip):
         return ""
@@ -334,6 +339,8 @@ def forces_note(compared: xr.Dataset) -> str:
 
     compared: of `compare_forces`
     """
+    from quartering.loads.comparison import MEANINGS, PANELS
+
     meanings = "; ".join(f"{form}: {MEANINGS[form]}" for form in map(str, compared["form"].to_numpy()))
     mesh = f" Panels: {compared.attrs['panels']}." if PANELS in compared["form"] else ""
     ends = "" if compared.attrs["ends"] == "strips" else f" Strips {ENDS_WORDS}."

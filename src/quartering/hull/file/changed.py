@@ -11,8 +11,8 @@ from typing import Any, Final, NamedTuple
 import yaml
 
 from quartering.conventions import InputError
+from quartering.hull.file.built_in import available_ships
 from quartering.hull.file.new import write_ship
-from quartering.hull.file.read import available_ships
 from quartering.hull.file.yaml_text import parsed, read_text
 
 Values = Mapping[str, Mapping[str, float | str]]

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from quartering.conventions import InputError
-from quartering.hull.file.read import available_ships, ship
+from quartering.hull.file.built_in import available_ships
+from quartering.hull.file.read import ship
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.ship import Ship
 from quartering.option_checks import Option

@@ -7,10 +7,11 @@ from dataclasses import replace
 from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 from quartering.conventions import InputError
 from quartering.hull.changes import changed
+from quartering.hull.file.built_in import LIBRARY, available_ships
 from quartering.hull.file.lines import DIMENSIONS, dimension, hull_of
 from quartering.hull.file.loading import LOADING, loading_entries, loading_of, user_entries
 from quartering.hull.file.schema import Entry, Lines, ShipKeys, checked_keys, located
@@ -22,30 +23,6 @@ from quartering.hull.user_database import Database, database_of
 from quartering.hull.user_measured import MeasuredFile, measured_source
 from quartering.option_checks import Option, Refused
 from quartering.options import OPTIONS
-
-LIBRARY = Path(__file__).parents[1] / "library"
-
-
-class ShipEntry(NamedTuple):
-    """A built-in ship: its name and one line about it."""
-
-    name: str
-    description: str
-
-
-def available_ships() -> list[ShipEntry]:
-    """Built-in ships, sorted by name.
-
-    Returns name and one-line description
-
-    Source: the files of ``hull/library``; each names where its lines come from.
-    """
-    found = []
-    for path in sorted(LIBRARY.glob("*.yaml")):
-        with path.open(encoding="utf-8") as lines:
-            line = next(text for text in lines if text.startswith("description:"))
-        found.append(ShipEntry(path.stem, line.removeprefix("description:").strip().strip('"')))
-    return found
 
 
 def ship(name_or_path: str | Path) -> Ship:

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from quartering._machine.piecewise import monotone_slopes
 from quartering.hull.lines.section import Floats
 
 Outline = Literal["smooth", "straight"]
@@ -48,15 +49,13 @@ def contour_curve(y: Floats, height: Floats, outline: Outline = "smooth") -> Cur
 
 def _slopes(s: Floats, point: Floats) -> Floats:
     """Slopes at ``point`` (n, 2) over ``s`` (n,) of the monotone cubics that run from knuckle to knuckle."""
-    from scipy.interpolate import PchipInterpolator  # takes a second to load, which a list of ships need not wait for
-
     slope = np.zeros_like(point)
     knuckles = np.flatnonzero(np.diff(s) <= 0.0) + 1  # an interval of no length
     for run in np.split(np.arange(s.size), knuckles):
         if run.size == 2:
             slope[run] = (point[run[1]] - point[run[0]]) / (s[run[1]] - s[run[0]])
         elif run.size > 2:
-            slope[run] = PchipInterpolator(s[run], point[run]).derivative()(s[run])
+            slope[run] = monotone_slopes(s[run], point[run])
     return slope
 
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.piecewise import monotone_cubic
 from quartering.conventions import InputError
 from quartering.hull.lines.contour import along
 from quartering.hull.lines.hull import Hull
@@ -111,8 +112,6 @@ def hull_grid(hull: Hull, along_hull: int, around: int) -> Grid:
     Sections wholly under water, of a bulb ahead of the stem, are left out.
     Source: [Fritsch84] (curves).  Valid: as `hull_panels`.
     """
-    from scipy.interpolate import PchipInterpolator
-
     fraction = np.sin(np.linspace(0.0, np.pi / 2, around + 1)) * 0.4 + np.linspace(0.0, 0.6, around + 1)
     under = wholly_under_water(strips(hull))
     piercing = [i for i, out in zip(hull.wet, under, strict=True) if not out]
@@ -128,7 +127,7 @@ def hull_grid(hull: Hull, along_hull: int, around: int) -> Grid:
     if hull.shape == "box":
         y, z = (np.repeat(values[:1], x.size, axis=0) for values in (y, z))
     else:
-        y, z = (PchipInterpolator(stations, values, axis=0, extrapolate=True)(x) for values in (y, z))
+        y, z = (monotone_cubic(stations, values)(x) for values in (y, z))
     y, z = np.maximum(y, 0.0), np.maximum(z, 0.0)
     y[:, 0], z[:, -1] = 0.0, 0.0
     area = -2 * (0.5 * (y[:, 1:] + y[:, :-1]) * np.diff(z, axis=1)).sum(axis=1)

@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quartering.hull.lines.contour import along
 from quartering.hull.lines.hull import Hull
@@ -18,12 +19,20 @@ PIECES = 96
 _ITERATIONS = 60
 
 
-class _Cut(NamedTuple):
-    """Immersed part of polygons: area, first moment of the transverse coordinate, width at the waterline."""
+class _Edges(NamedTuple):
+    """Immersed edges of polygons: transverse coordinate of their two ends, and by how much the depth grows along them.
 
-    area: Floats
-    moment: Floats
-    width: Floats
+    Parameters
+    ----------
+    start, end, dq : (..., points - 1) float    of an edge in air dq is 0, and the ends mean nothing
+    leaves, enters : (..., points - 1) bool     edges that cross the water on the way up, and on the way down
+    """
+
+    start: Floats
+    end: Floats
+    dq: Floats
+    leaves: NDArray[np.bool_]
+    enters: NDArray[np.bool_]
 
 
 @lru_cache(maxsize=128)
@@ -38,11 +47,11 @@ def cross_curve(hull: Hull, phi: tuple[float, ...]) -> tuple[Floats, Floats]:
     of the upright hull (Newton within a bracket), without trim.  Source: [Lewis88] ch. 2.
     """
     y, height = polygons(hull)
-    upright = float(hull.weight @ _cut(y, hull.draught - height).area)
+    upright = float(hull.weight @ _area(_immersed(y, hull.draught - height)))
     cosine, sine = np.cos(phi)[:, None, None], np.sin(phi)[:, None, None]
     across, up = y * cosine + height * sine, height * cosine - y * sine  # axes level with the water
     level = _levels(hull, across, up, upright)
-    moment = _cut(across, level[:, None, None] - up).moment
+    moment = _moment(_immersed(across, level[:, None, None] - up))
     top = y.shape[1] // 2
     edge = up[:, :, top - 1 : top + 1].min(axis=(1, 2))
     return moment @ hull.weight / upright, edge - level
@@ -53,10 +62,11 @@ def _levels(hull: Hull, across: Floats, up: Floats, volume: float) -> Floats:
     low, high = up.min(axis=(1, 2)), up.max(axis=(1, 2))
     level = np.clip(hull.draught * np.ones(len(up)), low, high)
     for _ in range(_ITERATIONS):
-        cut = _cut(across, level[:, None, None] - up)
-        excess, slope = cut.area @ hull.weight - volume, cut.width @ hull.weight
+        edges = _immersed(across, level[:, None, None] - up)
+        excess = _area(edges) @ hull.weight - volume
         if (np.abs(excess) <= 1e-12 * volume).all():
             break
+        slope = _width(edges) @ hull.weight
         low, high = np.where(excess < 0, level, low), np.where(excess > 0, level, high)
         newton = level - excess / np.where(slope > 0, slope, np.inf)
         level = np.where((newton > low) & (newton < high), newton, np.where(excess == 0, level, 0.5 * (low + high)))
@@ -84,24 +94,37 @@ def polygons(hull: Hull, pieces: int = PIECES) -> tuple[Floats, Floats]:
     return np.concatenate([y, -y[:, ::-1]], axis=1), np.concatenate([height, height[:, ::-1]], axis=1)
 
 
-def _cut(across: Floats, depth: Floats) -> _Cut:
-    """Part of counter-clockwise polygons (..., points) where depth > 0, by integrals along their edges.
+def _immersed(across: Floats, depth: Floats) -> _Edges:
+    """Edges of counter-clockwise polygons (..., points), cut where depth > 0 ends.
 
     area = -closed integral of a dq, moment = -(1/2) closed integral of a^2 dq with q the depth: the cut itself, on q = 0,
     adds nothing.
     """
-    a0, a1, q0, q1 = across[..., :-1], across[..., 1:], depth[..., :-1], depth[..., 1:]
-    leaves, enters = (q0 > 0) & (q1 <= 0), (q0 <= 0) & (q1 > 0)
-    crossing = leaves | enters
-    t = np.where(crossing, q0, 0.0) / np.where(crossing, q0 - q1, 1.0)
-    at = a0 + t * (a1 - a0)
-    start, end = np.where(enters, at, a0), np.where(leaves, at, a1)
-    dq = np.maximum(q1, 0.0) - np.maximum(q0, 0.0)
-    return _Cut(
-        area=-0.5 * ((start + end) * dq).sum(axis=-1),
-        moment=-((start * start + start * end + end * end) * dq).sum(axis=-1) / 6.0,
-        width=np.where(leaves, at, 0.0).sum(axis=-1) - np.where(enters, at, 0.0).sum(axis=-1),
-    )
+    under, wet = depth > 0, np.maximum(depth, 0.0)
+    leaves, enters = under[..., :-1] & ~under[..., 1:], ~under[..., :-1] & under[..., 1:]
+    start, end = across[..., :-1].copy(), across[..., 1:].copy()
+    for crosses, cut in ((leaves, end), (enters, start)):  # few do: the others keep their own ends
+        a0, a1 = across[..., :-1][crosses], across[..., 1:][crosses]
+        q0, q1 = depth[..., :-1][crosses], depth[..., 1:][crosses]
+        cut[crosses] = a0 + q0 / (q0 - q1) * (a1 - a0)
+    return _Edges(start, end, wet[..., 1:] - wet[..., :-1], leaves, enters)
+
+
+def _area(edges: _Edges) -> Floats:
+    """Of the immersed part (...)."""
+    return np.asarray(-0.5 * ((edges.start + edges.end) * edges.dq).sum(axis=-1))
+
+
+def _moment(edges: _Edges) -> Floats:
+    """First moment of the transverse coordinate of the immersed part (...)."""
+    start, end = edges.start, edges.end
+    return np.asarray(-((start * start + start * end + end * end) * edges.dq).sum(axis=-1) / 6.0)
+
+
+def _width(edges: _Edges) -> Floats:
+    """At the waterline (...)."""
+    up, down = np.where(edges.leaves, edges.end, 0.0), np.where(edges.enters, edges.start, 0.0)
+    return np.asarray(up.sum(axis=-1) - down.sum(axis=-1))
 
 
 def deck_angle(hull: Hull) -> float:

@@ -7,6 +7,7 @@ from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
+from quartering._machine.piecewise import zero
 from quartering.hull.lines.section import Floats
 
 ON_ITS_SIDE: Final = 90.0
@@ -71,12 +72,10 @@ def first_vanishing(arm: Callable[[Floats], Floats]) -> float:
     >>> round(first_vanishing(lambda phi: phi - phi**3), 6)
     57.29578
     """
-    from scipy.optimize import brentq
-
     angles = np.radians(np.arange(_STEP, ON_ITS_SIDE + _STEP / 2, _STEP))
     arms = arm(angles)
     gone = np.flatnonzero((arms[:-1] > 0) & (arms[1:] <= 0))
     if gone.size == 0:
         return float("inf")
     low, high = angles[gone[0]], angles[gone[0] + 1]
-    return float(np.degrees(brentq(lambda phi: float(arm(np.array([phi]))[0]), low, high, xtol=1e-12)))
+    return float(np.degrees(zero(lambda phi: float(arm(np.array([phi]))[0]), low, high, xtol=1e-12)))

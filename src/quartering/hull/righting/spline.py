@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quartering._machine.piecewise import cubic_spline
 from quartering.conventions import InputError
 from quartering.hull.lines.section import Floats
 
@@ -85,9 +86,7 @@ def odd_spline(angles: ArrayLike, values: ArrayLike, slope: float | None = None)
 
 def _cubics(knots: Floats, points: Floats) -> Floats:
     """Coefficients (4, pieces) of the interpolating spline, highest power first."""
-    from scipy.interpolate import CubicSpline
-
-    return np.asarray(CubicSpline(knots, points, bc_type=((2, np.zeros(())), "not-a-knot")).c)
+    return cubic_spline(knots, points, straight_start=True).c
 
 
 def _joined(knots: Floats, cubics: Floats) -> OddSpline:

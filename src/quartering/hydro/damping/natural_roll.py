@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from quartering._machine.piecewise import zero
 from quartering.conventions import GRAVITY, InputError
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.section import Floats
@@ -27,8 +28,6 @@ def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], 
 
     Source: [H71] equations (3) and (8): the omega_2 of small motion.  Valid: small angles, no damping.
     """
-    from scipy.optimize import brentq
-
     if not (stiffness > 0 and np.isfinite(stiffness)):
         raise InputError(f"roll stiffness {stiffness:g} N m must be positive; check GM")
 
@@ -38,7 +37,7 @@ def natural_roll_frequency(stiffness: float, inertia: Callable[[float], float], 
 
     if not excess(highest) > 0:
         raise InputError(f"no natural roll frequency below {highest:g} rad/s; check the radius of gyration in roll")
-    return float(brentq(excess, 0.0, highest, xtol=1e-14 * highest, rtol=1e-14))
+    return zero(excess, 0.0, highest, xtol=1e-14 * highest, rtol=1e-14)
 
 
 class FreeRoll(NamedTuple):

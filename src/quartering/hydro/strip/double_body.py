@@ -12,7 +12,6 @@ import numpy as np
 
 from quartering.hull.lines.mesh import Grid, closed_panels
 from quartering.hull.lines.section import Floats
-from quartering.hydro.strip.panel_influence import contour_equations, panel_equations
 
 
 class DoubleBody(NamedTuple):
@@ -42,6 +41,8 @@ def double_body(grid: Grid) -> DoubleBody:
     Constant potential and normal velocity on each panel, equations at their middles. A flat end is a wall.
     Source: [Morino74], [Hess67].  Valid: deep water, no forward speed.
     """
+    from quartering.hydro.strip.panel_influence import panel_equations  # kernels, which a table found on disk needs not
+
     panels = closed_panels(grid)
     corners = panels.vertices[panels.quads]
     normal, centre = panels.area_vectors, corners.mean(axis=1)
@@ -66,6 +67,8 @@ def _rigid(point: Floats, normal: Floats) -> Floats:
 
 def _sections(grid: Grid) -> tuple[Floats, Floats]:
     """Potentials (2, n, m, 2) of the sections amidst the columns, and their flux times the width of the column."""
+    from quartering.hydro.strip.panel_influence import contour_equations
+
     y, z = (0.5 * (points[1:] + points[:-1]) for points in (grid.y, grid.z))
     middle = np.stack([0.5 * (points[:, 1:] + points[:, :-1]) for points in (y, z)], axis=-1)
     normal = np.stack([-np.diff(z, axis=1), np.diff(y, axis=1)], axis=-1)

@@ -6,13 +6,15 @@ coefficients need of it are the integrals of x^0, x^1, x^2 times added mass and 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from quartering._machine.piecewise import cubic_spline
 from quartering.conventions import InputError
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.immersed import strips
@@ -21,9 +23,6 @@ from quartering.hull.lines.strips import has_transom
 from quartering.hydro.strip.hull_table import hull_table
 from quartering.hydro.strip.integrals import section_moments, shifted_moments
 from quartering.hydro.strip.table import SectionTable, default_frequencies
-
-if TYPE_CHECKING:
-    from scipy.interpolate import CubicSpline
 
 
 @lru_cache(maxsize=8)
@@ -73,12 +72,12 @@ class HullMoments:
 
     Parameters
     ----------
-    spline : CubicSpline    of frequency, (4, 3, 3): a, b, then both of the aft end
-    highest : float         frequency up to which the spline holds; it starts at 0 [rad/s]
-    transom : bool          the aft end counts
+    spline : callable    of frequency, (4, 3, 3): a, b, then both of the aft end
+    highest : float      frequency up to which the spline holds; it starts at 0 [rad/s]
+    transom : bool       the aft end counts
     """
 
-    spline: CubicSpline
+    spline: Callable[[Floats], Floats]
     highest: float
     transom: bool
 
@@ -110,8 +109,6 @@ def hull_moments(hull: Hull, density: float) -> HullMoments:
 
     Source: [STF70] integrals over the length; sections [Frank67].  Valid: as `radiation_table`.
     """
-    from scipy.interpolate import CubicSpline
-
     immersed, table = strips(hull), section_table(hull, density)
     end = [hull.x_aft], [1.0]
     a = np.concatenate([table.a_zero[None], table.a])
@@ -119,7 +116,7 @@ def hull_moments(hull: Hull, density: float) -> HullMoments:
     parts = [section_moments(immersed.x, immersed.weight, c) for c in (a, b)]
     parts += [section_moments(*end, c[:, :1]) for c in (a, b)]
     return HullMoments(
-        CubicSpline(np.concatenate([[0.0], table.frequency]), np.stack(parts, axis=1)),
+        cubic_spline(np.concatenate([[0.0], table.frequency]), np.stack(parts, axis=1)),
         float(table.frequency[-1]),
         has_transom(immersed),
     )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from quartering._machine.piecewise import zero
 from quartering.conventions import InputError
 from quartering.motion.branches.arclength import Path, corrected, follow, tangent_at
 from quartering.motion.equations.batch import joined
@@ -165,7 +166,6 @@ def within(curve: Curve, steepest: float) -> Callable[[Floats], bool]:
 
 def _fold(curve: Curve, before: Floats, tangent: Floats, after: Floats) -> Floats:
     """Point between two neighbours where the tangent has no part along the parameter."""
-    from scipy.optimize import brentq
 
     def at(share: float) -> Floats:
         point = corrected(curve.residual, before + share * (after - before), tangent)
@@ -176,4 +176,4 @@ def _fold(curve: Curve, before: Floats, tangent: Floats, after: Floats) -> Float
 
     if slope(1.0) * slope(0.0) > 0:  # a neighbour is the fold, to rounding
         return min(before, after, key=lambda point: abs(tangent_at(curve.residual, point, tangent)[-1]))
-    return at(brentq(slope, 0.0, 1.0, xtol=1e-13))
+    return at(zero(slope, 0.0, 1.0, xtol=1e-13))

@@ -15,8 +15,8 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
+from quartering._machine.piecewise import zero
 from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, solved
 from quartering.motion.steady_course.course import ROLL, Course
 from quartering.motion.steady_course.orbits import climbed
@@ -157,7 +157,7 @@ def _root(course: Course, basis: Harmonics, between: tuple[float, float], ends: 
         sign, size = np.linalg.slogdet(_odd_block(course.at_amplitude(np.array([a])), 0, basis, x))
         return float(sign * np.exp(np.clip(size - reference, -60.0, 60.0)))
 
-    return float(brentq(determinant, low, high, xtol=1e-7 * high, rtol=1e-10))
+    return zero(determinant, low, high, xtol=1e-7 * high, rtol=1e-10)
 
 
 def doubled_branch(

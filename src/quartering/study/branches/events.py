@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
 
+from quartering._machine.piecewise import zero
 from quartering.motion.branches.arclength import corrected
 from quartering.motion.branches.branch import Curve
 from quartering.motion.equations.system import Floats
@@ -77,7 +77,7 @@ def _located(curve: Curve, a: Floats, b: Floats, which: int) -> Floats:
     first, last = beyond(0.0), beyond(reach)
     if not first * last < 0:  # it passes within rounding of one of the two
         return a if abs(first) < abs(last) else b
-    return at(brentq(beyond, 0.0, reach, xtol=_PLACE))
+    return at(zero(beyond, 0.0, reach, xtol=_PLACE))
 
 
 def _may_change(multipliers: NDArray[np.complex128]) -> NDArray[np.bool_]:

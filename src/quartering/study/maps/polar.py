@@ -21,7 +21,6 @@ from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
 from quartering.study.grid import axis
 from quartering.study.maps.extension import carried_on
-from quartering.study.six_modes.conditions import STEADY_MOTION, evaluate_six
 
 Floats = NDArray[np.float64]
 Modes = Literal["three", "six"]
@@ -140,6 +139,8 @@ def _mapped(
     u, mu, length = (a.ravel() for a in np.meshgrid(speed, heading, lengths, indexing="ij"))
     height = np.tile(heights, speed.size * heading.size)[:, None]
     if modes == "six":
+        from quartering.study.six_modes.conditions import STEADY_MOTION, evaluate_six
+
         found = evaluate_six(ship, u, mu, length, height[:, 0], progress=progress)
     else:
         found = evaluate(ship, u, mu, length, height, harmonics=harmonics, form=form, progress=progress)
@@ -149,4 +150,4 @@ def _mapped(
     dims = ("speed", "heading", "wave_length")
     coordinates = {name: ((name,), axes[name]) for name in dims} | {"wave_height": (("wave_length",), heights)}
     ds = labelled(ship, results, coordinates, dims, dims, form=form, harmonics=harmonics)
-    return ds if modes == "three" else ds.assign_attrs(steady_motion=STEADY_MOTION, modes="six")
+    return ds.assign_attrs(steady_motion=STEADY_MOTION, modes="six") if modes == "six" else ds

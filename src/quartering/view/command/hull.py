@@ -49,7 +49,6 @@ def hull(
     from quartering.hull.hydrostatics import hydrostatics
     from quartering.hull.righting.arm import righting_arm, righting_polynomial
     from quartering.hydro.calm_water import calm_water_exponents
-    from quartering.study.six_modes.gm_in_waves import gm_in_waves
 
     one = typed_ship(ship, changes)
     wave, mu = _wave(one, wave_length, wave_height, heading)
@@ -61,7 +60,7 @@ def hull(
         u: calm_water_exponents(one, u)
         for u in (quantity(f"{fn} Fn", "speed", length=one.hull.length) for fn in _FROUDE_NUMBERS)
     }
-    found = gm_in_waves(one, wave, mu) if wave is not None else None
+    found = _gm_on(one, wave, mu)
 
     def draw() -> Figure:
         from quartering.view.plots.hull import hull_picture
@@ -92,8 +91,6 @@ def hull(
 
 def _wave(one: Ship, length: str | None, height: str | None, heading: str) -> tuple[Wave | None, float]:
     """The wave typed, None where none was, and the heading to it."""
-    from quartering.loads.waves import Wave
-
     mu = typed_value("heading", heading, one.sizes)
     if length is None and height is None:
         return None, mu
@@ -102,17 +99,28 @@ def _wave(one: Ship, length: str | None, height: str | None, heading: str) -> tu
         raise InputError(
             f"{missing} is missing; a wave has a length and a height, such as --wave-length 1.0L --wave-height 4"
         )
+    from quartering.loads.waves import Wave
+
     return Wave(
         *(typed_value(key, text, one.sizes) for key, text in (("wave_length", length), ("wave_height", height)))
     ), mu
 
 
+def _gm_on(one: Ship, wave: Wave | None, heading: float) -> xr.Dataset | None:
+    """GM over the position of the crest; None without a wave."""
+    if wave is None:
+        return None
+    from quartering.study.six_modes.gm_in_waves import gm_in_waves
+
+    return gm_in_waves(one, wave, heading)
+
+
 def _arms_on(one: Ship, wave: Wave | None, heading: float, angles: np.ndarray) -> dict[str, np.ndarray]:
     """Righting arms with the crest and with the trough at midship."""
-    from quartering.study.six_modes.gm_in_waves import righting_arm as arm_on_wave
-
     if wave is None:
         return {}
+    from quartering.study.six_modes.gm_in_waves import righting_arm as arm_on_wave
+
     places = {"crest at midship": 0.0, "trough at midship": 0.5}
     return {words: arm_on_wave(one, angles, wave, heading, place) for words, place in places.items()}
 

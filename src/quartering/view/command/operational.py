@@ -38,12 +38,14 @@ def operational(
     """Operational guidance in three forms, one A4 page a loading: by rates, by largest motions, by speeds alone."""
     from quartering.study.criteria.operational import guidance_csv, operational_guidance
     from quartering.view.report.operational import operational_page
+    from quartering.view.report.pictures import pictures_for
 
     page, csv = reserve_path(output, (".html", ".pdf")), reserve_path(table_file, (".csv",))
     ds = operational_guidance(_opened(result), rate_limit, safety_factor)
     files = []
     if page is not None:
-        text = operational_page(ds)
+        with pictures_for(page):
+            text = operational_page(ds)
         files.append(File(page, lambda part: _write(text, page, part)))
     if csv is not None:
         rows = guidance_csv(ds)

@@ -46,6 +46,7 @@ def report(
     """A report to print: one page that holds everything, or polar diagrams in the form of operational guidance."""
     from quartering.stability.precompile import announce_compilation
     from quartering.view.report.page import guidance_page, report_page, write_pdf
+    from quartering.view.report.pictures import pictures_for
     from quartering.view.report.source import report_source
 
     if form not in KINDS:
@@ -63,7 +64,8 @@ def report(
         return _sea_report(seas, result, path)
     source = report_source(result, ship, form)
     service = None if service_speed is None else _speed(source.ship, service_speed)
-    page = report_page(source, service) if form == "report" else guidance_page(source, heel)
+    with pictures_for(path):
+        page = report_page(source, service) if form == "report" else guidance_page(source, heel)
     printed = path.suffix.lower() == ".pdf"
 
     def write(part: Path) -> None:
@@ -96,9 +98,11 @@ def _of_seas(result: str) -> xr.Dataset | None:
 def _sea_report(ds: xr.Dataset, result: str, path: Path) -> Answer:
     """The report on a map over irregular seas, which is in the form of guidance."""
     from quartering.view.report.page import write_pdf
+    from quartering.view.report.pictures import pictures_for
     from quartering.view.report.seas import seas_page
 
-    page = seas_page(ds, result)
+    with pictures_for(path):
+        page = seas_page(ds, result)
     facts = {"file": str(path), "form": "guidance in seas", "ship": ds.attrs["ship"], "source": result,
              "conditions": int(ds["recommended"].size)}  # fmt: skip
 

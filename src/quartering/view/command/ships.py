@@ -10,7 +10,7 @@ from quartering.view.console.printed import table
 
 def ships(output: TableFile = None) -> Answer:
     """List the built-in ships."""
-    from quartering.hull.file.read import available_ships
+    from quartering.hull.file.built_in import available_ships
 
     entries = available_ships()
     return Answer(

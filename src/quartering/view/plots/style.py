@@ -114,6 +114,19 @@ def shown(made: Figure) -> None:
     made.set_canvas(manager.canvas)
 
 
+def lay_out(made: Figure) -> None:
+    """Place the axes of a figure that is then written once.
+
+    A figure that places its own is drawn twice whenever it is written, the first time for the places alone.
+    """
+    engine = made.get_layout_engine()
+    if engine is not None:
+        engine.execute(made)
+        made.set_layout_engine(None)
+
+
 def save(made: Figure, path: Path) -> None:
     """Write a figure as the kind of picture its path names."""
+    made.set_dpi(RESOLUTION)
+    lay_out(made)
     made.savefig(path, dpi=RESOLUTION, format=path.suffix.lstrip(".").lower())

@@ -82,13 +82,24 @@ def write_pdf(page: str, path: Path) -> None:
     page: HTML
     """
     try:
-        from weasyprint import HTML
+        from weasyprint import CSS, HTML
+        from weasyprint.text.fonts import FontConfiguration
     except (ImportError, OSError) as error:
         raise InputError(
             f"a PDF needs WeasyPrint, which cannot be loaded ({error}); pip install 'quartering[pdf]', "
             "or write .html and print it from a browser"
         ) from None
-    HTML(string=page).write_pdf(path)
+    fonts = FontConfiguration()  # of the pictures: where it is not installed, it comes with Matplotlib
+    letters = CSS(string=_letters(), font_config=fonts)
+    HTML(string=page).write_pdf(path, stylesheets=[letters], font_config=fonts)
+
+
+def _letters() -> str:
+    """The font of the pictures, as a style sheet."""
+    from matplotlib import get_data_path
+
+    place = Path(get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"
+    return f"@font-face {{ font-family: 'DejaVu Sans'; src: url('{place.as_uri()}') }}"
 
 
 def _render(template: str, source: Source, **content: Any) -> str:

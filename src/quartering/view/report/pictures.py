@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 import re
 import warnings
+from contextlib import AbstractContextManager
+from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
@@ -26,10 +28,20 @@ from quartering.view.wording import sea_words
 _FEWEST_RINGS, _MOST_HEIGHTS, _MOST_PAIRED = 3, 4, 4
 
 
+def pictures_for(page: Path) -> AbstractContextManager[None]:
+    """While the body runs, pictures as a page of this ending takes them.
+
+    In PDF letters stay letters, which a reader can search; WeasyPrint would draw each outline as a picture of its own, half the
+    time of a page. In HTML they are outlines, since a browser may have another font.
+    """
+    return mpl.rc_context({"svg.fonttype": "none" if page.suffix.lower() == ".pdf" else "path"})
+
+
 def inline_svg(figure: Figure, words: str) -> Markup:
     """A figure as SVG to stand in HTML, with words for those who cannot see it."""
     page = io.StringIO()
     with mpl.rc_context({"svg.hashsalt": words, "savefig.dpi": 130}):  # names in one picture must not meet another's
+        style.lay_out(figure)
         figure.savefig(page, format="svg", metadata={"Date": None})
     text = page.getvalue()
     text = re.sub(r"<metadata>.*?</metadata>", "", text[text.index("<svg") :], flags=re.DOTALL)

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from quartering._machine.digest import fingerprint
 from quartering.conventions import InputError
-from quartering.hull.file.read import available_ships, ship
+from quartering.hull.file.built_in import available_ships
+from quartering.hull.file.read import ship
 from quartering.hull.option_types import Velocities
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form

@@ -21,7 +21,6 @@ from quartering.conventions import GRAVITY, WATER_DENSITY, InputError
 from quartering.hull.lines.section import Floats
 from quartering.hydro.section.closefit.grid import Nodes, interpolation, nodes_on
 from quartering.hydro.section.closefit.kernel import CauchyRows, Stream, cauchy_rows, rigid_stream
-from quartering.hydro.section.closefit.solve import standing_waves
 from quartering.hydro.section.multipole import Radiation
 from quartering.hydro.section.outline import Outline
 from quartering.hydro.section.wavemaker import Complexes, Symmetry
@@ -192,6 +191,8 @@ def _outgoing(
     problem: _Problem, nu: Floats, known: Floats, value: Floats, slope: Floats
 ) -> tuple[Complexes, Complexes]:
     """Nodal potentials and far waves for a right-hand side (f, s, n+1, m) and its stream functions at the nodes."""
+    from quartering.hydro.section.closefit.solve import standing_waves  # a kernel, which a table on disk needs not
+
     f, s, n, m = known.shape
     phi = np.empty((f, s, n, m), dtype=np.complex128)
     wave = np.empty((f, s, m), dtype=np.complex128)

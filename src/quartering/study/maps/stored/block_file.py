@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.io import netcdf_file
 
 from quartering._machine.digest import fingerprint
 from quartering.study.grid import Block, Grid
@@ -26,6 +25,8 @@ def block_file(index: int, found: Arrays, grid: Grid, counts: Mapping[str, int])
     found: from `evaluate_block`
     counts: from `counted`, kept with the block
     """
+    from scipy.io import netcdf_file
+
     block, kind = grid.blocks[index], kind_of(grid)
     points = grid.points(block.points)
     buffer = io.BytesIO()

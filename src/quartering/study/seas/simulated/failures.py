@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.stats import chi2, kstest
 
 from quartering.conventions import InputError
 
@@ -37,10 +36,15 @@ def failure_rate(failures: int, exposure: float, confidence: float = 0.95) -> Ra
     if not exposure > 0:
         return Rate(np.nan, 0.0, np.inf)
     tail = 0.5 * (1.0 - confidence)
-    lower = float(chi2.ppf(tail, 2 * failures)) if failures else 0.0
-    return Rate(
-        failures / exposure, lower / (2.0 * exposure), float(chi2.ppf(1.0 - tail, 2 * failures + 2)) / (2.0 * exposure)
-    )
+    lower = _chi2(tail, 2 * failures) if failures else 0.0
+    return Rate(failures / exposure, lower / (2.0 * exposure), _chi2(1.0 - tail, 2 * failures + 2) / (2.0 * exposure))
+
+
+def _chi2(share: float, freedom: float) -> float:
+    """Value that a share of chi2 of some degrees of freedom lies below."""
+    from scipy.stats import chi2
+
+    return float(chi2.ppf(share, freedom))
 
 
 def weighted_rate(weight: ArrayLike, failures: ArrayLike, exposure: ArrayLike, confidence: float = 0.95) -> Rate:
@@ -58,9 +62,9 @@ def weighted_rate(weight: ArrayLike, failures: ArrayLike, exposure: ArrayLike, c
         return Rate(0.0, 0.0, 0.0)
     y, v, m = float(each @ k), float(each**2 @ k), float(each.max())
     tail = 0.5 * (1.0 - confidence)
-    lower = v / (2.0 * y) * float(chi2.ppf(tail, 2.0 * y**2 / v)) if y > 0 else 0.0
+    lower = v / (2.0 * y) * _chi2(tail, 2.0 * y**2 / v) if y > 0 else 0.0
     more, spread = y + m, v + m**2
-    upper = spread / (2.0 * more) * float(chi2.ppf(1.0 - tail, 2.0 * more**2 / spread)) if m > 0 else 0.0
+    upper = spread / (2.0 * more) * _chi2(1.0 - tail, 2.0 * more**2 / spread) if m > 0 else 0.0
     return Rate(y, lower, upper)
 
 
@@ -77,6 +81,8 @@ def waiting_times_p(times: ArrayLike, block: float, rate: float) -> float:
     t = np.asarray(times, dtype=float)
     if t.size < 5 or not rate > 0:
         return float("nan")
+    from scipy.stats import kstest
+
     return float(kstest(np.expm1(-rate * t) / np.expm1(-rate * block), "uniform").pvalue)
 
 

@@ -19,16 +19,13 @@ from typing import Any, Final, Literal, NamedTuple, get_args
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
-from scipy import optimize
-from scipy.stats import chi2
 
+from quartering._machine.piecewise import zero
 from quartering.conventions import InputError
 from quartering.hull.told import number, numbers
 from quartering.option_checks import quoted
 
 Floats = NDArray[np.float64]
-minimize: Any = optimize.minimize  # its stubs know no function of a plain array
-brentq: Any = optimize.brentq
 Tail = Literal["gev", "gpd"]
 FEWEST_LARGEST: Final = 20
 """Values that a tail is fitted to at the least."""
@@ -146,6 +143,11 @@ def _profiled(
 ) -> Level:
     """Most likely level, and where the likelihood of others has fallen by half of chi2; `loss` of it, the shape, and more."""
 
+    from scipy import optimize
+    from scipy.stats import chi2
+
+    minimize: Any = optimize.minimize  # its stubs know no function of a plain array
+
     def bounded(level: float, shape: float, *more: float) -> float:
         if not _LEAST_SHAPE < shape < _MOST_SHAPE or not all(abs(one) < 20 for one in more):
             return _IMPOSSIBLE
@@ -166,7 +168,7 @@ def _profiled(
         step = 0.5 * scale
         while beyond(value + sign * step) < 0 and step < 1e3 * scale:
             step *= 1.6
-        ends.append(brentq(lambda x: beyond(value + sign * x), 0.0, step, xtol=1e-3 * step))  # noqa: B023
+        ends.append(zero(lambda x: beyond(value + sign * x), 0.0, step, xtol=1e-3 * step))  # noqa: B023
     return Level(float(value), float(value - ends[0]), float(value + ends[1]), float(best.x[1]))
 
 

@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from quartering.conventions import InputError
-from quartering.hull.file.read import available_ships, ship
+from quartering.hull.file.built_in import available_ships
+from quartering.hull.file.read import ship
 from quartering.hull.ship import Ship
 
 MOST_UPLOADS = 64
