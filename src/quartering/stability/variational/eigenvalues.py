@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import inner, kernel
+from quartering._machine.compiled import batch_kernel, kernel
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
 
@@ -19,7 +19,7 @@ _ROUNDING = 2.220446049250313e-16
 _MOST = 60
 
 
-@inner
+@batch_kernel
 def _balanced(a):
     """Scale rows and columns by powers of two until they weigh alike, in place; eigenvalues stay."""
     n = a.shape[0]
@@ -50,7 +50,7 @@ def _balanced(a):
             break
 
 
-@inner
+@batch_kernel
 def _hessenberg(a):
     """Reduce to upper Hessenberg form by elimination with pivoting, in place."""
     n = a.shape[0]
@@ -76,7 +76,7 @@ def _hessenberg(a):
             a[i, m - 1] = 0.0
 
 
-@inner
+@batch_kernel
 def _start_of_block(a, last, norm):
     """First row of the unreduced block that ends at row ``last``; the element beside it is set to zero."""
     row = last
@@ -91,7 +91,7 @@ def _start_of_block(a, last, norm):
     return row
 
 
-@inner
+@batch_kernel
 def _pair(a, last, shift, values):
     """The two eigenvalues of the block of rows ``last`` - 1 and ``last``."""
     x, y = a[last, last], a[last - 1, last - 1]
@@ -108,7 +108,7 @@ def _pair(a, last, shift, values):
         values[last] = complex(x + shift + half, -root)
 
 
-@inner
+@batch_kernel
 def _sweep(a, first, last, x, y, product):
     """One double-shift QR sweep over rows first..last, in place."""
     # Francis' step with the two shifts s1, s2 that are eigenvalues of the last 2 x 2 block, without complex numbers:
@@ -170,7 +170,7 @@ def _sweep(a, first, last, x, y, product):
             a[i, k] -= along
 
 
-@inner
+@batch_kernel
 def _values(a, values):
     """Eigenvalues of one matrix, which is lost; False when the sweeps do not converge."""
     n = a.shape[0]
