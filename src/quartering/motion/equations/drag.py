@@ -14,14 +14,15 @@ from quartering._machine.simd import every, load, size, store
 
 
 @batch_kernel
-def one_hull(strips):
-    """Have all lanes the same forms of their strips?"""
-    for z in range(strips.shape[0]):
-        for j in range(3):
-            for l in range(1, strips.shape[2]):
-                if strips[z, j, l] != strips[z, j, 0]:
-                    return False
-    return True
+def one_hull(strips, of):
+    """Have the conditions ``of`` (W,) of strips (n, z, 5) all the same forms of them?"""
+    different = 0
+    for l in range(1, of.size):
+        if of[l] != of[0]:
+            for z in range(strips.shape[1]):
+                for j in range(3):
+                    different += strips[of[l], z, j] != strips[of[0], z, j]
+    return different == 0
 
 
 @batch_kernel
@@ -45,9 +46,9 @@ def drag(strips, velocities, c, s, columns, sums):
 
 @batch_kernel
 def lay_out_forms(strips, forms):
-    """The forms (v, p, r) of the first lane's strips, and twice their products (vv, vp, vr, pp, pr, rr), as numbers (z, 9)."""
+    """The forms (v, p, r) of strips (z, 5), and twice their products (vv, vp, vr, pp, pr, rr), as numbers (z, 9)."""
     for z in range(strips.shape[0]):
-        v, p, r = strips[z, 0, 0], strips[z, 1, 0], strips[z, 2, 0]
+        v, p, r = strips[z, 0], strips[z, 1], strips[z, 2]
         forms[z, 0], forms[z, 1], forms[z, 2] = v, p, r
         forms[z, 3], forms[z, 4], forms[z, 5] = 2.0 * (v * v), 2.0 * (v * p), 2.0 * (v * r)
         forms[z, 6], forms[z, 7], forms[z, 8] = 2.0 * (p * p), 2.0 * (p * r), 2.0 * (r * r)

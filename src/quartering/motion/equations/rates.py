@@ -74,7 +74,7 @@ class Parts(NamedTuple):
 class Lanes(NamedTuple):
     """`Parts` of a row of lanes, the lane in the last axis, and what `note_equal_lanes` finds.
 
-    ``alike`` (2,): have all the same strips but for the water, and the same table of the restoring moment? Then what the strips
+    ``of`` (W,): which condition stands in each lane. ``alike`` (2,): have all the same strips but for the water, and the same table of the restoring moment? Then what the strips
     have alike stands in ``forms`` (z, 9), see `drag`, and that table in ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
     """
 
@@ -93,6 +93,7 @@ class Lanes(NamedTuple):
     table: Floats
     guide: NDArray[np.int64]
     forms: Floats
+    of: NDArray[np.int64]
     alike: NDArray[np.bool_]
 
 
@@ -106,7 +107,7 @@ def row_of_lanes(parts, width):
         np.zeros((parts.inputs.shape[1], parts.inputs.shape[2], width)), np.zeros((parts.strips.shape[1], 5, width)),
         np.zeros((3, 3, width)), np.zeros((parts.knots.shape[1], width)), np.zeros((parts.knots.shape[1], 4, width)),
         np.zeros((3, width)), np.zeros((parts.knots.shape[1], 5)), np.zeros(CELLS, np.int64), np.zeros((parts.strips.shape[1], 9)),
-        np.zeros(2, np.bool_),
+        np.zeros(width, np.int64), np.zeros(2, np.bool_),
     )  # fmt: skip
 
 
@@ -128,23 +129,34 @@ def _put(parts, i, strength, lanes, l):
         for h in range(parts.inputs.shape[2]):
             lanes.inputs[e, h, l] = parts.inputs[i, e, h]
     for z in range(parts.strips.shape[1]):
-        for j in range(5):
-            lanes.strips[z, j, l] = parts.strips[i, z, j]
-    for b in range(parts.knots.shape[1]):
-        lanes.knots[b, l] = parts.knots[i, b]
-        for j in range(4):
-            lanes.cubics[b, j, l] = parts.cubics[i, b, j]
+        lanes.strips[z, 3, l], lanes.strips[z, 4, l] = parts.strips[i, z, 3], parts.strips[i, z, 4]
+    lanes.of[l] = i
 
 
 @batch_kernel
-def note_equal_lanes(lanes):
-    """Note what all lanes have alike, so that it need be read once for them all."""
-    lanes.alike[0] = one_hull(lanes.strips)
+def note_equal_lanes(parts, lanes):
+    """Lay out once for all lanes what they have alike: the forms of strips, and the table of the restoring moment.
+
+    What differs is copied into the lanes, which is to be done after conditions have been put into them.
+    """
+    first, last = lanes.of[0], parts.knots.shape[1] - 1
+    lanes.alike[0] = one_hull(parts.strips, lanes.of)
+    lanes.alike[1] = last >= 0 and one_table(parts.knots, parts.cubics, lanes.of)
     if lanes.alike[0]:
-        lay_out_forms(lanes.strips, lanes.forms)
-    lanes.alike[1] = lanes.knots.shape[0] > 0 and one_table(lanes.knots, lanes.cubics)
+        lay_out_forms(parts.strips[first], lanes.forms)
     if lanes.alike[1]:
-        lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
+        lay_out(parts.knots[first], parts.cubics[first], lanes.table, lanes.guide)
+    for l in range(lanes.of.size):
+        i = lanes.of[l]
+        if not lanes.alike[0]:
+            for z in range(parts.strips.shape[1]):
+                for j in range(3):
+                    lanes.strips[z, j, l] = parts.strips[i, z, j]
+        if not lanes.alike[1]:
+            for b in range(last + 1):
+                lanes.knots[b, l] = parts.knots[i, b]
+                for j in range(4):
+                    lanes.cubics[b, j, l] = parts.cubics[i, b, j]
 
 
 @batch_kernel
@@ -152,12 +164,12 @@ def gather(begin, last, parts, lanes):
     """Copy the conditions from ``begin`` on into the lanes; those left over hold the last condition again."""
     for l in range(lanes.frequency.size):
         _put(parts, min(begin + l, last - 1), 1.0, lanes, l)
-    note_equal_lanes(lanes)
+    note_equal_lanes(parts, lanes)
 
 
 @batch_kernel
 def fill_lane(parts, i, lanes, l):
-    """Copy condition ``i`` into lane ``l``."""
+    """Copy condition ``i`` into lane ``l``; `note_equal_lanes` follows when all are there."""
     _put(parts, i, 1.0, lanes, l)
 
 
@@ -166,10 +178,7 @@ def fill(i, strength, parts, lanes):
     """Copy one condition into all lanes, its nonlinear parts times ``strength``."""
     for l in range(lanes.frequency.size):
         _put(parts, i, strength, lanes, l)
-    lanes.alike[0], lanes.alike[1] = True, lanes.knots.shape[0] > 0
-    lay_out_forms(lanes.strips, lanes.forms)
-    if lanes.alike[1]:
-        lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
+    note_equal_lanes(parts, lanes)
 
 
 @batch_kernel

@@ -417,7 +417,7 @@ def newton_batch(first, last, program, parts, tables, given_start, from_rest, st
                     taken += 1
                 ahead += 1
         if taken > 0:
-            note_equal_lanes(lanes)
+            note_equal_lanes(parts, lanes)
             _linear(lanes, factors, linear_motion, side)
         working = False
         for l in range(WIDTH):
