@@ -251,6 +251,9 @@ def forces(program, lanes, c, s, columns, sums, force):
     Source: [H71] eq. (3).
     """
     linear, coefficients, products = lanes.linear, lanes.coefficients, program.products
+    if _without_products(program, lanes):
+        _forces_without_products(program, lanes, c, s, columns, sums, force)
+        return
     multiply(program.links, 0, program.values, columns)
     for k in range(3, linear.shape[0]):
         row = every(0.0)
@@ -278,22 +281,56 @@ def forces(program, lanes, c, s, columns, sums, force):
 def add_strips_and_table(program, lanes, c, s, columns, sums, force):
     """Add to the right-hand sides what drag by strips and a table of the restoring moment do."""
     if lanes.strips.shape[0] > 0:
-        if lanes.alike[0]:
-            drag_of_one_hull(lanes.strips, lanes.forms, program.velocities, c, s, columns, sums)
-        else:
-            drag(lanes.strips, program.velocities, c, s, columns, sums)
+        _forces_of_strips(program, lanes, c, s, columns, sums)
         y, m, n = load(sums, 0), load(sums, 1), load(sums, 2)
         for k in range(3):
             part = load(lanes.push, (k, 0)) * y + load(lanes.push, (k, 1)) * m
             store(force, k, load(force, k) + (part + load(lanes.push, (k, 2)) * n))
     if lanes.knots.shape[0] > 0:
-        angle = columns[program.displacements[1]]
-        if lanes.alike[1]:
-            moment_of_table(lanes.table, lanes.guide, angle, sums[0])
-        else:
-            moment_of_tables(lanes.knots, lanes.cubics, angle, sums[0])
+        _moment(program, lanes, columns, sums)
         for k in range(3):
-            store(force, k, load(force, k) + load(lanes.arm, k) * load(sums, 0))
+            store(force, k, load(force, k) + load(lanes.arm, k) * load(sums, 6))
+
+
+@batch_kernel
+def _without_products(program, lanes):
+    """Is there nothing beside linear terms in (v, phi, p, r) but drag by strips and a table, as of most ships?"""
+    plain = program.products.size == 0 and program.states == PLAIN
+    return plain and lanes.strips.shape[0] > 0 and lanes.knots.shape[0] > 0
+
+
+@batch_kernel
+def _forces_of_strips(program, lanes, c, s, columns, sums):
+    """The three sums of drag by strips, in front."""
+    if lanes.alike[0]:
+        drag_of_one_hull(lanes.strips, lanes.forms, program.velocities, c, s, columns, sums)
+    else:
+        drag(lanes.strips, program.velocities, c, s, columns, sums)
+
+
+@batch_kernel
+def _moment(program, lanes, columns, sums):
+    """Moment of the table, behind the sums of strips."""
+    angle = columns[program.displacements[1]]
+    if lanes.alike[1]:
+        moment_of_table(lanes.table, lanes.guide, angle, sums[6])
+    else:
+        moment_of_tables(lanes.knots, lanes.cubics, angle, sums[6])
+
+
+@batch_kernel
+def _forces_without_products(program, lanes, c, s, columns, sums, force):
+    """`forces` where `_without_products`: each is written once."""
+    linear, push = lanes.linear, lanes.push
+    _forces_of_strips(program, lanes, c, s, columns, sums)
+    _moment(program, lanes, columns, sums)
+    v, angle, p, r = load(columns, 0), load(columns, 1), load(columns, 2), load(columns, 3)
+    y, m, n, moment = load(sums, 0), load(sums, 1), load(sums, 2), load(sums, 6)
+    for k in range(3):
+        own = load(linear, (k, 0)) * v + load(linear, (k, 1)) * angle + load(linear, (k, 2)) * p
+        own += load(linear, (k, 3)) * r
+        own += load(push, (k, 0)) * y + load(push, (k, 1)) * m + load(push, (k, 2)) * n
+        store(force, k, own + load(lanes.arm, k) * moment)
 
 
 @batch_kernel
@@ -303,7 +340,7 @@ def slopes(program, lanes, c, s, columns, sums, jacobian):
     Source: [H71] eq. (8).
     """
     linear, coefficients = lanes.linear, lanes.coefficients
-    if program.products.size == 0 and program.states == PLAIN and lanes.strips.shape[0] > 0 and lanes.knots.shape[0] > 0:
+    if _without_products(program, lanes):
         _slopes_without_products(program, lanes, c, s, columns, sums, jacobian)
         return
     multiply(program.links, 0, program.links.shape[0], columns)
@@ -355,7 +392,7 @@ def _slopes_of_table(program, lanes, columns, sums):
 
 @batch_kernel
 def _slopes_without_products(program, lanes, c, s, columns, sums, jacobian):
-    """`slopes` of (v, phi, p, r) where drag by strips and a table stand beside the linear terms: each is written once."""
+    """`slopes` where `_without_products`: each is written once."""
     _slopes_of_strips(program, lanes, c, s, columns, sums)
     _slopes_of_table(program, lanes, columns, sums)
     for k in range(3):
