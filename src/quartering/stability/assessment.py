@@ -49,14 +49,19 @@ def assess(
     """
     first = 1 if orders[0] == 0 else 0
     fundamental = u[:, :, first] - 1j * u[:, :, first + 1]
+    along, transition = None, None
     if detail == "map" and goes_in_one_pass(system, accuracy):
         phasors, rate, transition = in_one_pass(system, u, orders, accuracy)
-        indices, known = first_order(system, phasors, fundamental, detail), {"transition": transition}
+        indices = first_order(system, phasors, fundamental, detail)
     else:
         phasors, along = variation_along(system, u, orders)
-        indices, known = first_order(system, phasors, fundamental, detail), {"variation": (phasors, along)}
+        indices = first_order(system, phasors, fundamental, detail)
         rate = fastest_rate(phasors, indices.mean_jacobian)
-    multipliers = floquet(system, u, orders, rate, _trace(system, phasors), accuracy, detail=detail, **known)
+    variation = None if along is None else (phasors, along)
+    multipliers = floquet(
+        system, u, orders, rate, _trace(system, phasors), accuracy,
+        variation=variation, transition=transition, detail=detail,
+    )  # fmt: skip
     calm = linear_exponents(system)
     return Assessment(indices, multipliers, kinds(multipliers, calm), calm)
 

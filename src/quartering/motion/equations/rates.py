@@ -74,8 +74,9 @@ class Parts(NamedTuple):
 class Lanes(NamedTuple):
     """`Parts` of a row of lanes, the lane in the last axis, and what `note_equal_lanes` finds.
 
-    ``of`` (W,): which condition stands in each lane. ``alike`` (2,): have all the same strips but for the water, and the same table of the restoring moment? Then what the strips
-    have alike stands in ``forms`` (z, 9), see `drag`, and that table in ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
+    ``of`` (W,): which condition stands in each lane. ``alike`` (2,): have all the same strips but for the water, and the same
+    table of the restoring moment? Then what the strips have alike stands in ``forms`` (z, 9), see `drag`, and that table in
+    ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
     """
 
     linear: Floats
@@ -106,8 +107,8 @@ def row_of_lanes(parts, width):
         np.zeros((3, width)), np.zeros((3, width)), np.zeros(width),
         np.zeros((parts.inputs.shape[1], parts.inputs.shape[2], width)), np.zeros((parts.strips.shape[1], 5, width)),
         np.zeros((3, 3, width)), np.zeros((parts.knots.shape[1], width)), np.zeros((parts.knots.shape[1], 4, width)),
-        np.zeros((3, width)), np.zeros((parts.knots.shape[1], 5)), np.zeros(CELLS, np.int64), np.zeros((parts.strips.shape[1], 9)),
-        np.zeros(width, np.int64), np.zeros(2, np.bool_),
+        np.zeros((3, width)), np.zeros((parts.knots.shape[1], 5)), np.zeros(CELLS, np.int64),
+        np.zeros((parts.strips.shape[1], 9)), np.zeros(width, np.int64), np.zeros(2, np.bool_),
     )  # fmt: skip
 
 

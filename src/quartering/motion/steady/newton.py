@@ -328,8 +328,8 @@ def _judge(l, sign, sizes, stage):
         return 1
     if not (last <= 0.75 * left or (left < 1e-9 and last < 10.0 * left)):
         return 1
-    # Steps with one matrix shrink by one factor, last/left: done when the next one would be at rounding, or where there is none,
-    # as without excitation.
+    # Steps with one matrix shrink by one factor, last/left: done when the next one would be at rounding, or nil, as
+    # it is without excitation.
     if last * last < 1e-13 * left or last == 0.0 or (left < 1e-9 and last > 0.01 * left):
         stage[l] = _DONE
     return 3

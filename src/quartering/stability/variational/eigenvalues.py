@@ -1,7 +1,7 @@
 """Eigenvalues of many small real matrices: the double-shift QR algorithm, compiled.
 
-LAPACK spends most of its time on a 4 x 4 matrix in being called. Here eight of them go side by side: each sweep is one long chain
-of square roots and divisions, and eight chains take no longer than one.
+LAPACK spends most of its time on a 4 x 4 matrix in being called. Here eight of them go side by side: each sweep is one long
+chain of square roots and divisions, and eight chains take no longer than one.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -135,7 +135,8 @@ def _split_off(a, l, norm, block, shift, sweeps, values):
 def _shifts(a, l, block, shift, sweeps, begin):
     """What the first reflection of lane ``l`` is made from, into ``begin`` (8, W): x, y and product of the shifts, elements.
 
-    Francis' step has the two shifts s1, s2 that are eigenvalues of the last 2 x 2 block, s1 + s2 = x + y, s1 s2 = x y - product.
+    Francis' step has the two shifts s1, s2 that are eigenvalues of the last 2 x 2 block: s1 + s2 = x + y,
+    s1 s2 = x y - product.
     """
     first, last = block[0, l], block[1, l]
     x, y = a[last, last, l], a[last - 1, last - 1, l]
