@@ -24,6 +24,7 @@ from quartering.stability.assessment import assess
 from quartering.stability.first_order import roll_mode
 from quartering.stability.variational.floquet import fastest_rate, floquet
 from quartering.stability.variational.magnus import magnus_steps
+from quartering.stability.variational.one_pass import in_one_pass
 from quartering.stability.variational.variation import variation_along
 
 BLOCK, ORDERS, ACCURACY = 1024, (1, 3), 1e-6
@@ -73,11 +74,10 @@ def ship_at(ship):
 def motion_and_stability(system, accuracy=ACCURACY):
     """Periodic motion, multipliers, K2, S = -K2/(2 n2)."""
     u, status, _ = harmonic_balance(system, ORDERS)
-    phasors, along = variation_along(system, u, ORDERS)
+    phasors, rate, transition = in_one_pass(system, u, ORDERS, accuracy)
     n2, _, roll_rate = roll_mode(phasors[:, 0].real, system.linear)
     trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
-    rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
-    result = floquet(system, u, ORDERS, rate, trace, accuracy, variation=(phasors, along), detail="map")
+    result = floquet(system, u, ORDERS, rate, trace, accuracy, transition=transition, detail="map")
     return u, status, result.multipliers, 2 * n2 * roll_rate, -roll_rate
 
 

@@ -7,6 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.compiled import kernel
+from quartering._machine.threads import in_threads
+
 
 def rowwise(rows: NDArray[Any], matrix: NDArray[Any]) -> NDArray[Any]:
     """Each row times a matrix, every row by a product of its own.
@@ -36,3 +39,31 @@ def contracted(one: NDArray[Any], other: NDArray[Any]) -> NDArray[Any]:
         for j in range(1, one.shape[-1]):
             total = total + one[..., j] * other[..., j]
     return np.asarray(total)
+
+
+def largest_of_rows(rows: NDArray[Any], matrix: NDArray[Any]) -> NDArray[np.float64]:
+    """Largest modulus in each row times a matrix.
+
+    rows (n, k)
+    matrix (k, m)
+    Returns (n,): NaN of a row that is not finite
+
+    >>> largest_of_rows(np.array([[1.0, -2.0]]), np.eye(2)).tolist()
+    [2.0]
+    """
+    given = (np.require(a, float, ("C", "W")) for a in (rows, matrix))
+    out = np.empty(len(rows))
+    in_threads(_largest, len(rows), *given, out)
+    return out
+
+
+@kernel
+def _largest(first, last, rows, matrix, out):  # type: ignore[no-untyped-def]
+    """`largest_of_rows` of rows first..last."""
+    own = np.empty(matrix.shape[1])
+    for i in range(first, last):
+        own[:] = 0.0
+        for k in range(matrix.shape[0]):
+            for m in range(own.size):
+                own[m] += rows[i, k] * matrix[k, m]
+        out[i] = np.nan if np.isnan(own[0]) else np.abs(own).max()

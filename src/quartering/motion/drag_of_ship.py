@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from quartering.conventions import GRAVITY
 from quartering.hull.hydrostatics import hydrostatics
+from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
@@ -35,10 +37,8 @@ def drag_strips(
     the drag; wave kinematics, closed form.
     """
     k, U, mu = (np.asarray(values, dtype=float)[:, None] for values in (wavenumber, speed, heading))
-    sections, loading = strips(ship.hull), ship.loading
-    x, area, draught = sections.x, sections.draught * sections.weight, sections.draught
-    if points is not None:
-        x, area, draught = gauss_of_stations(x, area, draught, points)
+    loading = ship.loading
+    x, area, draught = _of_hull(ship.hull, points)
     x = x - hydrostatics(ship).lcb
     along, across = heading_components(mu)
     sigma = np.sqrt(GRAVITY * k)
@@ -50,6 +50,14 @@ def drag_strips(
         c=0.5 * loading.density * ship.drag_coefficient * area,
         water=folded(omega, water)[1],
     )
+
+
+@lru_cache(maxsize=64)
+def _of_hull(hull: Hull, points: int | None) -> tuple[Floats, Floats, Floats]:
+    """Where the strips stand, their area and draught: they belong to the hull alone."""
+    sections = strips(hull)
+    x, area, draught = sections.x, sections.draught * sections.weight, sections.draught
+    return (x, area, draught) if points is None else gauss_of_stations(x, area, draught, points)
 
 
 def moving_water(

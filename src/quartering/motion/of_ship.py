@@ -56,8 +56,7 @@ class ShipSystem:
         Returns m h conditions, the heights of one condition beside each other
         """
         count = amplitude.shape[1]
-        spread = self.system.each(lambda array: np.repeat(array, count, axis=0)) if count > 1 else self.system
-        raised = spread.raised(amplitude.reshape(-1))
+        raised = self.system.repeated(count).raised(amplitude.reshape(-1))
         return raised if self.matching is None else self.matching.at_motion(raised, amplitude.reshape(-1))
 
 

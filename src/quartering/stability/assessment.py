@@ -7,11 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.motion.equations.steering import HEADING, RUDDER
+from quartering.motion.equations.steering import RUDDER
 from quartering.motion.equations.system import Floats, System
 from quartering.stability.first_order import Detail, FirstOrder, first_order
 from quartering.stability.kind import kinds, linear_exponents
 from quartering.stability.variational.floquet import Floquet, fastest_rate, floquet
+from quartering.stability.variational.one_pass import goes_in_one_pass, in_one_pass
 from quartering.stability.variational.variation import variation_along
 
 
@@ -46,13 +47,21 @@ def assess(
 
     Source: [H71] eqs. (8)-(15), completed; Floquet's theorem.
     """
-    phasors, along = variation_along(system, u, orders)
     first = 1 if orders[0] == 0 else 0
-    indices = first_order(system, phasors, u[:, :, first] - 1j * u[:, :, first + 1], detail)
-    rate = fastest_rate(phasors, indices.mean_jacobian)
+    fundamental = u[:, :, first] - 1j * u[:, :, first + 1]
+    along, transition = None, None
+    if detail == "map" and goes_in_one_pass(system, accuracy):
+        phasors, rate, transition = in_one_pass(system, u, orders, accuracy)
+        indices = first_order(system, phasors, fundamental, detail)
+    else:
+        phasors, along = variation_along(system, u, orders)
+        indices = first_order(system, phasors, fundamental, detail)
+        rate = fastest_rate(phasors, indices.mean_jacobian)
+    variation = None if along is None else (phasors, along)
     multipliers = floquet(
-        system, u, orders, rate, _trace(system, phasors), accuracy, variation=(phasors, along), detail=detail
-    )
+        system, u, orders, rate, _trace(system, phasors), accuracy,
+        variation=variation, transition=transition, detail=detail,
+    )  # fmt: skip
     calm = linear_exponents(system)
     return Assessment(indices, multipliers, kinds(multipliers, calm), calm)
 
@@ -71,12 +80,11 @@ def leading_growth(system: System, u: Floats, orders: tuple[int, ...], accuracy:
     >>> leading_growth(system, u, orders).round(4).tolist()
     [-0.05]
     """
-    if system.states > HEADING:  # an autopilot: the steps are chosen by the eigenvalues of the mean
+    if not goes_in_one_pass(system, accuracy):
         return assess(system, u, orders, accuracy, detail="map").floquet.growth
-    phasors, along = variation_along(system, u, orders)
-    rate = fastest_rate(phasors, np.full((system.count, 4), np.nan))
+    phasors, rate, transition = in_one_pass(system, u, orders, accuracy)
     trace = _trace(system, phasors)
-    return floquet(system, u, orders, rate, trace, accuracy, variation=(phasors, along), detail="map").growth
+    return floquet(system, u, orders, rate, trace, accuracy, transition=transition, detail="map").growth
 
 
 def _trace(system: System, phasors: NDArray[np.complex128]) -> Floats:

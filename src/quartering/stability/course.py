@@ -1,17 +1,20 @@
 """First-order stability of the course: the slow sway-yaw modes averaged over the wave, alone and combined with roll."""
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.rowwise import contracted
+from quartering._machine.compiled import kernel
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.steering import HEADING, RUDDER
 from quartering.motion.equations.system import Floats
 from quartering.stability.variational.eigenvalues import eigenvalues
 
 Complex = NDArray[np.complex128]
-_VELOCITIES = [0, 2, 3]
+_OF_MODE = (0, 2, 3)
+"""State that is the velocity of sway, roll, yaw."""
 
 
 def course_matrix(mean: Floats, rho: Floats, linear: Floats) -> Floats:
@@ -76,21 +79,37 @@ def combination_rate(w: Floats, n2: Floats, rho: Floats, rate: Floats, slow: Flo
     Source: [H71] eq. (8), averaged as its eqs. (13)-(15) are, for the combination the paper leaves out (an addition).
     Valid: as `first_order`.
     """
-    n = w.size
-    two, four = phasors[:, 1], phasors[:, 2]
-    d2, d4 = two[:, :, _VELOCITIES], four[:, :, _VELOCITIES]
-    c = (four[:, 1, 1] - 1j * n2 * contracted(rho, d4[:, 1])) / (4j * n2)
-    diagonal = rate - 1j * (2 * w - n2)
-    into_roll = d2[:, 1][:, [0, 2]] / (4j * n2)[:, None]
-    modulation = contracted(d2, rho[:, None])
-    drive = 1j * n2[:, None] * np.conj(modulation - rho * modulation[:, [1]])[:, [0, 2]]
     states = 2 + slow.shape[1]
-    matrix = np.zeros((n, states, states))
-    matrix[:, 0, 0] = (diagonal + c).real
-    matrix[:, 0, 1] = -(diagonal - c).imag
-    matrix[:, 1, 0] = (diagonal + c).imag
-    matrix[:, 1, 1] = (diagonal - c).real
-    matrix[:, 0, 2:4], matrix[:, 1, 2:4] = into_roll.real, into_roll.imag
-    matrix[:, 2:4, 0], matrix[:, 2:4, 1] = drive.real, -drive.imag
-    matrix[:, 2:, 2:] = slow
+    matrix = np.zeros((w.size, states, states))
+    given = (np.require(a, requirements=("C", "W")) for a in (w, n2, rho, rate, slow, phasors))
+    in_threads(_combined, w.size, *given, matrix)
     return np.asarray(eigenvalues(matrix).real.max(axis=1))
+
+
+@kernel
+def _combined(first, last, w, n2, rho, rate, slow, phasors, matrix):
+    """Matrices (n, s, s) of roll's slowly varying amplitude and the slow modes."""
+    for i in range(first, last):
+        by = 4j * n2[i]
+        damping = 0.0j
+        for j in range(3):
+            damping += rho[i, j] * phasors[i, 2, 1, _OF_MODE[j]]
+        c = (phasors[i, 2, 1, 1] - 1j * n2[i] * damping) / by
+        diagonal = rate[i] - 1j * (2.0 * w[i] - n2[i])
+        matrix[i, 0, 0], matrix[i, 0, 1] = (diagonal + c).real, -(diagonal - c).imag
+        matrix[i, 1, 0], matrix[i, 1, 1] = (diagonal + c).imag, (diagonal - c).real
+        of_roll = 0.0j
+        for j in range(3):
+            of_roll += phasors[i, 1, 1, _OF_MODE[j]] * rho[i, j]
+        for m in range(2):
+            k = 2 * m  # sway, yaw
+            into_roll = phasors[i, 1, 1, _OF_MODE[k]] / by
+            own = 0.0j
+            for j in range(3):
+                own += phasors[i, 1, k, _OF_MODE[j]] * rho[i, j]
+            drive = 1j * n2[i] * np.conj(own - rho[i, k] * of_roll)
+            matrix[i, 0, 2 + m], matrix[i, 1, 2 + m] = into_roll.real, into_roll.imag
+            matrix[i, 2 + m, 0], matrix[i, 2 + m, 1] = drive.real, -drive.imag
+        for a in range(slow.shape[1]):
+            for b in range(slow.shape[1]):
+                matrix[i, 2 + a, 2 + b] = slow[i, a, b]

@@ -3,6 +3,7 @@
 Everything here is algebra on the harmonics of the variational matrix, vectorised over conditions (n,).
 """
 
+# mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -11,7 +12,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from quartering._machine.compiled import kernel
 from quartering._machine.rowwise import contracted
+from quartering._machine.threads import in_threads
 from quartering.motion.equations.steering import HEADING, RUDDER, feedback, state_matrix
 from quartering.motion.equations.system import Floats, System
 from quartering.stability.course import combination_rate, course_matrix, course_rates
@@ -83,35 +86,65 @@ def _averaged_roll_pair(system: System, phasors: Complex, detail: Detail) -> Com
     For a map the eigenvalues nearest to those of roll alone are taken where they are clearly the nearest.
     """
     frequency = np.where(system.finite, system.frequency, 1.0)
-    steering = feedback(system.linear, frequency)
-    w = frequency[:, None]
-    n = frequency.size
-    matrix = np.empty((n, 6, 6))
-    for column in range(6):
-        k, displacement = column % 3, (1.0 if column < 3 else -1j)
-        state = np.zeros((n, 4), dtype=complex)
-        state[:, _VELOCITIES[k]] = 1j * frequency * displacement
-        if k == 1:
-            state[:, 1] = displacement
-        force = contracted(phasors[:, 0], state[:, None]) + 0.5 * contracted(phasors[:, 1], state.conj()[:, None])
-        error = -force if k < 2 else -force - displacement * steering
-        error[:, k] -= frequency**2 * displacement
-        matrix[:, :3, column] = -error.imag / (2 * w)
-        matrix[:, 3:, column] = -error.real / (2 * w)
+    matrix = np.empty((system.count, 6, 6))
+    given = np.require(phasors, requirements=("C", "W")), frequency, feedback(system.linear, frequency)
+    in_threads(_averaged, system.count, *given, matrix)
     if detail == "full":
         return _in_roll(matrix)
-    values = eigenvalues(matrix)
-    own = matrix[:, [[1, 1], [4, 4]], [[1, 4], [1, 4]]]  # roll alone, sway and yaw at rest
-    middle, apart = 0.5 * (own[:, 0, 0] + own[:, 1, 1]), 0.25 * (own[:, 0, 0] - own[:, 1, 1]) ** 2
-    root = np.sqrt((apart + own[:, 0, 1] * own[:, 1, 0]).astype(complex))
-    away = np.minimum(np.abs(values - (middle + root)[:, None]), np.abs(values - (middle - root)[:, None]))
-    order = np.argsort(away, axis=1)
-    away = np.take_along_axis(away, order, axis=1)
-    pair = np.take_along_axis(values, order[:, :2], axis=1)
-    doubtful = np.flatnonzero(~(away[:, 1] < _CLEARLY * away[:, 2]))
+    pair, clear = np.empty((system.count, 2), dtype=complex), np.empty(system.count, dtype=bool)
+    in_threads(_nearest_to_roll, system.count, matrix, eigenvalues(matrix), pair, clear)
+    doubtful = np.flatnonzero(~clear)
     if doubtful.size:
         pair[doubtful] = _in_roll(matrix[doubtful])
     return pair
+
+
+@kernel
+def _averaged(first, last, phasors, frequency, steering, matrix):
+    """Averaged equations (n, 6, 6): derivatives of the rates of A and B of sway, roll, yaw by themselves.
+
+    ``steering`` (n, 3): an autopilot's answer to the heading
+    """
+    for i in range(first, last):
+        w = frequency[i]
+        for column in range(6):
+            j, displacement = column % 3, (1.0 + 0.0j if column < 3 else -1j)
+            velocity, swing = j if j == 0 else j + 1, 1j * w * displacement
+            for k in range(3):
+                force = phasors[i, 0, k, velocity] * swing
+                other = phasors[i, 1, k, velocity] * np.conj(swing)
+                if j == 1:
+                    force += phasors[i, 0, k, 1] * displacement
+                    other += phasors[i, 1, k, 1] * np.conj(displacement)
+                error = -(force + 0.5 * other)
+                if j == 2:
+                    error -= displacement * steering[i, k]
+                if j == k:
+                    error -= w * w * displacement
+                matrix[i, k, column] = -error.imag / (2.0 * w)
+                matrix[i, 3 + k, column] = -error.real / (2.0 * w)
+
+
+@kernel
+def _nearest_to_roll(first, last, matrix, values, pair, clear):
+    """The two of the eigenvalues (n, 6) nearest to those of roll alone, sway and yaw at rest; are they clearly the nearest?"""
+    for i in range(first, last):
+        a, b, c, d = matrix[i, 1, 1], matrix[i, 1, 4], matrix[i, 4, 1], matrix[i, 4, 4]
+        middle, root = 0.5 * (a + d), np.sqrt(0.25 * (a - d) ** 2 + b * c + 0.0j)
+        nearest, second, third = np.inf, np.inf, np.inf
+        pair[i, 0] = pair[i, 1] = complex(np.nan, np.nan)
+        for s in range(6):
+            own = values[i, s]
+            away = min(abs(own - (middle + root)), abs(own - (middle - root)))
+            if away < nearest:
+                nearest, second, third = away, nearest, second
+                pair[i, 0], pair[i, 1] = own, pair[i, 0]
+            elif away < second:
+                second, third = away, second
+                pair[i, 1] = own
+            elif away < third:
+                third = away
+        clear[i] = second < _CLEARLY * third
 
 
 def _in_roll(matrix: Floats) -> Complex:
@@ -158,7 +191,8 @@ def first_order(system: System, phasors: Complex, displacement: Complex, detail:
     Valid: damping small against omega and n2, n2 not near omega (use ``averaged``) unless stated.
     """
     finite = np.isfinite(phasors).reshape(system.count, -1).all(axis=1) & system.finite
-    phasors = np.where(finite[:, None, None, None], phasors, 0.0)
+    if not finite.all():
+        phasors = np.where(finite[:, None, None, None], phasors, 0.0)
     w = np.where(finite, system.frequency, 1.0)
     rows = phasors[:, 0].real.copy()
     mean = rows[:, :, _VELOCITIES]
@@ -186,6 +220,8 @@ def first_order(system: System, phasors: Complex, displacement: Complex, detail:
     literal = short_index(cubics, np.abs(moved), w, n2, None).sum(axis=1) + n2 * linear
 
     def known(values: Any, where: Any = oscillates) -> Any:
+        if where.all():
+            return values
         return np.where(where.reshape(-1, *[1] * (values.ndim - 1)), values, np.nan)
 
     return FirstOrder(

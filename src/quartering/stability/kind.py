@@ -116,8 +116,17 @@ def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
     and course when sway and yaw do; complex, roll, combination or course by the share of roll.  Others: a negative
     multiplier is period doubling, a positive one a fold.  Source: symmetry of [H71] eq. (3); shares are this library's.
     """
-    rows = np.arange(result.multipliers.shape[0])
-    mode = growing_mode(result, calm)
+    modulus = np.abs(result.multipliers[:, 0])
+    kind = np.where(np.isfinite(modulus), Kind.STABLE, Kind.NO_ANSWER).astype(np.int8)
+    grows = np.flatnonzero(modulus >= 1.0)
+    if grows.size:
+        kind[grows] = _mechanisms(result, calm, grows)
+    return kind
+
+
+def _mechanisms(result: Floquet, calm: NDArray[np.complex128], rows: NDArray[np.intp]) -> NDArray[np.int8]:
+    """Mechanisms of some of the motions, all of them unstable."""
+    mode, calm = growing_mode(result, calm)[rows], calm[rows]
     multiplier, half = result.multipliers[rows, mode], result.half[rows, mode]
     share = result.roll_share[rows, mode]
     symmetric = np.isfinite(half)
@@ -129,9 +138,7 @@ def kinds(result: Floquet, calm: NDArray[np.complex128]) -> NDArray[np.int8]:
     kind = np.where(real, np.where(share >= _HARDLY_ROLL, positive, Kind.COURSE), by_share)
     kind = np.where(negative, np.where(symmetric, Kind.FOLD, Kind.PERIOD_DOUBLING), kind)
     kind = np.where((kind == Kind.COURSE) & (calm[:, 0].real > 0), Kind.COURSE_IN_CALM_WATER, kind)
-    modulus = np.abs(result.multipliers[:, 0])
-    kind = np.where(modulus < 1.0, Kind.STABLE, kind)
-    return np.where(np.isfinite(modulus), kind, Kind.NO_ANSWER).astype(np.int8)
+    return np.asarray(kind.astype(np.int8))
 
 
 def near_fold(result: Floquet) -> NDArray[np.bool_]:

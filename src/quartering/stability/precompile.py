@@ -25,7 +25,7 @@ from quartering.motion.steady.harmonic import solve_with_care
 from quartering.motion.transient import approach
 from quartering.motion.transient.approach import capsizes_before
 from quartering.stability.assessment import assess
-from quartering.stability.variational import transition, variation
+from quartering.stability.variational import one_pass, transition
 
 NOTICE = "compiling numerical kernels, once (15 to 30 s)"
 NOT_KEPT = (
@@ -64,7 +64,7 @@ def compiled() -> bool:
     return all(_cached(module) for module in _MODULES)
 
 
-_MODULES = (diffraction, harmonic, variation, transition, approach)
+_MODULES = (diffraction, harmonic, one_pass, transition, approach)
 
 
 def _folders(module: ModuleType) -> set[str]:

@@ -64,7 +64,9 @@ def roll_cubics(system: System, displacement: Complex) -> Floats:
 
     displacement (n, 3): fundamental of sway [m], roll, yaw, at which the strips' cubics lose the energy of |q| q
     """
-    cubics = np.stack([roll_cubic(system, name) for name in CUBICS], axis=1)
+    cubics = np.zeros((system.count, len(CUBICS)))
+    if len(system.powers):
+        cubics[:] = np.stack([roll_cubic(system, name) for name in CUBICS], axis=1)
     if system.has_drag:
         strips, push = (np.require(a, requirements=("C", "W")) for a in (system.strips, system.push))
         in_threads(_add_cubics_of_strips, system.count, strips, push, energy_velocity(system, displacement), cubics)

@@ -14,14 +14,15 @@ from quartering._machine.simd import every, load, size, store
 
 
 @batch_kernel
-def one_hull(strips):
-    """Have all lanes the same forms of their strips?"""
-    for z in range(strips.shape[0]):
-        for j in range(3):
-            for l in range(1, strips.shape[2]):
-                if strips[z, j, l] != strips[z, j, 0]:
-                    return False
-    return True
+def one_hull(strips, of):
+    """Have the conditions ``of`` (W,) of strips (n, z, 5) all the same forms of them?"""
+    different = 0
+    for l in range(1, of.size):
+        if of[l] != of[0]:
+            for z in range(strips.shape[1]):
+                for j in range(3):
+                    different += strips[of[l], z, j] != strips[of[0], z, j]
+    return different == 0
 
 
 @batch_kernel
@@ -44,13 +45,23 @@ def drag(strips, velocities, c, s, columns, sums):
 
 
 @batch_kernel
-def drag_of_one_hull(strips, velocities, c, s, columns, sums):
+def lay_out_forms(strips, forms):
+    """The forms (v, p, r) of strips (z, 5), and twice their products (vv, vp, vr, pp, pr, rr), as numbers (z, 9)."""
+    for z in range(strips.shape[0]):
+        v, p, r = strips[z, 0], strips[z, 1], strips[z, 2]
+        forms[z, 0], forms[z, 1], forms[z, 2] = v, p, r
+        forms[z, 3], forms[z, 4], forms[z, 5] = 2.0 * (v * v), 2.0 * (v * p), 2.0 * (v * r)
+        forms[z, 6], forms[z, 7], forms[z, 8] = 2.0 * (p * p), 2.0 * (p * r), 2.0 * (r * r)
+
+
+@batch_kernel
+def drag_of_one_hull(strips, forms, velocities, c, s, columns, sums):
     """`drag` where all lanes have the strips of one hull, so that their forms are numbers: a third of the memory is read."""
     sway, roll, yaw = velocities[0], velocities[1], velocities[2]
     by_v, by_p, by_r = load(columns, sway), load(columns, roll), load(columns, yaw)
     y, m, n = every(0.0), every(0.0), every(0.0)
     for z in range(strips.shape[0]):
-        v, p, r = strips[z, 0, 0], strips[z, 1, 0], strips[z, 2, 0]
+        v, p, r = forms[z, 0], forms[z, 1], forms[z, 2]
         water = c * load(strips, (z, 3)) + s * load(strips, (z, 4))
         q = v * by_v + p * by_p + r * by_r - water
         f = q * size(q)
@@ -87,21 +98,20 @@ def drag_slopes(strips, velocities, c, s, columns, sums):
 
 
 @batch_kernel
-def drag_slopes_of_one_hull(strips, velocities, c, s, columns, sums):
+def drag_slopes_of_one_hull(strips, forms, velocities, c, s, columns, sums):
     """`drag_slopes` where all lanes have the strips of one hull."""
     sway, roll, yaw = velocities[0], velocities[1], velocities[2]
     by_v, by_p, by_r = load(columns, sway), load(columns, roll), load(columns, yaw)
     vv, vp, vr, pp, pr, rr = every(0.0), every(0.0), every(0.0), every(0.0), every(0.0), every(0.0)
     for z in range(strips.shape[0]):
-        v, p, r = strips[z, 0, 0], strips[z, 1, 0], strips[z, 2, 0]
         water = c * load(strips, (z, 3)) + s * load(strips, (z, 4))
-        g = 2.0 * size(v * by_v + p * by_p + r * by_r - water)
-        vv += g * (v * v)
-        vp += g * (v * p)
-        vr += g * (v * r)
-        pp += g * (p * p)
-        pr += g * (p * r)
-        rr += g * (r * r)
+        g = size(forms[z, 0] * by_v + forms[z, 1] * by_p + forms[z, 2] * by_r - water)
+        vv += g * forms[z, 3]
+        vp += g * forms[z, 4]
+        vr += g * forms[z, 5]
+        pp += g * forms[z, 6]
+        pr += g * forms[z, 7]
+        rr += g * forms[z, 8]
     store(sums, 0, vv)
     store(sums, 1, vp)
     store(sums, 2, vr)

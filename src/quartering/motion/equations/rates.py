@@ -15,8 +15,15 @@ from numpy.typing import NDArray
 
 from quartering._machine.compiled import batch_kernel, inner
 from quartering._machine.simd import LANES, every, load, size, store, where_less
-from quartering.motion.equations.drag import drag, drag_of_one_hull, drag_slopes, drag_slopes_of_one_hull, one_hull
-from quartering.motion.equations.program import SIGN, SIZE, TIMES
+from quartering.motion.equations.drag import (
+    drag,
+    drag_of_one_hull,
+    drag_slopes,
+    drag_slopes_of_one_hull,
+    lay_out_forms,
+    one_hull,
+)
+from quartering.motion.equations.program import PLAIN, SIGN, SIZE, TIMES
 from quartering.motion.equations.restoring import (
     CELLS,
     lay_out,
@@ -67,8 +74,9 @@ class Parts(NamedTuple):
 class Lanes(NamedTuple):
     """`Parts` of a row of lanes, the lane in the last axis, and what `note_equal_lanes` finds.
 
-    ``alike`` (2,): have all the same strips but for the water, and the same table of the restoring moment? Then that table
-    stands in ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
+    ``of`` (W,): which condition stands in each lane. ``alike`` (2,): have all the same strips but for the water, and the same
+    table of the restoring moment? Then what the strips have alike stands in ``forms`` (z, 9), see `drag`, and that table in
+    ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
     """
 
     linear: Floats
@@ -85,6 +93,8 @@ class Lanes(NamedTuple):
     arm: Floats
     table: Floats
     guide: NDArray[np.int64]
+    forms: Floats
+    of: NDArray[np.int64]
     alike: NDArray[np.bool_]
 
 
@@ -97,7 +107,8 @@ def row_of_lanes(parts, width):
         np.zeros((3, width)), np.zeros((3, width)), np.zeros(width),
         np.zeros((parts.inputs.shape[1], parts.inputs.shape[2], width)), np.zeros((parts.strips.shape[1], 5, width)),
         np.zeros((3, 3, width)), np.zeros((parts.knots.shape[1], width)), np.zeros((parts.knots.shape[1], 4, width)),
-        np.zeros((3, width)), np.zeros((parts.knots.shape[1], 5)), np.zeros(CELLS, np.int64), np.zeros(2, np.bool_),
+        np.zeros((3, width)), np.zeros((parts.knots.shape[1], 5)), np.zeros(CELLS, np.int64),
+        np.zeros((parts.strips.shape[1], 9)), np.zeros(width, np.int64), np.zeros(2, np.bool_),
     )  # fmt: skip
 
 
@@ -119,21 +130,34 @@ def _put(parts, i, strength, lanes, l):
         for h in range(parts.inputs.shape[2]):
             lanes.inputs[e, h, l] = parts.inputs[i, e, h]
     for z in range(parts.strips.shape[1]):
-        for j in range(5):
-            lanes.strips[z, j, l] = parts.strips[i, z, j]
-    for b in range(parts.knots.shape[1]):
-        lanes.knots[b, l] = parts.knots[i, b]
-        for j in range(4):
-            lanes.cubics[b, j, l] = parts.cubics[i, b, j]
+        lanes.strips[z, 3, l], lanes.strips[z, 4, l] = parts.strips[i, z, 3], parts.strips[i, z, 4]
+    lanes.of[l] = i
 
 
 @batch_kernel
-def note_equal_lanes(lanes):
-    """Note what all lanes have alike, so that it need be read once for them all."""
-    lanes.alike[0] = one_hull(lanes.strips)
-    lanes.alike[1] = lanes.knots.shape[0] > 0 and one_table(lanes.knots, lanes.cubics)
+def note_equal_lanes(parts, lanes):
+    """Lay out once for all lanes what they have alike: the forms of strips, and the table of the restoring moment.
+
+    What differs is copied into the lanes, which is to be done after conditions have been put into them.
+    """
+    first, last = lanes.of[0], parts.knots.shape[1] - 1
+    lanes.alike[0] = one_hull(parts.strips, lanes.of)
+    lanes.alike[1] = last >= 0 and one_table(parts.knots, parts.cubics, lanes.of)
+    if lanes.alike[0]:
+        lay_out_forms(parts.strips[first], lanes.forms)
     if lanes.alike[1]:
-        lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
+        lay_out(parts.knots[first], parts.cubics[first], lanes.table, lanes.guide)
+    for l in range(lanes.of.size):
+        i = lanes.of[l]
+        if not lanes.alike[0]:
+            for z in range(parts.strips.shape[1]):
+                for j in range(3):
+                    lanes.strips[z, j, l] = parts.strips[i, z, j]
+        if not lanes.alike[1]:
+            for b in range(last + 1):
+                lanes.knots[b, l] = parts.knots[i, b]
+                for j in range(4):
+                    lanes.cubics[b, j, l] = parts.cubics[i, b, j]
 
 
 @batch_kernel
@@ -141,12 +165,12 @@ def gather(begin, last, parts, lanes):
     """Copy the conditions from ``begin`` on into the lanes; those left over hold the last condition again."""
     for l in range(lanes.frequency.size):
         _put(parts, min(begin + l, last - 1), 1.0, lanes, l)
-    note_equal_lanes(lanes)
+    note_equal_lanes(parts, lanes)
 
 
 @batch_kernel
 def fill_lane(parts, i, lanes, l):
-    """Copy condition ``i`` into lane ``l``."""
+    """Copy condition ``i`` into lane ``l``; `note_equal_lanes` follows when all are there."""
     _put(parts, i, 1.0, lanes, l)
 
 
@@ -155,9 +179,7 @@ def fill(i, strength, parts, lanes):
     """Copy one condition into all lanes, its nonlinear parts times ``strength``."""
     for l in range(lanes.frequency.size):
         _put(parts, i, strength, lanes, l)
-    lanes.alike[0], lanes.alike[1] = True, lanes.knots.shape[0] > 0
-    if lanes.alike[1]:
-        lay_out(lanes.knots, lanes.cubics, lanes.table, lanes.guide)
+    note_equal_lanes(parts, lanes)
 
 
 @batch_kernel
@@ -186,15 +208,18 @@ def room_for(program, lanes):
     width = lanes.frequency.size
     rows, states = lanes.linear.shape[0], lanes.linear.shape[1]
     return (np.zeros((program.width, width)), np.zeros((rows, width)), np.zeros((rows, states, width)),
-            np.zeros((6, width)))  # fmt: skip
+            np.zeros((7, width)))  # fmt: skip
 
 
 @batch_kernel
 def enter_inputs(program, lanes, waves, columns):
     """Columns of the variables that known inputs enter: input, plus the state it is added to.
 
-    ``waves`` (h,) are 1 and cos, sin of the wave's phase and its multiples, alike in all lanes.
+    ``waves`` (h,) are 1 and cos, sin of the wave's phase and its multiples, alike in all lanes. Without products nobody asks
+    for them.
     """
+    if program.products.size == 0:
+        return
     for e in range(program.extra.size):
         column, of = program.states + e, program.extra[e]
         value = load(columns, of) if of >= 0 else every(0.0)
@@ -227,6 +252,9 @@ def forces(program, lanes, c, s, columns, sums, force):
     Source: [H71] eq. (3).
     """
     linear, coefficients, products = lanes.linear, lanes.coefficients, program.products
+    if _without_products(program, lanes):
+        _forces_without_products(program, lanes, c, s, columns, sums, force)
+        return
     multiply(program.links, 0, program.values, columns)
     for k in range(3, linear.shape[0]):
         row = every(0.0)
@@ -254,22 +282,56 @@ def forces(program, lanes, c, s, columns, sums, force):
 def add_strips_and_table(program, lanes, c, s, columns, sums, force):
     """Add to the right-hand sides what drag by strips and a table of the restoring moment do."""
     if lanes.strips.shape[0] > 0:
-        if lanes.alike[0]:
-            drag_of_one_hull(lanes.strips, program.velocities, c, s, columns, sums)
-        else:
-            drag(lanes.strips, program.velocities, c, s, columns, sums)
+        _forces_of_strips(program, lanes, c, s, columns, sums)
         y, m, n = load(sums, 0), load(sums, 1), load(sums, 2)
         for k in range(3):
             part = load(lanes.push, (k, 0)) * y + load(lanes.push, (k, 1)) * m
             store(force, k, load(force, k) + (part + load(lanes.push, (k, 2)) * n))
     if lanes.knots.shape[0] > 0:
-        angle = columns[program.displacements[1]]
-        if lanes.alike[1]:
-            moment_of_table(lanes.table, lanes.guide, angle, sums[0])
-        else:
-            moment_of_tables(lanes.knots, lanes.cubics, angle, sums[0])
+        _moment(program, lanes, columns, sums)
         for k in range(3):
-            store(force, k, load(force, k) + load(lanes.arm, k) * load(sums, 0))
+            store(force, k, load(force, k) + load(lanes.arm, k) * load(sums, 6))
+
+
+@batch_kernel
+def _without_products(program, lanes):
+    """Is there nothing beside linear terms in (v, phi, p, r) but drag by strips and a table, as of most ships?"""
+    plain = program.products.size == 0 and program.states == PLAIN
+    return plain and lanes.strips.shape[0] > 0 and lanes.knots.shape[0] > 0
+
+
+@batch_kernel
+def _forces_of_strips(program, lanes, c, s, columns, sums):
+    """The three sums of drag by strips, in front."""
+    if lanes.alike[0]:
+        drag_of_one_hull(lanes.strips, lanes.forms, program.velocities, c, s, columns, sums)
+    else:
+        drag(lanes.strips, program.velocities, c, s, columns, sums)
+
+
+@batch_kernel
+def _moment(program, lanes, columns, sums):
+    """Moment of the table, behind the sums of strips."""
+    angle = columns[program.displacements[1]]
+    if lanes.alike[1]:
+        moment_of_table(lanes.table, lanes.guide, angle, sums[6])
+    else:
+        moment_of_tables(lanes.knots, lanes.cubics, angle, sums[6])
+
+
+@batch_kernel
+def _forces_without_products(program, lanes, c, s, columns, sums, force):
+    """`forces` where `_without_products`: each is written once."""
+    linear, push = lanes.linear, lanes.push
+    _forces_of_strips(program, lanes, c, s, columns, sums)
+    _moment(program, lanes, columns, sums)
+    v, angle, p, r = load(columns, 0), load(columns, 1), load(columns, 2), load(columns, 3)
+    y, m, n, moment = load(sums, 0), load(sums, 1), load(sums, 2), load(sums, 6)
+    for k in range(3):
+        own = load(linear, (k, 0)) * v + load(linear, (k, 1)) * angle + load(linear, (k, 2)) * p
+        own += load(linear, (k, 3)) * r
+        own += load(push, (k, 0)) * y + load(push, (k, 1)) * m + load(push, (k, 2)) * n
+        store(force, k, own + load(lanes.arm, k) * moment)
 
 
 @batch_kernel
@@ -279,6 +341,9 @@ def slopes(program, lanes, c, s, columns, sums, jacobian):
     Source: [H71] eq. (8).
     """
     linear, coefficients = lanes.linear, lanes.coefficients
+    if _without_products(program, lanes):
+        _slopes_without_products(program, lanes, c, s, columns, sums, jacobian)
+        return
     multiply(program.links, 0, program.links.shape[0], columns)
     for k in range(3, linear.shape[0]):
         for state in range(linear.shape[1]):
@@ -297,21 +362,48 @@ def slopes(program, lanes, c, s, columns, sums, jacobian):
         store(jacobian, (1, state), y)
         store(jacobian, (2, state), z)
     if lanes.strips.shape[0] > 0:
-        if lanes.alike[0]:
-            drag_slopes_of_one_hull(lanes.strips, program.velocities, c, s, columns, sums)
-        else:
-            drag_slopes(lanes.strips, program.velocities, c, s, columns, sums)
+        _slopes_of_strips(program, lanes, c, s, columns, sums)
         _add_drag_slopes(program.velocities, lanes.push, sums, jacobian)
     if lanes.knots.shape[0] > 0:
         held = program.displacements[1]
-        angle = columns[held]
-        if lanes.alike[1]:
-            slope_of_table(lanes.table, lanes.guide, angle, sums[0])
-        else:
-            slope_of_tables(lanes.knots, lanes.cubics, angle, sums[0])
+        _slopes_of_table(program, lanes, columns, sums)
         for k in range(3):
-            own = load(jacobian, (k, held)) + load(lanes.arm, k) * load(sums, 0)
+            own = load(jacobian, (k, held)) + load(lanes.arm, k) * load(sums, 6)
             store(jacobian, (k, held), own)
+
+
+@batch_kernel
+def _slopes_of_strips(program, lanes, c, s, columns, sums):
+    """The six sums of drag by strips, in front."""
+    if lanes.alike[0]:
+        drag_slopes_of_one_hull(lanes.strips, lanes.forms, program.velocities, c, s, columns, sums)
+    else:
+        drag_slopes(lanes.strips, program.velocities, c, s, columns, sums)
+
+
+@batch_kernel
+def _slopes_of_table(program, lanes, columns, sums):
+    """Slope of the table of the restoring moment, behind the sums of strips."""
+    angle = columns[program.displacements[1]]
+    if lanes.alike[1]:
+        slope_of_table(lanes.table, lanes.guide, angle, sums[6])
+    else:
+        slope_of_tables(lanes.knots, lanes.cubics, angle, sums[6])
+
+
+@batch_kernel
+def _slopes_without_products(program, lanes, c, s, columns, sums, jacobian):
+    """`slopes` where `_without_products`: each is written once."""
+    _slopes_of_strips(program, lanes, c, s, columns, sums)
+    _slopes_of_table(program, lanes, columns, sums)
+    for k in range(3):
+        y, m, n = load(lanes.push, (k, 0)), load(lanes.push, (k, 1)), load(lanes.push, (k, 2))
+        for j, (a, b, d) in enumerate(((0, 1, 2), (1, 3, 4), (2, 4, 5))):
+            state = program.velocities[j]
+            own = y * load(sums, a) + m * load(sums, b) + n * load(sums, d)
+            store(jacobian, (k, state), load(lanes.linear, (k, state)) + own)
+        held = program.displacements[1]
+        store(jacobian, (k, held), load(lanes.linear, (k, held)) + load(lanes.arm, k) * load(sums, 6))
 
 
 @batch_kernel

@@ -18,29 +18,29 @@ _BEFORE = 1.0 - 1e-9  # of a cell's left end: rounding must not lead past a knot
 
 
 @batch_kernel
-def one_table(knots, cubics):
-    """Have all lanes the same table?"""
-    for b in range(knots.shape[0]):
-        for l in range(1, knots.shape[1]):
-            if knots[b, l] != knots[b, 0]:
-                return False
-            for j in range(4):
-                if cubics[b, j, l] != cubics[b, j, 0]:
-                    return False
-    return True
+def one_table(knots, cubics, of):
+    """Have the conditions ``of`` (W,) of tables (n, b) and (n, b, 4) all the same one?"""
+    different = 0
+    for l in range(1, of.size):
+        if of[l] != of[0]:
+            for b in range(knots.shape[1]):
+                different += knots[of[l], b] != knots[of[0], b]
+                for j in range(4):
+                    different += cubics[of[l], b, j] != cubics[of[0], b, j]
+    return different == 0
 
 
 @batch_kernel
 def lay_out(knots, cubics, table, guide):
-    """The first lane's table (b, 5), its knots in front, and the piece (c,) that each cell begins in."""
-    most, b = knots.shape[0] - 1, 0
+    """One table (b, 5), its knots (b,) in front of the cubics (b, 4), and the piece (c,) that each cell begins in."""
+    most, b = knots.size - 1, 0
     for i in range(most + 1):
-        table[i, 0] = knots[i, 0]
+        table[i, 0] = knots[i]
         for j in range(4):
-            table[i, 1 + j] = cubics[i, j, 0]
+            table[i, 1 + j] = cubics[i, j]
     for cell in range(guide.size):
-        begin = _BEFORE * cell * knots[most, 0] / guide.size
-        while b < most and begin > knots[b + 1, 0]:
+        begin = _BEFORE * cell * knots[most] / guide.size
+        while b < most and begin > knots[b + 1]:
             b += 1
         guide[cell] = b
 

@@ -153,10 +153,15 @@ class System:
         arrays: dict[str, Any] = {name: change(getattr(self, name)) for name in PER_CONDITION}
         return replace(self, **arrays)
 
+    def repeated(self, count: int) -> System:
+        """Each condition a number of times, its copies beside each other."""
+        return self if count == 1 else self.each(lambda array: np.repeat(array, count, axis=0))
+
     def raised(self, factor: Floats) -> System:
         """The excitation and all known inputs times a factor (n,) or (1,): the wave at another height."""
         by = np.asarray(factor, dtype=float).reshape(-1, 1)
-        strips = np.concatenate([self.strips[:, :, :3], by[:, :, None] * self.strips[:, :, 3:]], axis=2)
+        strips = self.strips.copy()
+        strips[:, :, 3:] *= by[:, :, None]
         inputs = by[:, :, None] * self.inputs
         return replace(self, mean=by * self.mean, cos=by * self.cos, sin=by * self.sin, inputs=inputs, strips=strips)
 

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from quartering._machine.compiled import kernel
-from quartering._machine.rowwise import rowwise
+from quartering._machine.rowwise import largest_of_rows
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.rates import WIDTH, fill, gather, row_of_lanes
 from quartering.motion.equations.system import Floats, System, kernel_arguments
@@ -111,4 +111,4 @@ def missed_roll(system: System, u: Floats, orders: tuple[int, ...]) -> Floats:
     first = columns.index((min(h for h in orders if h), "cos"))
     roll = np.hypot(start[:, 1, first], start[:, 1, first + 1])
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(np.abs(rowwise(out, over)).max(axis=1) / roll)
+        return np.asarray(largest_of_rows(out, over) / roll)

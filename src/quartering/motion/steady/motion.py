@@ -10,7 +10,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quartering._machine.rowwise import rowwise
+from quartering._machine.rowwise import largest_of_rows
 from quartering.conventions import InputError, RangeWarning
 from quartering.doors import takes
 from quartering.hull.righting.limit import CapsizeLimit
@@ -141,7 +141,7 @@ def roll_peaks(u: Floats, orders: tuple[int, ...]) -> Floats:
 
     Source: as `peaks`, for one mode of many conditions.
     """
-    return np.asarray(np.abs(rowwise(u[:, 1], _sampled(orders))).max(axis=1))
+    return largest_of_rows(u[:, 1], _sampled(orders))
 
 
 def _sampled(orders: tuple[int, ...]) -> Floats:

@@ -12,6 +12,7 @@ import numpy as np
 
 from quartering._machine.compiled import batch_kernel, inner, kernel
 from quartering._machine.simd import every, load, store
+from quartering.motion.equations.program import PLAIN
 from quartering.motion.equations.rates import (
     WIDTH,
     enter_inputs,
@@ -73,10 +74,38 @@ def states(program, factors, value, rate, u, w, columns):
 
 
 @batch_kernel
+def _plain_states(program, tables, n, u, w, columns):
+    """`states` at sample ``n`` where there is nothing but (v, phi, p, r): the harmonics are gone through once for all four."""
+    values, rates, factors, _, _ = tables
+    first = 1 if factors[0] == 0.0 else 0
+    v, p, r, angle = every(0.0), every(0.0), every(0.0), every(0.0)
+    if first == 1:
+        angle += values[0, n] * load(u, (1, 0))
+    for b in range(first, factors.size):
+        roll = load(u, (1, b))
+        v += rates[b, n] * load(u, (0, b))
+        p += rates[b, n] * roll
+        r += rates[b, n] * load(u, (2, b))
+        angle += values[b, n] * roll
+    own = load(w, ())
+    v, p, r = v * own, p * own, r * own
+    if first == 1:
+        v += values[0, n] * load(u, (0, 0))
+        r += values[0, n] * load(u, (2, 0))
+    store(columns, program.velocities[0], v)
+    store(columns, program.velocities[1], p)
+    store(columns, program.velocities[2], r)
+    store(columns, program.displacements[1], angle)
+
+
+@batch_kernel
 def at_sample(program, tables, n, u, lanes, columns):
     """Everything ``columns`` need at sample ``n``: states, and the variables that known inputs enter."""
     values, rates, factors, _, waves = tables
-    states(program, factors, values[:, n], rates[:, n], u, lanes.frequency, columns)
+    if program.states == PLAIN:
+        _plain_states(program, tables, n, u, lanes.frequency, columns)
+    else:
+        states(program, factors, values[:, n], rates[:, n], u, lanes.frequency, columns)
     enter_inputs(program, lanes, waves[:, n], columns)
 
 
@@ -299,8 +328,9 @@ def _judge(l, sign, sizes, stage):
         return 1
     if not (last <= 0.75 * left or (left < 1e-9 and last < 10.0 * left)):
         return 1
-    # Steps with one matrix shrink by one factor, last/left: done when the next one would be at rounding.
-    if last * last < 1e-13 * left or (left < 1e-9 and last > 0.01 * left):
+    # Steps with one matrix shrink by one factor, last/left: done when the next one would be at rounding, or nil, as
+    # it is without excitation.
+    if last * last < 1e-13 * left or last == 0.0 or (left < 1e-9 and last > 0.01 * left):
         stage[l] = _DONE
     return 3
 
@@ -387,7 +417,7 @@ def newton_batch(first, last, program, parts, tables, given_start, from_rest, st
                     taken += 1
                 ahead += 1
         if taken > 0:
-            note_equal_lanes(lanes)
+            note_equal_lanes(parts, lanes)
             _linear(lanes, factors, linear_motion, side)
         working = False
         for l in range(WIDTH):

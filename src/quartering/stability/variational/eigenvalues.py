@@ -1,6 +1,7 @@
 """Eigenvalues of many small real matrices: the double-shift QR algorithm, compiled.
 
-LAPACK spends most of its time on a 4 x 4 matrix in being called.
+LAPACK spends most of its time on a 4 x 4 matrix in being called. Here eight of them go side by side: each sweep is one long
+chain of square roots and divisions, and eight chains take no longer than one.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -11,7 +12,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import inner, kernel
+from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.simd import LANES, every, load, root, size, store, where_less
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
 
@@ -19,7 +21,7 @@ _ROUNDING = 2.220446049250313e-16
 _MOST = 60
 
 
-@inner
+@batch_kernel
 def _balanced(a):
     """Scale rows and columns by powers of two until they weigh alike, in place; eigenvalues stay."""
     n = a.shape[0]
@@ -50,7 +52,7 @@ def _balanced(a):
             break
 
 
-@inner
+@batch_kernel
 def _hessenberg(a):
     """Reduce to upper Hessenberg form by elimination with pivoting, in place."""
     n = a.shape[0]
@@ -76,26 +78,26 @@ def _hessenberg(a):
             a[i, m - 1] = 0.0
 
 
-@inner
-def _start_of_block(a, last, norm):
-    """First row of the unreduced block that ends at row ``last``; the element beside it is set to zero."""
+@batch_kernel
+def _start_of_block(a, last, norm, l):
+    """First row of the unreduced block of lane ``l`` that ends at row ``last``; the element beside it is set to zero."""
     row = last
     while row >= 1:
-        size = abs(a[row - 1, row - 1]) + abs(a[row, row])
+        size = abs(a[row - 1, row - 1, l]) + abs(a[row, row, l])
         if size == 0.0:
             size = norm
-        if abs(a[row, row - 1]) <= _ROUNDING * size:
-            a[row, row - 1] = 0.0
+        if abs(a[row, row - 1, l]) <= _ROUNDING * size:
+            a[row, row - 1, l] = 0.0
             break
         row -= 1
     return row
 
 
-@inner
-def _pair(a, last, shift, values):
+@batch_kernel
+def _pair(a, last, shift, l, values):
     """The two eigenvalues of the block of rows ``last`` - 1 and ``last``."""
-    x, y = a[last, last], a[last - 1, last - 1]
-    product = a[last, last - 1] * a[last - 1, last]
+    x, y = a[last, last, l], a[last - 1, last - 1, l]
+    product = a[last, last - 1, l] * a[last - 1, last, l]
     half = 0.5 * (y - x)
     square = half * half + product
     root = math.sqrt(abs(square))
@@ -108,121 +110,163 @@ def _pair(a, last, shift, values):
         values[last] = complex(x + shift + half, -root)
 
 
-@inner
-def _sweep(a, first, last, x, y, product):
-    """One double-shift QR sweep over rows first..last, in place."""
-    # Francis' step with the two shifts s1, s2 that are eigenvalues of the last 2 x 2 block, without complex numbers:
-    #   (A - s1)(A - s2) e1 = (p, q, r, 0, ..),   s1 + s2 = x + y,   s1 s2 = x y - product .
-    # It begins at the lowest row m where two small subdiagonals in turn already split the block off to rounding.
-    m = last - 2
-    p, q, r = 0.0, 0.0, 0.0
-    while True:
-        z = a[m, m]
-        from_x, from_y = x - z, y - z
-        p = (from_x * from_y - product) / a[m + 1, m] + a[m, m + 1]
-        q = a[m + 1, m + 1] - z - from_x - from_y
-        r = a[m + 2, m + 1]
-        size = abs(p) + abs(q) + abs(r)
-        p, q, r = p / size, q / size, r / size
-        if m == first:
-            break
-        small = abs(a[m, m - 1]) * (abs(q) + abs(r))
-        if small <= _ROUNDING * abs(p) * (abs(a[m - 1, m - 1]) + abs(z) + abs(a[m + 1, m + 1])):
-            break
-        m -= 1
-    for i in range(m + 2, last + 1):
-        a[i, i - 2] = 0.0
-        if i > m + 2:
-            a[i, i - 3] = 0.0
-    # Householder's reflection I - (u, v, w)(1, q, r)^T of rows k, k+1, k+2 sends (p, q, r) to (-length, 0, 0). The first one
-    # makes a bulge below the subdiagonal, the others chase it down to the corner: a similarity throughout.
-    for k in range(m, last):
-        three = k < last - 1
-        size = 1.0
-        if k > m:
-            p, q = a[k, k - 1], a[k + 1, k - 1]
-            r = a[k + 2, k - 1] if three else 0.0
-            size = abs(p) + abs(q) + abs(r)
-            if size == 0.0:
-                continue
-            p, q, r = p / size, q / size, r / size
-        length = math.copysign(math.sqrt(p * p + q * q + r * r), p)
-        if k > m:
-            a[k, k - 1] = -length * size
-        elif first != m:
-            a[k, k - 1] = -a[k, k - 1]
-        p += length
-        u, v, w = p / length, q / length, r / length
-        q, r = q / p, r / p
-        for j in range(k, last + 1):
-            along = a[k, j] + q * a[k + 1, j]
-            if three:
-                along += r * a[k + 2, j]
-                a[k + 2, j] -= along * w
-            a[k + 1, j] -= along * v
-            a[k, j] -= along * u
-        for i in range(first, min(last, k + 3) + 1):
-            along = u * a[i, k] + v * a[i, k + 1]
-            if three:
-                along += w * a[i, k + 2]
-                a[i, k + 2] -= along * r
-            a[i, k + 1] -= along * q
-            a[i, k] -= along
+@batch_kernel
+def _split_off(a, l, norm, block, shift, sweeps, values):
+    """Take the eigenvalues that have fallen off in lane ``l``; leaves its next ``block`` (2, W): first row, last row.
 
-
-@inner
-def _values(a, values):
-    """Eigenvalues of one matrix, which is lost; False when the sweeps do not converge."""
-    n = a.shape[0]
-    _balanced(a)
-    _hessenberg(a)
-    norm = 0.0
-    for i in range(n):
-        for j in range(n):
-            norm += abs(a[i, j])
-    if not norm < 1e300:
-        return False
-    last, shift, sweeps = n - 1, 0.0, 0
-    # The block first..last is the lowest one not yet split: one row is a real eigenvalue, two rows a pair, more take a
-    # sweep, after which the last subdiagonal falls off quadratically.
-    while last >= 0:
-        first = _start_of_block(a, last, norm)
+    The block is the lowest one not yet split: one row is a real eigenvalue, two rows a pair, more take a sweep, after which
+    the last subdiagonal falls off quadratically. False where the sweeps do not settle.
+    """
+    while block[1, l] >= 0:
+        last = block[1, l]
+        first = _start_of_block(a, last, norm, l)
+        if last - first > 1:
+            block[0, l] = first
+            return sweeps[l] < _MOST
         if first == last:
-            values[last] = a[last, last] + shift
-            last, sweeps = last - 1, 0
-            continue
-        if first == last - 1:
-            _pair(a, last, shift, values)
-            last, sweeps = last - 2, 0
-            continue
-        if sweeps == _MOST:
-            return False
-        x, y = a[last, last], a[last - 1, last - 1]
-        product = a[last, last - 1] * a[last - 1, last]
-        if sweeps % 10 == 9:  # a shift out of the ordinary, where sweeps go round in a circle
-            shift += x
-            for i in range(last + 1):
-                a[i, i] -= x
-            size = abs(a[last, last - 1]) + abs(a[last - 1, last - 2])
-            x = y = 0.75 * size
-            product = -0.4375 * size * size
-        _sweep(a, first, last, x, y, product)
-        sweeps += 1
+            values[last] = a[last, last, l] + shift[l]
+        else:
+            _pair(a, last, shift[l], l, values)
+        block[1, l], sweeps[l] = first - 1, 0
     return True
+
+
+@batch_kernel
+def _shifts(a, l, block, shift, sweeps, begin):
+    """What the first reflection of lane ``l`` is made from, into ``begin`` (8, W): x, y and product of the shifts, elements.
+
+    Francis' step has the two shifts s1, s2 that are eigenvalues of the last 2 x 2 block: s1 + s2 = x + y,
+    s1 s2 = x y - product.
+    """
+    first, last = block[0, l], block[1, l]
+    x, y = a[last, last, l], a[last - 1, last - 1, l]
+    product = a[last, last - 1, l] * a[last - 1, last, l]
+    if sweeps[l] % 10 == 9:  # a shift out of the ordinary, where sweeps go round in a circle
+        shift[l] += x
+        for i in range(last + 1):
+            a[i, i, l] -= x
+        size = abs(a[last, last - 1, l]) + abs(a[last - 1, last - 2, l])
+        x = y = 0.75 * size
+        product = -0.4375 * size * size
+    sweeps[l] += 1
+    begin[0, l], begin[1, l], begin[2, l] = x, y, product
+    begin[3, l], begin[4, l] = a[first, first, l], a[first + 1, first, l]
+    begin[5, l], begin[6, l], begin[7, l] = (
+        a[first, first + 1, l], a[first + 1, first + 1, l], a[first + 2, first + 1, l],
+    )  # fmt: skip
+
+
+@batch_kernel
+def _sweep(a, flags, begin):
+    """One double-shift QR sweep of all lanes, in place, each over its own block.
+
+    ``flags`` (3, n, W): 1 where a lane's sweep begins at row k, where it has a reflection of rows k, k + 1, and of a third
+    """
+    # Francis' step without complex numbers begins with (A - s1)(A - s2) e1 = (p, q, r, 0, ..).
+    n = a.shape[0]
+    z, below = load(begin, 3), load(begin, 4)
+    from_x, from_y = load(begin, 0) - z, load(begin, 1) - z
+    p0 = (from_x * from_y - load(begin, 2)) / below + load(begin, 5)
+    q0, r0 = load(begin, 6) - z - from_x - from_y, load(begin, 7)
+    # Householder's reflection I - (u, v, w)(1, q, r)^T of rows k, k+1, k+2 sends (p, q, r) to (-length, 0, 0). The first one
+    # makes a bulge below the subdiagonal, the others chase it down to the corner: a similarity throughout, of the whole matrix.
+    for k in range(n - 1):
+        start, active, three = load(flags, (0, k)), load(flags, (1, k)), load(flags, (2, k))
+        p, q, r = p0, q0, r0
+        if k > 0:
+            p, q = where_less(0.5, start, p0, load(a, (k, k - 1))), where_less(0.5, start, q0, load(a, (k + 1, k - 1)))
+            if k + 2 < n:
+                r = where_less(0.5, start, r0, load(a, (k + 2, k - 1)))
+        r = where_less(0.5, three, r, 0.0)
+        total = where_less(0.5, active, size(p) + size(q) + size(r), 0.0)
+        whole = where_less(0.0, total, total, 1.0)
+        p, q, r = where_less(0.0, total, p / whole, 1.0), q / whole, r / whole
+        q, r = where_less(0.0, total, q, 0.0), where_less(0.0, total, r, 0.0)
+        length = root(p * p + q * q + r * r)
+        length = where_less(p, 0.0, -length, length)
+        if k > 0:
+            chased = where_less(0.5, start, load(a, (k, k - 1)), -length * whole)
+            store(a, (k, k - 1), where_less(0.0, total, chased, load(a, (k, k - 1))))
+            store(a, (k + 1, k - 1), every(0.0))
+            if k + 2 < n:
+                store(a, (k + 2, k - 1), every(0.0))
+        p = p + length
+        u, v, w = where_less(0.0, total, p / length, 0.0), q / length, r / length
+        q, r = q / p, r / p
+        for j in range(k, n):
+            top, middle = load(a, (k, j)), load(a, (k + 1, j))
+            along = top + q * middle
+            if k + 2 < n:
+                low = load(a, (k + 2, j))
+                along = along + r * low
+                store(a, (k + 2, j), low - along * w)
+            store(a, (k + 1, j), middle - along * v)
+            store(a, (k, j), top - along * u)
+        for i in range(min(n, k + 4)):
+            left, middle = load(a, (i, k)), load(a, (i, k + 1))
+            along = u * left + v * middle
+            if k + 2 < n:
+                right = load(a, (i, k + 2))
+                along = along + w * right
+                store(a, (i, k + 2), right - along * r)
+            store(a, (i, k + 1), middle - along * q)
+            store(a, (i, k), left - along)
 
 
 @kernel
 def _all_values(first, last, matrices, values):
     """Eigenvalues (n, m) of matrices (n, m, m) first..last; NaN where they are not found."""
     m = matrices.shape[1]
-    a = np.empty((m, m))
-    for i in range(first, last):
-        for j in range(m):
-            for k in range(m):
-                a[j, k] = matrices[i, j, k]
-        if not _values(a, values[i]):
-            for j in range(m):
-                values[i, j] = complex(np.nan, np.nan)
+    one, a = np.empty((m, m)), np.zeros((m, m, LANES))
+    norm, shift, sweeps = np.zeros(LANES), np.zeros(LANES), np.zeros(LANES, np.int64)
+    block, flags, begin = np.zeros((2, LANES), np.int64), np.zeros((3, m, LANES)), np.zeros((8, LANES))
+    # As in Newton's method a lane takes the next matrix as soon as its own is done.
+    held, ahead = np.full(LANES, -1), first
+    while True:
+        working = False
+        for l in range(LANES):
+            flags[:, :, l] = 0.0
+            begin[4, l] = 1.0
+            while True:
+                if held[l] < 0:
+                    if ahead >= last:
+                        break
+                    held[l], block[1, l], shift[l], sweeps[l] = ahead, m - 1, 0.0, 0
+                    norm[l] = _into_lane(matrices[ahead], one, a, l)
+                    ahead += 1
+                own = values[held[l]]
+                settles = norm[l] < 1e300 and _split_off(a, l, norm[l], block, shift, sweeps, own)
+                if settles and block[1, l] >= 0:
+                    break
+                if not settles:
+                    own[:] = complex(np.nan, np.nan)
+                held[l] = -1
+            if held[l] >= 0:
+                working = True
+                _shifts(a, l, block, shift, sweeps, begin)
+                flags[0, block[0, l], l] = 1.0
+                for k in range(block[0, l], block[1, l]):
+                    flags[1, k, l], flags[2, k, l] = 1.0, 1.0 if k < block[1, l] - 1 else 0.0
+        if not working:
+            break
+        _sweep(a, flags, begin)
+
+
+@batch_kernel
+def _into_lane(matrix, one, a, l):
+    """Put a matrix, balanced and reduced, into lane ``l``; returns the sum of its moduli."""
+    m = one.shape[0]
+    for j in range(m):
+        for k in range(m):
+            one[j, k] = matrix[j, k]
+    _balanced(one)
+    _hessenberg(one)
+    norm = 0.0
+    for j in range(m):
+        for k in range(m):
+            norm += abs(one[j, k])
+            a[j, k, l] = one[j, k] if k >= j - 1 else 0.0
+    return norm
 
 
 def eigenvalues(matrices: Floats) -> NDArray[np.complex128]:

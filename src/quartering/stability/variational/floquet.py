@@ -107,20 +107,27 @@ def _fastest(first, last, phasors, mean_jacobian, rate):
     """Fastest rates (n,) of `fastest_rate`."""
     power, other = np.empty((4, 4)), np.empty((4, 4))
     for i in range(first, last):
-        stiffness, sway, roll, yaw, largest = 0.0, 0.0, 0.0, 0.0, 0.0
-        for m in range(phasors.shape[1]):
-            stiffness += abs(phasors[i, m, 1, 1])
-            sway += abs(phasors[i, m, 0, 0])
-            roll += abs(phasors[i, m, 1, 2])
-            yaw += abs(phasors[i, m, 2, 3])
+        largest = 0.0
         for s in range(mean_jacobian.shape[1]):
             own = abs(mean_jacobian[i, s])
             largest = own if own > largest or np.isnan(own) else largest
-        if np.isnan(largest):
-            largest = _spectral_bound(phasors[i, 0], power, other)
-        for own in (math.sqrt(stiffness), sway, roll, yaw):
-            largest = own if own > largest or np.isnan(own) else largest
-        rate[i] = largest
+        rate[i] = rate_of_one(phasors[i], largest, power, other)
+
+
+@inner
+def rate_of_one(phasors, largest, power, other):
+    """Fastest rate of a condition with harmonics (m, 3, 4) and eigenvalues of the mean up to ``largest``; NaN: not known."""
+    stiffness, sway, roll, yaw = 0.0, 0.0, 0.0, 0.0
+    for m in range(phasors.shape[0]):
+        stiffness += abs(phasors[m, 1, 1])
+        sway += abs(phasors[m, 0, 0])
+        roll += abs(phasors[m, 1, 2])
+        yaw += abs(phasors[m, 2, 3])
+    if np.isnan(largest):
+        largest = _spectral_bound(phasors[0], power, other)
+    for own in (math.sqrt(stiffness), sway, roll, yaw):
+        largest = own if own > largest or np.isnan(own) else largest
+    return largest
 
 
 @inner
@@ -153,6 +160,7 @@ def floquet(
     accuracy: float = 1e-6,
     *,
     variation: tuple[Complex, Floats] | None = None,
+    transition: Floats | None = None,
     detail: Detail = "full",
 ) -> Floquet:
     """Floquet multipliers of periodic motions by integrating their variational equations.
@@ -165,6 +173,7 @@ def floquet(
     accuracy: of the multipliers
     variation: from `variation_along`; where it is given, the equations are smooth and the accuracy is moderate, long
         steps of Magnus' series are taken in place of Runge-Kutta's
+    transition (n, 4, 4): from `in_one_pass`, where that has been found already
     detail: "full", or what a "map" needs: shares of unstable motions alone
 
     A motion with odd harmonics only has a variational matrix of half the period, so half a cycle suffices: a half-period
@@ -174,10 +183,15 @@ def floquet(
     symmetric = all(h % 2 == 1 for h in orders)
     span = 0.5 if symmetric else 1.0
     found = np.isfinite(u).all(axis=(1, 2)) & system.finite
-    phi = _transitions(system, np.where(found[:, None, None], u, 0.0), orders, span, found, rate, accuracy, variation)
+    moving = u if found.all() else np.where(found[:, None, None], u, 0.0)
+    if transition is None:
+        phi = _transitions(system, moving, orders, span, found, rate, accuracy, variation)
+    else:
+        phi = _completed(system, moving, orders, span, found, rate, accuracy, transition)
     found &= np.isfinite(phi).all(axis=(1, 2))
     free = system.states > HEADING and ~holds_heading(system.linear)
-    phi = np.where(found[:, None, None], phi, np.eye(system.states))
+    if not found.all():
+        phi = np.where(found[:, None, None], phi, np.eye(system.states))
     if np.any(free):
         phi[free, HEADING, HEADING] = 0.0  # its column is empty now: a mode of multiplier 0, which stands last
     values, share = _modes(phi, detail)
@@ -219,6 +233,16 @@ FINEST_WITH_KINKS: Final = 1e-6
 _STEPS_WITH_KINKS = 8
 
 
+def finest(system: System) -> float:
+    """Smallest error of the multipliers that Magnus' series is taken for."""
+    return FINEST_WITH_KINKS if system.has_drag or system.has_table else FINEST
+
+
+def least_steps(system: System) -> int:
+    """Fewest steps that it takes."""
+    return _STEPS_WITH_KINKS if system.has_drag or system.has_table else 1
+
+
 def _transitions(
     system: System,
     u: Floats,
@@ -232,17 +256,28 @@ def _transitions(
     """State transition matrices (n, s, s), each by the method that reaches the accuracy at the least cost."""
     if system.states > RUDDER:
         rate = np.maximum(rate, -system.linear[:, 3, RUDDER])
-    kinks = system.has_drag or system.has_table
-    finest = FINEST_WITH_KINKS if kinks else FINEST
-    if variation is None or accuracy < finest or system.has_kinked_slopes or not system.plain:
+    if variation is None or accuracy < finest(system) or system.has_kinked_slopes or not system.plain:
         steps = np.where(found, even_steps(steps_for(system.frequency, span, rate, max(orders), accuracy)), 1)
         return transition_matrices(system, u, orders, span, steps)
     phasors, along = variation
     steps, scale = magnus_steps(system.frequency, phasors, rate, span, accuracy)
     cycle = 2 * np.pi * span / np.where(found, system.frequency, 1.0)
-    if kinks:
-        steps = np.where(steps > 0, np.maximum(steps, _STEPS_WITH_KINKS), 0)
-    phi = magnus_transition(along, cycle, np.where(found, steps, 0), scale, kinks=kinks)
+    steps = np.where(found & (steps > 0), np.maximum(steps, least_steps(system)), 0)
+    phi = magnus_transition(along, cycle, steps, scale, kinks=system.has_drag or system.has_table)
+    return _completed(system, u, orders, span, found, rate, accuracy, phi)
+
+
+def _completed(
+    system: System,
+    u: Floats,
+    orders: tuple[int, ...],
+    span: float,
+    found: NDArray[np.bool_],
+    rate: Floats,
+    accuracy: float,
+    phi: Floats,
+) -> Floats:
+    """Transition matrices (n, 4, 4), those that Magnus' series has not found by Runge-Kutta steps."""
     rest = np.flatnonzero(found & ~np.isfinite(phi).all(axis=(1, 2)))
     if rest.size:
         few = rows(system, rest)

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import batch_kernel, kernel, summing
+from quartering._machine.compiled import batch_kernel, inner, kernel, summing
 from quartering._machine.simd import every, load, store
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
@@ -22,14 +22,16 @@ STEPS = (
 """Numbers of steps there are tables for."""
 FINEST = 1e-7
 """Smallest error of the multipliers the exponential is computed well enough for."""
-_TIERS = (14, 18, 22, 24, 26, 28)
+TIERS = (14, 18, 22, 24, 26, 28)
 """How many of `STEPS` a set of tables holds: nearly every motion is content with the first 14, up to 48 steps; the last sets
 take tens of megabytes."""
 _CONSTANT = 40.0
 _NODE = math.sqrt(15.0) / 10.0
 _POINTS = 8
-_BESIDE, _BEFORE = 3, 2
-"""Values that a polynomial takes on either side, and how many a step takes before the one it begins at."""
+_BESIDE = 3
+"""Values that a polynomial takes on either side."""
+BEFORE, AROUND = 2, 2 * _BESIDE
+"""Values a step takes before the one it begins at, and how many beyond the ends of a period all steps take."""
 _ROOT, _THIRDS = math.sqrt(15.0) / 3.0, 10.0 / 3.0
 
 
@@ -76,6 +78,41 @@ def _at_nodes(values, begin, count, weights, node, matrix):
         store(matrix, (2, i, j), high)
 
 
+@inner
+def room_for_steps():
+    """What `march` works in: matrices at the nodes, the exponent and its parts, norms."""
+    return (np.zeros((3, 4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)),
+            np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((2, ROW)))  # fmt: skip
+
+
+@batch_kernel
+def march(values, samples, weights, start, width, count, h, phi, room):
+    """Transition matrices ``phi`` (4, 4, W) over ``count`` steps of h (W,).
+
+    ``values`` (s, 12, W): the variational matrices at the samples of a period and `AROUND` further ones beyond its ends,
+        `BEFORE` of them in front; sway velocity in a unit in which all entries are of one size
+    ``weights, start, width``: of `tables`
+    """
+    matrix, a1, a2, a3, c1, c2, exponent, norms = room
+    for a in range(4):
+        for b in range(4):
+            store(phi, (a, b), every(1.0 if a == b else 0.0))
+    for m in range(3):
+        store(matrix, (m, 1, 2), every(1.0))
+    # Magnus: Phi(t + h) = exp(Omega) Phi(t). From A at Gauss' three nodes, a1 = h A2, a2 = sqrt(15)/3 h (A3 - A1),
+    # a3 = 10/3 h (A3 - 2 A2 + A1), Omega = a1 + a3/12 + [-20 a1 - a3 + [a1, a2], a2 - [a1, 2 a3 + [a1, a2]]/60]/240
+    # errs by h^7; with the equations nearly constant few steps do.
+    for n in range(count):
+        begin = samples * n // count if width != samples else BEFORE
+        _at_nodes(values, begin, width, weights, start + 3 * n, matrix)
+        _exponent(matrix, h, a1, a2, a3, c1, c2, exponent)
+        exponential(exponent, c1, c2, a3, norms[0], norms[1], a1)
+        product(a1, phi, a2)
+        for a in range(4):
+            for b in range(4):
+                store(phi, (a, b), load(a2, (a, b)))
+
+
 @kernel
 def _transition(first, last, along, weights, rows, starts, widths, counts, scale, cycle, transition):
     """Transition matrices (n, 4, 4) of the conditions in rows first..last over `cycle` seconds.
@@ -83,42 +120,22 @@ def _transition(first, last, along, weights, rows, starts, widths, counts, scale
     Row r holds the conditions rows[r], all of counts[r] steps; its last one fills up what is empty. A step takes widths[r]
     values about it, which go on beyond the ends of the period; all, where that is their number.
     """
-    matrix, values = np.zeros((3, 4, 4, ROW)), np.zeros((along.shape[1] + 2 * _BESIDE + 2, 12, ROW))
-    a1, a2, a3, c1 = np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
-    c2, exponent = np.empty((4, 4, ROW)), np.empty((4, 4, ROW))
-    phi, g, h = np.empty((4, 4, ROW)), np.empty(ROW), np.empty(ROW)
-    norm, halvings = np.empty(ROW), np.empty(ROW)
     samples = along.shape[1]
+    values, room = np.zeros((samples + AROUND + 2, 12, ROW)), room_for_steps()
+    phi, g, h = np.empty((4, 4, ROW)), np.empty(ROW), np.empty(ROW)
     for r in range(first, last):
-        local = widths[r] != samples
         for l in range(ROW):
             i = rows[r, l]
             g[l], h[l] = scale[i], cycle[i] / counts[r]
             for e in range(12):  # sway velocity in units of g, so that all entries are of one size
                 unit = (g[l] if e % 4 == 0 else 1.0) / (g[l] if e < 4 else 1.0)
                 for s in range(samples):
-                    values[s + _BEFORE, e, l] = along[i, s, e] * unit
-                for s in range(_BEFORE):
-                    values[s, e, l] = along[i, samples - _BEFORE + s, e] * unit
-                for s in range(2 * _BESIDE - _BEFORE):
-                    values[samples + _BEFORE + s, e, l] = along[i, s, e] * unit
-            for a in range(4):
-                for b in range(4):
-                    phi[a, b, l] = 1.0 if a == b else 0.0
-            for m in range(3):
-                matrix[m, 1, 2, l] = 1.0
-        # Magnus: Phi(t + h) = exp(Omega) Phi(t). From A at Gauss' three nodes, a1 = h A2, a2 = sqrt(15)/3 h (A3 - A1),
-        # a3 = 10/3 h (A3 - 2 A2 + A1), Omega = a1 + a3/12 + [-20 a1 - a3 + [a1, a2], a2 - [a1, 2 a3 + [a1, a2]]/60]/240
-        # errs by h^7; with the equations nearly constant few steps do.
-        for n in range(counts[r]):
-            begin = samples * n // counts[r] if local else _BEFORE
-            _at_nodes(values, begin, widths[r], weights, starts[r] + 3 * n, matrix)
-            _exponent(matrix, h, a1, a2, a3, c1, c2, exponent)
-            exponential(exponent, c1, c2, a3, norm, halvings, a1)
-            product(a1, phi, a2)
-            for a in range(4):
-                for b in range(4):
-                    store(phi, (a, b), load(a2, (a, b)))
+                    values[s + BEFORE, e, l] = along[i, s, e] * unit
+                for s in range(BEFORE):
+                    values[s, e, l] = along[i, samples - BEFORE + s, e] * unit
+                for s in range(AROUND - BEFORE):
+                    values[samples + BEFORE + s, e, l] = along[i, s, e] * unit
+        march(values, samples, weights, starts[r], widths[r], counts[r], h, phi, room)
         for l in range(ROW):
             for a in range(4):
                 for b in range(4):
@@ -127,7 +144,7 @@ def _transition(first, last, along, weights, rows, starts, widths, counts, scale
 
 
 @lru_cache(maxsize=16)
-def _tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
+def tables(samples: int, kinds: int, kinks: bool) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
     """Weights (nodes, most) of a periodic function's equally spaced values at the nodes of the first numbers of steps in turn,
     where each number begins, and how many values a step of it takes: trigonometric interpolation, exact for the harmonics
     that the samples can hold.
@@ -162,7 +179,7 @@ def _local(samples: int, count: int) -> Floats:
     )
     at_nodes = moments @ np.polynomial.legendre.legvander(np.array([-2 * _NODE, 0.0, 2 * _NODE]), 2).T
     t = x - first[:, None, None] - np.arange(pieces)[:, None]  # from the value before: 0 to 1
-    beside = np.arange(-_BEFORE, _BESIDE * 2 - _BEFORE)
+    beside = np.arange(-BEFORE, _BESIDE * 2 - BEFORE)
     lagrange = np.ones((*t.shape, beside.size))
     for j, own in enumerate(beside):
         for other in beside[beside != own]:
@@ -199,41 +216,50 @@ def magnus_steps(
     conditions each.  Source: [Blanes09] order of the method; the constant is measured, see tests.
     """
     steps, scale = np.empty(frequency.size, np.int64), np.empty(frequency.size)
-    given = (np.require(phasors, requirements=("C", "W")), frequency, rate, span, _CONSTANT / max(accuracy, FINEST))
-    in_threads(_choose, frequency.size, *given, _STEPS, steps, scale)
+    given = (np.require(phasors, requirements=("C", "W")), frequency, rate, span, by_accuracy(accuracy))
+    in_threads(_choose, frequency.size, *given, np.array([*STEPS, 0], dtype=np.int64), steps, scale)
     return steps, scale
 
 
-_STEPS = np.array([*STEPS, 0], dtype=np.int64)
+def by_accuracy(accuracy: float) -> float:
+    """The accuracy as `steps_of_one` takes it."""
+    return _CONSTANT / max(accuracy, FINEST)
 
 
 @summing
 def _choose(first, last, phasors, frequency, rate, span, by_accuracy, kinds, steps, scale):
     """Numbers of steps and units of sway velocity of `magnus_steps`."""
     for i in range(first, last):
-        out, back = 0.0, 0.0
-        for k in range(1, 4):
-            out += abs(phasors[i, 0, 0, k])
-        for k in range(1, 3):
-            back += abs(phasors[i, 0, k, 0])
-        g = math.sqrt(out / back) if out > 0.0 and back > 0.0 else 1.0
-        stiffness, damping = 0.0, 0.0
-        for k in range(3):
-            for s in range(4):
-                own = 0.0
-                for m in range(1, phasors.shape[1]):
-                    own += abs(phasors[i, m, k, s])
-                own *= (g if s == 0 else 1.0) / (g if k == 0 else 1.0)
-                if s == 1:
-                    stiffness = own if own > stiffness or np.isnan(own) else stiffness
-                else:
-                    damping = own if own > damping or np.isnan(own) else damping
-        w = frequency[i] if frequency[i] > 0.0 else np.nan
-        strength = max(stiffness / (w * w), damping / w) * max(rate[i] / w, 1.0) ** 4
-        wanted, place = 2.0 * span * (by_accuracy * strength) ** (1.0 / 6.0), 0
-        while place < kinds.size - 1 and not kinds[place] >= wanted:  # not a number goes to the end
-            place += 1
-        steps[i], scale[i] = kinds[place], g
+        place, scale[i] = steps_of_one(phasors[i], frequency[i], rate[i], span, by_accuracy, kinds)
+        steps[i] = kinds[place]
+
+
+@summing
+def steps_of_one(phasors, frequency, rate, span, by_accuracy, kinds):
+    """Which of ``kinds`` of numbers of steps a condition takes, and its unit of sway velocity; see `magnus_steps`."""
+    out, back = 0.0, 0.0
+    for k in range(1, 4):
+        out += abs(phasors[0, 0, k])
+    for k in range(1, 3):
+        back += abs(phasors[0, k, 0])
+    g = math.sqrt(out / back) if out > 0.0 and back > 0.0 else 1.0
+    stiffness, damping = 0.0, 0.0
+    for k in range(3):
+        for s in range(4):
+            own = 0.0
+            for m in range(1, phasors.shape[0]):
+                own += abs(phasors[m, k, s])
+            own *= (g if s == 0 else 1.0) / (g if k == 0 else 1.0)
+            if s == 1:
+                stiffness = own if own > stiffness or np.isnan(own) else stiffness
+            else:
+                damping = own if own > damping or np.isnan(own) else damping
+    w = frequency if frequency > 0.0 else np.nan
+    strength = max(stiffness / (w * w), damping / w) * max(rate / w, 1.0) ** 4
+    wanted, place = 2.0 * span * (by_accuracy * strength) ** (1.0 / 6.0), 0
+    while place < kinds.size - 1 and not kinds[place] >= wanted:  # not a number goes to the end
+        place += 1
+    return place, g
 
 
 def magnus_transition(
@@ -253,8 +279,8 @@ def magnus_transition(
     """
     samples = along.shape[1]
     where = np.searchsorted(STEPS, np.maximum(steps, STEPS[0]))
-    kinds = next(tier for tier in _TIERS if where.max(initial=0) < tier)
-    weights, starts, widths = _tables(samples, kinds, kinks)
+    kinds = next(tier for tier in TIERS if where.max(initial=0) < tier)
+    weights, starts, widths = tables(samples, kinds, kinks)
     transition = np.full((along.shape[0], 4, 4), np.nan)
     rows = _rows(steps)
     of_row = (starts[where[rows[:, 0]]], widths[where[rows[:, 0]]], steps[rows[:, 0]])

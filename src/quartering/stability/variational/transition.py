@@ -100,7 +100,7 @@ def _march(first, last, program, parts, factors, periods, u, span, steps, rows, 
             for k in range(3):
                 for b in range(nb):
                     motion[k, b, l] = u[i, k, b]
-        note_equal_lanes(lanes)
+        note_equal_lanes(parts, lanes)
         for a in range(size):
             for b in range(size):
                 for l in range(width):

@@ -8,8 +8,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import kernel
+from quartering._machine.compiled import batch_kernel, kernel
 from quartering._machine.threads import in_threads
+from quartering.motion.equations.basis import Basis
 from quartering.motion.equations.rates import WIDTH, gather, room_for, row_of_lanes, slopes
 from quartering.motion.equations.steering import turning
 from quartering.motion.equations.system import Floats, System, kernel_arguments
@@ -26,10 +27,18 @@ PER_HARMONIC_OF_TABLE: Final = 64
 """Further samples a cycle for each harmonic of the motion where the curvature of the restoring moment jumps."""
 
 
+@batch_kernel
+def matrices_along(program, tables, motion, lanes, columns, strips, jacobian):
+    """d(acceleration)/d(state) (n, k, s, W) at all samples of the motions (3, b, W)."""
+    waves = tables[4]
+    for n in range(jacobian.shape[0]):
+        at_sample(program, tables, n, motion, lanes, columns)
+        slopes(program, lanes, waves[1, n], waves[2, n], columns, strips, jacobian[n])
+
+
 @kernel
 def _harmonics(first, last, program, parts, tables, u, functions, out, along):
     """d(acceleration)/d(state) along each motion (n, samples, 3, 4), and its projections (m, samples) in out (n, m, 3, 4)."""
-    waves = tables[4]
     nb, wanted = tables[0].shape[0], functions.shape[0]
     lanes = row_of_lanes(parts, WIDTH)
     columns, _, one, strips = room_for(program, lanes)  # with an autopilot there are more states than the four wanted
@@ -40,9 +49,7 @@ def _harmonics(first, last, program, parts, tables, u, functions, out, along):
         gather(begin, last, parts, lanes)
         gather_motions(begin, last, u, motion)
         count = min(WIDTH, last - begin)
-        for n in range(samples):
-            at_sample(program, tables, n, motion, lanes, columns)
-            slopes(program, lanes, waves[1, n], waves[2, n], columns, strips, jacobian[n])
+        matrices_along(program, tables, motion, lanes, columns, strips, jacobian)
         project(jacobian, functions, sums)
         for l in range(count):
             for n in range(samples):
@@ -90,6 +97,31 @@ def variation_along(
     [0.0, -1.0, -0.1, 0.0]
     """
     u = turning(system.linear, u, orders)
+    table, functions = sampled(system, orders, harmonics)
+    samples = table.values.shape[1]
+    out = np.empty((system.count, 2 * len(harmonics) - 1, 3, 4))
+    along = np.empty((system.count, samples, 3, 4))
+    in_threads(
+        _harmonics,
+        system.count,
+        *kernel_arguments(system, table),
+        np.require(u, requirements=("C", "W")),
+        functions,
+        out,
+        along,
+        smallest=WIDTH,
+    )
+    phasors = np.empty((system.count, len(harmonics), 3, 4), dtype=complex)
+    phasors[:, 0] = out[:, 0]
+    phasors[:, 1:] = out[:, 1::2] - 1j * out[:, 2::2]
+    return phasors, along
+
+
+def sampled(system: System, orders: tuple[int, ...], harmonics: tuple[int, ...]) -> tuple[Basis, Floats]:
+    """Samples of a motion for its variational matrix, and the functions (m, samples) at them that project on its harmonics.
+
+    The functions are as many as make a multiple of four, the last ones nil.
+    """
     # The matrix has degree one less than the equations; a margin of harmonics keeps the last one free of aliases.
     extra = (
         2 * max(harmonics) + 2 + (PER_HARMONIC_OF_TABLE * max(orders) if system.has_table and system.has_drag else 0)
@@ -101,19 +133,4 @@ def variation_along(
     rows = [np.full(samples, 1.0 / samples)]
     for m in harmonics[1:]:
         rows += [2.0 / samples * np.cos(m * phases), 2.0 / samples * np.sin(m * phases)]
-    out = np.empty((system.count, len(rows), 3, 4))
-    along = np.empty((system.count, samples, 3, 4))
-    in_threads(
-        _harmonics,
-        system.count,
-        *kernel_arguments(system, table),
-        np.require(u, requirements=("C", "W")),
-        np.array(rows + [np.zeros(samples)] * (-len(rows) % 4)),
-        out,
-        along,
-        smallest=WIDTH,
-    )
-    phasors = np.empty((system.count, len(harmonics), 3, 4), dtype=complex)
-    phasors[:, 0] = out[:, 0]
-    phasors[:, 1:] = out[:, 1::2] - 1j * out[:, 2::2]
-    return phasors, along
+    return table, np.array(rows + [np.zeros(samples)] * (-len(rows) % 4))
