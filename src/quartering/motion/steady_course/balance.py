@@ -184,7 +184,12 @@ def balance(course: Course, i: int, basis: Harmonics, x: Floats) -> tuple[Floats
 @kernel
 def _balance(tables, numbers, i, basis, x, scale, residual, jacobian):
     """Residual and Jacobian of one condition."""
-    room = (rooms(), np.empty((5, basis.phase.size)), np.empty((5, 6, basis.phase.size)), np.empty((basis.phase.size,)))
+    room = (
+        rooms(tables),
+        np.empty((5, basis.phase.size)),
+        np.empty((5, 6, basis.phase.size)),
+        np.empty((basis.phase.size,)),
+    )
     return _assemble(tables, numbers, i, basis, x, scale, room, residual, jacobian)
 
 
@@ -194,7 +199,7 @@ def _solve(tables, numbers, basis, scale, longest, tolerance, x, outcome):
     m = x.shape[1]
     residual, jacobian, trial, step = np.empty(m), np.empty((m, m)), np.empty(m), np.empty(m)
     samples = basis.phase.size
-    room = (rooms(), np.empty((5, samples)), np.empty((5, 6, samples)), np.empty((samples,)))
+    room = (rooms(tables), np.empty((5, samples)), np.empty((5, 6, samples)), np.empty((samples,)))
     for i in range(x.shape[0]):
         if not _assemble(tables, numbers, i, basis, x[i], scale, room, residual, jacobian):
             outcome[i] = OUTSIDE

@@ -83,7 +83,7 @@ def march_in_steps(
 @kernel
 def _march(tables, numbers, i, up, across, damp_up, damp_across, h, limit, rise, out):
     """Steps from row to row; returns how it ends."""
-    room, force, slope, x = rooms(), np.empty(5), np.empty((5, 6)), np.empty(5)
+    room, force, slope, x = rooms(tables), np.empty(5), np.empty((5, 6)), np.empty(5)
     size = out.shape[1]
     y, stage, rate, total = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
     full = numbers.amplitude[i]

@@ -8,22 +8,34 @@ import math
 import numpy as np
 
 from quartering._machine.compiled import inlined, inner
-from quartering.loads.wetted_hull.section_tables import table_load
+from quartering.loads.wetted_hull.section_tables import table_load, table_room
 
 # Order of the modes: heave, pitch, sway, roll, yaw. A state is (h, theta, v, phi, r) and the rate p of roll beside it; the
 # derivatives of the five forces are by (h, theta, v, phi, r, p).
 
 
 @inlined
-def rooms():
+def rooms(tables):
     """What one evaluation works in."""
-    return np.empty((7, 18)), np.empty(6), np.empty((6, 3)), np.empty(3), np.empty(4)
+    return table_room(tables.x.size), np.empty(6), np.empty((6, 4)), np.empty(3), np.empty(4)
+
+
+# The ship surges by xi = a sum (c_j cos j w t + s_j sin j w t) about the place of its mean speed, and meets the wave at
+# k cos mu xi before its time.
+@inner
+def phase_met(numbers, i, phase):
+    """Phase of the wave at G, with the surge."""
+    xi = 0.0
+    for j in range(numbers.surge.shape[1]):
+        xi += numbers.surge[i, j, 0] * math.cos((j + 1) * phase) + numbers.surge[i, j, 1] * math.sin((j + 1) * phase)
+    return phase - numbers.wave[i, 2] * numbers.wave[i, 0] * numbers.amplitude[i] * xi
 
 
 @inner
-def instant(tables, numbers, i, phase, x, p, room, force, slope):
+def instant(tables, numbers, i, course_phase, x, p, room, force, slope):
     """Forces (5,) and their derivatives (5, 6) at a phase of the encounter; False where a section leaves its table."""
     scratch, load, jacobian, state, wave = room
+    phase = phase_met(numbers, i, course_phase)
     state[0], state[1], state[2] = x[0], x[3], x[1]
     a = numbers.amplitude[i]
     wave[0], wave[1], wave[2], wave[3] = a, numbers.wave[i, 0], numbers.wave[i, 1], numbers.wave[i, 2] * phase
