@@ -95,7 +95,7 @@ class Path:
     def balance(self, point: Floats) -> tuple[Floats, Floats, bool]:
         """Residual (m,) and its derivatives (m, m + 1) by the scaled point."""
         residual, jacobian, inside = balance(self.family.at(point[-1]), 0, self.basis, point[:-1])
-        higher, _, inside_too = balance(self.family.at(point[-1] + self.small), 0, self.basis, point[:-1])
+        higher, _, inside_too = balance(self.family.at(point[-1] + self.small), 0, self.basis, point[:-1], derive=False)
         whole = np.column_stack([jacobian, (higher - residual) / self.small])
         return residual, whole * self.sizes, inside and inside_too
 

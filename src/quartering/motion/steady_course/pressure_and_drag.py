@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from quartering._machine.compiled import inlined, inner
+from quartering._machine.compiled import batch_kernel, inlined
 from quartering.loads.wetted_hull.section_tables import table_load, table_room
 
 # Order of the modes: heave, pitch, sway, roll, yaw. A state is (h, theta, v, phi, r) and the rate p of roll beside it; the
@@ -22,7 +22,7 @@ def rooms(tables):
 
 # The ship surges by xi = a sum (c_j cos j w t + s_j sin j w t) about the place of its mean speed, and meets the wave at
 # k cos mu xi before its time.
-@inner
+@batch_kernel
 def phase_met(numbers, i, phase):
     """Phase of the wave at G, with the surge."""
     xi = 0.0
@@ -31,7 +31,7 @@ def phase_met(numbers, i, phase):
     return phase - numbers.wave[i, 2] * numbers.wave[i, 0] * numbers.amplitude[i] * xi
 
 
-@inner
+@batch_kernel
 def instant(tables, numbers, i, course_phase, x, p, room, force, slope):
     """Forces (5,) and their derivatives (5, 6) at a phase of the encounter; False where a section leaves its table."""
     scratch, load, jacobian, state, wave = room
@@ -64,7 +64,7 @@ def instant(tables, numbers, i, course_phase, x, p, room, force, slope):
     return True
 
 
-@inner
+@batch_kernel
 def _products(numbers, i, x, p, force, slope):
     """Add the products of (v, phi, p, r)."""
     for t in range(numbers.modulus.size):
@@ -94,7 +94,7 @@ def _of(x, p, s):
     return x[2] if s == 0 else x[3] if s == 1 else p if s == 2 else x[4]
 
 
-@inner
+@batch_kernel
 def _drag(numbers, i, c, s, x, p, force, slope):
     """Add the drag -|q| q e of every strip, and -2 |q| e e^T; see `equations.drag`."""
     strips = numbers.strips
