@@ -175,7 +175,7 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, room, load, j
         if across != 0.0:
             gamma, tilt = math.sqrt(1.0 + slope * slope), math.atan(slope)
         depth = ((heave - z0 - xs * st + eta) / ct + q0) / gamma
-        if not _spline(spline, s, first, step, k, depth, roll + tilt, read):
+        if not spline_at(spline, s, first, step, k, depth, roll + tilt, read):
             load[:] = np.nan
             jacobian[:] = np.nan
             return
@@ -183,9 +183,9 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, room, load, j
         forward, starboard = along * sine * share, slope * share
         g1, g2 = 1.0 / gamma, slope / gamma
         place, wave_here = (xs, st, ct, b0, q0), (g1, g2, k * eta, k * slope, forward, starboard)
-        here, moments = _section(read, 0, place, wave_here)
-        deeper, _ = _section(read, 1, place, wave_here)
-        heeled, _ = _section(read, 2, place, wave_here)
+        here, moments = section_share(read, 0, place, wave_here)
+        deeper, _ = section_share(read, 1, place, wave_here)
+        heeled, _ = section_share(read, 2, place, wave_here)
         steeper = -across * eta
         factors = (
             -slope * steeper * g1 * g1 * g1, steeper * g1 * g1 * g1, k * sine, k * steeper,
@@ -212,7 +212,7 @@ def table_load(x, weight, z0, k, first, step, spline, state, wave, room, load, j
 
 
 @batch_kernel
-def _section(read, row, place, wave_here):  # type: ignore[no-untyped-def]
+def section_share(read, row, place, wave_here):  # type: ignore[no-untyped-def]
     """X, Y, Z, K, M, N a metre of a section, and int up b, int up q, int e^{-kd} b and q about G."""
     xs, st, ct, b0, q0 = place
     g1, g2, e, f, forward, starboard = wave_here
@@ -251,7 +251,7 @@ def _factors_change(read, place, wave_here, factors, moments):  # type: ignore[n
 # Below the last depth of its table a section heeled by less than 33 deg is under water up to its deck: area and moments stay,
 # and what is weighted with e^{-kd} falls as e^{-kd}.
 @batch_kernel
-def _spline(spline, s, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
+def spline_at(spline, s, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
     """Integrals and their derivatives by depth and heel; False outside the table."""
     last = first[0] + (spline.shape[1] - 3) * step[0]
     drowned = depth > last and abs(heel) <= _DROWNED

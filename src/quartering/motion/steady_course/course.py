@@ -241,38 +241,72 @@ def course(ship: Ship, wavenumber: float, amplitude: Floats, speed: Floats, head
     slow = np.abs(signed) < least_encounter_frequency(ship.hull.length)
     omega = np.where(slow, least_encounter_frequency(ship.hull.length), np.abs(signed))
     tables, volume = floating_tables(ship, wavenumber)
-    mass, damping = _radiation(ship, omega, U)
-    undisturbed, scattered = vertical_forces(ship, k, U, mu)
-    diffraction = scattered[:, 1:]
-    lateral = ship_force_phasors(ship, k, U, mu)[1]
+    mass, damping = radiation(ship, omega, U)
     first = coefficients(ship, omega, U)
-    overtakes = signed[:, None] < 0
-    # there the surface at G passes its mean level on the way down at t = 0; here a crest stands at G
-    turn = np.where(overtakes, 1j, -1j)
-    lateral = (lateral + ship_lift_phasors(ship, first, k, U, mu)) * turn
-    force = np.concatenate([np.where(overtakes, np.conj(diffraction), diffraction), lateral], axis=1)
-    ahead, across = heading_components(mu)
-    along = -k * ahead
+    met = waves_met(ship, first, k, U, mu, signed, slow)
     powers, modulus, products = _products(first, a.size)
     numbers = Numbers(
         amplitude=a,
         omega=omega,
-        wave=np.stack([along, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),
+        wave=met.wave,
         mass=mass,
         damping=damping,
         heel=first.relative_heel,
-        force=force,
+        force=met.force,
         powers=powers,
         modulus=modulus,
         products=products,
-        strips=_strips(ship, first, k, U, mu, turn),
+        strips=met.strips,
         rudder=np.zeros((a.size, 3)) if first.rudder is None else first.rudder,
-        surge=_surge(ship, np.where(overtakes[:, 0], np.conj(undisturbed[:, 0]), undisturbed[:, 0]), omega, slow),
+        surge=met.surge,
         gains=_gains(ship),
         share=np.ones(5),
         scale=np.array([ship.loading.density * GRAVITY, volume]),
     )
     return Course(ship, tables, numbers, U, signed, slow, ship.hull.length, ship.hull.draught)
+
+
+class WavesMet(NamedTuple):
+    """What n waves do beside their pressure on the wetted hull, per metre of amplitude; as `Numbers` has them.
+
+    Parameters
+    ----------
+    wave : (n, 3)
+    force : (n, 5) complex
+    strips : (n, z, 5)
+    surge : (n, 1, 2)
+    """
+
+    wave: Floats
+    force: Phasors
+    strips: Floats
+    surge: Floats
+
+
+def waves_met(
+    ship: Ship, c: Coefficients, k: Floats, speed: Floats, heading: Floats, signed: Floats, slow: NDArray[np.bool_]
+) -> WavesMet:
+    """Diffraction, lift of the moving water, its velocity at the strips of the drag, and surge, of n waves.
+
+    c: of the ship at the modulus of each encounter frequency
+    k, speed, heading (n,): [1/m], [m/s], [deg]
+    signed, slow (n,): encounter frequency [rad/s]; the ship keeps pace with the wave
+    """
+    undisturbed, scattered = vertical_forces(ship, k, speed, heading)
+    overtakes = signed[:, None] < 0
+    # there the surface at G passes its mean level on the way down at t = 0; here a crest stands at G
+    turn = np.where(overtakes, 1j, -1j)
+    lateral = (ship_force_phasors(ship, k, speed, heading)[1] + ship_lift_phasors(ship, c, k, speed, heading)) * turn
+    vertical = np.where(overtakes, np.conj(scattered[:, 1:]), scattered[:, 1:])
+    ahead, across = heading_components(heading)
+    along = np.where(overtakes[:, 0], np.conj(undisturbed[:, 0]), undisturbed[:, 0])
+    omega = np.where(slow, 1.0, np.abs(signed))
+    return WavesMet(
+        np.stack([-k * ahead, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),
+        np.concatenate([vertical, lateral], axis=1),
+        _strips(ship, c, k, speed, heading, turn),
+        _surge(ship, along, omega, slow),
+    )
 
 
 def surge_at(one: Course, time: Floats) -> Floats:
@@ -293,7 +327,7 @@ def _surge(ship: Ship, force: Phasors, omega: Floats, slow: NDArray[np.bool_]) -
     return np.stack([found.real, -found.imag], axis=1)[:, None, :]
 
 
-def _radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:
+def radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:
     """Mass with added mass, and damping, of the five modes at multiples of half the encounter frequency."""
     n = omega.size
     frequency = (0.5 * omega[:, None] * np.arange(HALVES)).ravel()

@@ -100,7 +100,7 @@ def _march(tables, numbers, i, up, across, damp_up, damp_across, h, limit, rise,
             if not instant(tables, numbers, i, numbers.omega[i] * time, x, stage[6], room, force, slope):
                 numbers.amplitude[i] = full
                 return UNDER
-            _rates(numbers, i, up, across, damp_up, damp_across, stage, force, rate)
+            motion_rates(numbers, i, up, across, damp_up, damp_across, stage, force, rate)
             for s in range(size):
                 total[s] += (1.0 if j == 0 or j == 3 else 2.0) * rate[s]
         for s in range(size):
@@ -113,7 +113,7 @@ def _march(tables, numbers, i, up, across, damp_up, damp_across, h, limit, rise,
 
 
 @inner
-def _rates(numbers, i, up, across, damp_up, damp_across, y, force, rate):
+def motion_rates(numbers, i, up, across, damp_up, damp_across, y, force, rate):
     """Derivative of the state."""
     gain, yaw_gain, lag = numbers.gains[0], numbers.gains[1], numbers.gains[2]
     order = -gain * y[8] - yaw_gain * y[7]

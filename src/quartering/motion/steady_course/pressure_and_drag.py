@@ -59,13 +59,13 @@ def instant(tables, numbers, i, course_phase, x, p, room, force, slope):
     for m in range(3):
         force[2 + m] += numbers.heel[i, m] * x[3]
         slope[2 + m, 3] += numbers.heel[i, m]
-    _products(numbers, i, x, p, force, slope)
+    add_products(numbers, i, x, p, force, slope)
     _drag(numbers, i, a * c, a * s, x, p, force, slope)
     return True
 
 
 @batch_kernel
-def _products(numbers, i, x, p, force, slope):
+def add_products(numbers, i, x, p, force, slope):
     """Add the products of (v, phi, p, r)."""
     for t in range(numbers.modulus.size):
         value = 1.0
