@@ -12,7 +12,13 @@ from quartering._machine.compiled import inner, kernel
 from quartering.hull.lines.section import Floats
 from quartering.hull.ship import Ship
 from quartering.loads.wetted_hull.pressure import PIECES, Waves, WettedHull, direct_load, direct_loads, wetted_hull
-from quartering.loads.wetted_hull.section_tables import SectionTables, section_tables, table_load, table_loads
+from quartering.loads.wetted_hull.section_tables import (
+    SectionTables,
+    section_tables,
+    table_load,
+    table_loads,
+    table_room,
+)
 
 HEAVE, TRIM = 1, 2
 """What a balance solves for: heave alone, or heave and trim; 0 solves for nothing."""
@@ -148,13 +154,13 @@ def _balance_by_table(  # type: ignore[no-untyped-def]
     x, weight, z0, k, first, step, spline, volume, roll, waves, solved, start, limits, scale, out, found
 ):
     """Balances by tables of the sections, each row from the one before it."""
-    scratch = np.empty((7, 18))
-    state, load, jacobian = np.zeros(3), np.empty(6), np.empty((6, 3))
+    room = table_room(x.size)
+    state, load, jacobian = np.zeros(3), np.empty(6), np.empty((6, 4))
     state[0], state[2] = start[0, 0], start[0, 1]
     for n in range(roll.size):
         _begin(n, roll, solved, start, state)
         for _ in range(_ITERATIONS):
-            table_load(x, weight, z0, k, first, step, spline, state, waves[n], scratch, load, jacobian)
+            table_load(x, weight, z0, k, first, step, spline, state, waves[n], room, load, jacobian)
             if _stepped(solved, volume, limits, scale, state, load, jacobian):
                 break
         _end(n, solved, volume, scale, state, load, jacobian, out, found)

@@ -145,9 +145,8 @@ def immersion(
     -5.0
     """
     top = hull.z[np.arange(hull.x.size), hull.points - 1]
-    breadth = np.array(
-        [y[:n][z[:n] <= t + 1e-9].max() for y, z, n, t in zip(hull.y, hull.z, hull.points, top, strict=True)]
-    )
+    at_top = (np.arange(hull.y.shape[1]) < hull.points[:, None]) & (hull.z <= top[:, None] + 1e-9)
+    breadth = np.where(at_top, hull.y, -np.inf).max(axis=1)
     z = top if height is None else np.maximum(top, height)
     column = [np.asarray(part)[:, None] for part in (roll, heave, pitch, *waves)]
     phi, h, theta, a, along, across, phase = column

@@ -13,13 +13,14 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, inner, kernel
+from quartering._machine.compiled import batch_kernel, inlined, kernel
+from quartering._machine.simd import LANES, every, store
+from quartering._machine.simd import load as vector
 from quartering.hull.lines.hull import Hull
 from quartering.hull.lines.section import Floats
 from quartering.loads.wetted_hull.pressure import (
     PIECES,
     Waves,
-    add_section,
     along_surface,
     wetted_hull,
 )
@@ -47,9 +48,9 @@ class SectionTables(NamedTuple):
     wavenumber : float                k of the weighted integrals; 0 where there are none [1/m]
     first : (2,) float                first depth [m] and heel [rad]
     step : (2,) float                 their steps
-    spline : (s, d, c, 3 or 7) float  coefficients of cubic B-splines: area, its moments across and down from the reference
-                                      point; with a wave number the same weighted with e^{-kd}, and the weighted second
-                                      moment across [m2, m3, m4]
+    spline : (s, d, c, 8) float       coefficients of cubic B-splines: area, its moments across and down from the reference
+                                      point; the same weighted with e^{-kd}, or again where there is no wave number; the
+                                      weighted second moment across [m2, m3, m4]; nothing, to fill a vector
     """
 
     x: Floats
@@ -87,7 +88,11 @@ def section_tables(hull: Hull, wavenumber: float = 0.0, pieces: int = PIECES) ->
     for axis in (1, 2):
         values = spline_filter1d(values, 3, axis=axis, mode="mirror")
     first, step = np.array([depth[0], heel[0]]), np.array([depth[1] - depth[0], heel[1] - heel[0]])
-    return SectionTables(wet.x, wet.weight, 0.0, wavenumber, first, step, np.ascontiguousarray(values))
+    spline = np.zeros((*values.shape[:3], LANES))
+    spline[..., : values.shape[3]] = values
+    if wavenumber == 0.0:
+        spline[..., 3:6] = values
+    return SectionTables(wet.x, wet.weight, 0.0, wavenumber, first, step, spline)
 
 
 @kernel
@@ -125,9 +130,16 @@ def table_loads(tables: SectionTables, state: Floats, waves: Waves) -> tuple[Flo
 @kernel
 def _by_table(x, weight, z0, k, first, step, spline, state, waves, loads, jacobian):  # type: ignore[no-untyped-def]
     """Loads of n states in n waves."""
-    scratch = np.empty((7, 18))
+    room, change = table_room(x.size), np.empty((6, 4))
     for n in range(state.shape[0]):
-        table_load(x, weight, z0, k, first, step, spline, state[n], waves[n], scratch, loads[n], jacobian[n])
+        table_load(x, weight, z0, k, first, step, spline, state[n], waves[n], room, loads[n], change)
+        jacobian[n] = change[:, :3]
+
+
+@inlined
+def table_room(sections):  # type: ignore[no-untyped-def]
+    """What `table_load` works in: integrals of a section; e^{i k x cos mu} of all sections, for the k cos mu it was last at."""
+    return np.empty((3, LANES)), np.full((2, sections + 1), np.nan)
 
 
 # Let the surface at a section rise by eta_y to starboard; gamma = sqrt(1 + eta_y^2). Across and down from the reference point,
@@ -135,98 +147,141 @@ def _by_table(x, weight, z0, k, first, step, spline, state, waves, loads, jacobi
 #     b = b0 + (b' + eta_y q')/gamma,  q = q0 + (q' - eta_y b')/gamma,
 # so that the tables of A, B', Q' at s = depth/gamma, chi = phi + atan eta_y give A and the integrals of b and q about G. In the
 # decaying part -k eta e^{-kd} the elevation goes with its slope across the section too, hence the second moment.
-@inner
-def table_load(x, weight, z0, k, first, step, spline, state, wave, scratch, load, jacobian):  # type: ignore[no-untyped-def]
-    """Loads and Jacobian of one state in one frozen wave."""
+#
+# What a section gives is linear in its integrals. So a change of depth or of heel is the same with their derivatives; a change
+# of the wave's angle, k x cos mu + k b0 sin mu - phase, by which roll and a place further along the course act too, changes the
+# depth, the heel and the factors: eta' = s, s' = -eta with s = -a sin(angle).
+@batch_kernel
+def table_load(x, weight, z0, k, first, step, spline, state, wave, room, load, jacobian):  # type: ignore[no-untyped-def]
+    """Loads (6,) of one state in one frozen wave, and Jacobian (6, 4) by heave, roll, pitch and place along the course."""
+    read, turned = room
     heave, roll, pitch = state[0], state[1], state[2]
     a, along, across, phase = wave[0], wave[1], wave[2], wave[3]
     sp, cp, st, ct = math.sin(roll), math.cos(roll), math.sin(pitch), math.cos(pitch)
     b0, q0 = -z0 * sp, z0 * cp
     load[:] = 0.0
     jacobian[:] = 0.0
-    read, sums = scratch[:3], scratch[3:]
-    # Across one section the wave's surface is nearly straight: eta + slope y. In axes of the ship it is a plane tilted by
-    # chi = roll + atan(slope) at depth d = down/gamma under the reference point, gamma = sqrt(1 + slope^2), which is what the
-    # tables are made over. Effective gravity turns with it (theory of 3.3): with A, B, Q the wetted area and its moments across
-    # and down, the section's moments about G's axes are b0 A + (B + slope Q)/gamma and q0 A + (Q - slope B)/gamma.
+    if turned[0, x.size] != along:
+        for s in range(x.size):
+            turned[0, s], turned[1, s] = math.cos(along * x[s]), math.sin(along * x[s])
+        turned[0, x.size] = along
+    real, imaginary = a * math.cos(across * b0 - phase), a * math.sin(across * b0 - phase)
     for s in range(x.size):
         xs, w = x[s], weight[s]
-        angle = along * xs + across * b0 - phase
-        eta, sine = a * math.cos(angle), -a * math.sin(angle)
+        eta = turned[0, s] * real - turned[1, s] * imaginary
+        sine = -(turned[1, s] * real + turned[0, s] * imaginary)
         slope = across * sine
-        gamma = math.sqrt(1.0 + slope * slope)
-        down = (heave - z0 - xs * st + eta) / ct + q0
-        if not _spline(spline[s], first, step, k, down / gamma, roll + math.atan(slope), read):
+        gamma, tilt = 1.0, 0.0
+        if across != 0.0:
+            gamma, tilt = math.sqrt(1.0 + slope * slope), math.atan(slope)
+        depth = ((heave - z0 - xs * st + eta) / ct + q0) / gamma
+        if not spline_at(spline, s, first, step, k, depth, roll + tilt, read):
             load[:] = np.nan
             jacobian[:] = np.nan
             return
-        change = (1.0 / ct, -(z0 * sp + slope * z0 * cp / ct), (down - q0) * st / ct - xs)
         share = 1.0 - k * eta
-        # Row 0 holds the values, rows 1 to 3 their derivatives by heave, roll and pitch: all three change the depth, roll
-        # changes chi as well. The second half of a table, weighted with e^{-kd}, is the pressure that dies out downwards.
-        for row in range(4):
-            out = sums[row]
-            by_depth = 0.0 if row == 0 else change[row - 1] / gamma
-            for half in range(2 if k > 0.0 else 1):
-                i = 3 * half
-                if row == 0:
-                    A, B, Q = read[0, i], read[0, i + 1], read[0, i + 2]
-                else:
-                    A, B, Q = read[1, i] * by_depth, read[1, i + 1] * by_depth, read[1, i + 2] * by_depth
-                    if row == 2:
-                        A, B, Q = A + read[2, i], B + read[2, i + 1], Q + read[2, i + 2]
-                across_g = b0 * A + (B + slope * Q) / gamma
-                down_g = q0 * A + (Q - slope * B) / gamma
-                if row == 2:  # G stays, the reference point moves
-                    across_g -= z0 * cp * read[0, i]
-                    down_g -= z0 * sp * read[0, i]
-                if half == 0:
-                    out[0], out[1], out[2] = A, across_g, down_g
-                out[8], out[9], out[10] = A, across_g, down_g
-            if k > 0.0:
-                second = read[0, 6] if row == 0 else read[1, 6] * by_depth + (read[2, 6] if row == 2 else 0.0)
-                out[0] -= k * (eta * out[8] + slope * B)
-                out[1] -= k * (eta * out[9] + slope * (second + b0 * B))
-                out[2] -= k * eta * out[10]
-            forward, starboard = along * sine * share, slope * share
-            out[3], out[4], out[5] = forward * out[8], forward * out[9], forward * out[10]
-            out[6], out[7] = starboard * out[8], starboard * out[10]
-        add_section(w, xs, st, ct, False, sums, load, jacobian)
+        forward, starboard = along * sine * share, slope * share
+        g1, g2 = 1.0 / gamma, slope / gamma
+        place, wave_here = (xs, st, ct, b0, q0), (g1, g2, k * eta, k * slope, forward, starboard)
+        here, moments = section_share(read, 0, place, wave_here)
+        deeper, _ = section_share(read, 1, place, wave_here)
+        heeled, _ = section_share(read, 2, place, wave_here)
+        steeper = -across * eta
+        factors = (
+            -slope * steeper * g1 * g1 * g1, steeper * g1 * g1 * g1, k * sine, k * steeper,
+            -along * (eta * share + k * sine * sine), steeper * share - k * slope * sine,
+        )  # fmt: skip
+        turning = _factors_change(read, place, wave_here, factors, moments)
+        by_depth, by_heel = sine * g1 / ct - depth * slope * steeper * g1 * g1, steeper * g1 * g1
+        to_heave, to_roll, to_pitch = g1 / ct, -z0 * sp * g1, ((depth * gamma - q0) * st / ct - xs) * g1
+        for i in range(6):
+            angle = turning[i] + deeper[i] * by_depth + heeled[i] * by_heel
+            load[i] += w * here[i]
+            jacobian[i, 0] += w * deeper[i] * to_heave
+            jacobian[i, 1] += w * (deeper[i] * to_roll + heeled[i] - across * z0 * cp * angle)
+            jacobian[i, 2] += w * deeper[i] * to_pitch
+            jacobian[i, 3] += w * along * angle
+        up, up_b, up_q = -here[2], moments[0], moments[1]
+        # the reference point moves round G as the ship rolls, and the directions of the moments turn with the pitch
+        sideways, down = -z0 * cp, -z0 * sp
+        jacobian[3, 1] += w * (starboard * down * read[0, 3] - ct * sideways * up)
+        jacobian[4, 1] += w * st * down * (read[0, 0] - k * eta * read[0, 3])
+        jacobian[5, 1] += w * forward * sideways * read[0, 3]
+        jacobian[3, 2] += w * st * up_b
+        jacobian[4, 2] += w * (ct * up_q - xs * st * up)
+
+
+@batch_kernel
+def section_share(read, row, place, wave_here):  # type: ignore[no-untyped-def]
+    """X, Y, Z, K, M, N a metre of a section, and int up b, int up q, int e^{-kd} b and q about G."""
+    xs, st, ct, b0, q0 = place
+    g1, g2, e, f, forward, starboard = wave_here
+    r0, r1, r2, r3 = read[row, 0], read[row, 1], read[row, 2], read[row, 3]
+    r4, r5, r6 = read[row, 4], read[row, 5], read[row, 6]
+    b = b0 * r0 + g1 * r1 + g2 * r2
+    q = q0 * r0 + g1 * r2 - g2 * r1
+    b_, q_ = b0 * r3 + g1 * r4 + g2 * r5, q0 * r3 + g1 * r5 - g2 * r4
+    up = r0 - e * r3 - f * r4
+    up_b, up_q = b - e * b_ - f * (r6 + b0 * r4), q - e * q_
+    return (
+        -forward * r3, -starboard * r3, -up,
+        starboard * q_ - ct * up_b, xs * ct * up + st * up_q, forward * b_ - xs * starboard * r3,
+    ), (up_b, up_q, b_, q_)  # fmt: skip
+
+
+@batch_kernel
+def _factors_change(read, place, wave_here, factors, moments):  # type: ignore[no-untyped-def]
+    """What X, Y, Z, K, M, N of a section change by with the factors of its integrals."""
+    xs, st, ct, b0, _ = place
+    _, _, e, _, forward, starboard = wave_here
+    g1, g2, de, df, d_forward, d_starboard = factors
+    r1, r2, r3, r4, r5, r6 = read[0, 1], read[0, 2], read[0, 3], read[0, 4], read[0, 5], read[0, 6]
+    b_, q_ = moments[2], moments[3]
+    db_, dq_ = g1 * r4 + g2 * r5, g1 * r5 - g2 * r4
+    up = -de * r3 - df * r4
+    up_b = g1 * r1 + g2 * r2 - de * b_ - e * db_ - df * (r6 + b0 * r4)
+    up_q = g1 * r2 - g2 * r1 - de * q_ - e * dq_
+    return (
+        -d_forward * r3, -d_starboard * r3, -up,
+        d_starboard * q_ + starboard * dq_ - ct * up_b, xs * ct * up + st * up_q,
+        d_forward * b_ + forward * db_ - xs * d_starboard * r3,
+    )  # fmt: skip
 
 
 # Below the last depth of its table a section heeled by less than 33 deg is under water up to its deck: area and moments stay,
 # and what is weighted with e^{-kd} falls as e^{-kd}.
 @batch_kernel
-def _spline(coefficients, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
+def spline_at(spline, s, first, step, k, depth, heel, read):  # type: ignore[no-untyped-def]
     """Integrals and their derivatives by depth and heel; False outside the table."""
-    last = first[0] + (coefficients.shape[0] - 3) * step[0]
+    last = first[0] + (spline.shape[1] - 3) * step[0]
     drowned = depth > last and abs(heel) <= _DROWNED
     by = math.exp(-k * (depth - last)) if drowned else 1.0
     depth = last if drowned else depth
     u, v = (depth - first[0]) / step[0], (heel - first[1]) / step[1]
     i, j = math.floor(u) - 1, math.floor(v) - 1
     if i < 0:  # above the water
-        for n in range(coefficients.shape[2]):
-            read[0, n] = read[1, n] = read[2, n] = 0.0
+        read[:] = 0.0
         return True
-    if i > coefficients.shape[0] - 4 or j < 0 or j > coefficients.shape[1] - 4:
+    if i > spline.shape[1] - 4 or j < 0 or j > spline.shape[2] - 4:
         return False
-    (u0, u1, u2, u3), (s0, s1, s2, s3) = _weights(u - i - 1)
+    across_depth, slope_depth = _weights(u - i - 1)
     (v0, v1, v2, v3), (t0, t1, t2, t3) = _weights(v - j - 1)
-    for n in range(coefficients.shape[2]):
-        value = by_u = by_v = 0.0
-        for r in range(4):
-            c0, c1 = coefficients[i + r, j, n], coefficients[i + r, j + 1, n]
-            c2, c3 = coefficients[i + r, j + 2, n], coefficients[i + r, j + 3, n]
-            line = v0 * c0 + v1 * c1 + v2 * c2 + v3 * c3
-            across = u0 if r == 0 else u1 if r == 1 else u2 if r == 2 else u3
-            value += across * line
-            by_u += (s0 if r == 0 else s1 if r == 1 else s2 if r == 2 else s3) * line
-            by_v += across * (t0 * c0 + t1 * c1 + t2 * c2 + t3 * c3)
-        read[0, n], read[1, n], read[2, n] = value, by_u / step[0], by_v / step[1]
-        if drowned:
+    value, by_u, by_v = every(0.0), every(0.0), every(0.0)
+    for r in range(4):
+        c0, c1 = vector(spline, (s, i + r, j)), vector(spline, (s, i + r, j + 1))
+        c2, c3 = vector(spline, (s, i + r, j + 2)), vector(spline, (s, i + r, j + 3))
+        line = v0 * c0 + v1 * c1 + v2 * c2 + v3 * c3
+        value += across_depth[r] * line
+        by_u += slope_depth[r] * line
+        by_v += across_depth[r] * (t0 * c0 + t1 * c1 + t2 * c2 + t3 * c3)
+    store(read, 0, value)
+    store(read, 1, by_u * (1.0 / step[0]))
+    store(read, 2, by_v * (1.0 / step[1]))
+    if drowned:
+        for n in range(read.shape[1]):
             decay = by if n > 2 else 1.0
-            read[0, n], read[2, n] = decay * value, decay * read[2, n]
+            read[0, n] *= decay
+            read[2, n] *= decay
             read[1, n] = -k * read[0, n] if n > 2 else 0.0
     return True
 

@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel, summing
 from quartering.motion.steady_course.course import Course
 from quartering.motion.steady_course.pressure_and_drag import instant, rooms
 
@@ -41,6 +41,8 @@ class Harmonics(NamedTuple):
     up, across, turn : (n, c) float     harmonics of heave and pitch, of sway and roll, and of yaw, at the samples
     rate : (n, c) float                 derivative of those of roll by the phase
     onto_up, onto_across : (c, n)       projections onto them
+    by_rows : of (c, n)                 up, across, turn and rate, a harmonic a row
+    odd : (m,) bool                     unknowns of odd multiples of half the encounter: of a motion of two periods alone
     """
 
     vertical: NDArray[np.int64]
@@ -52,20 +54,13 @@ class Harmonics(NamedTuple):
     rate: Floats
     onto_up: Floats
     onto_across: Floats
+    by_rows: tuple[Floats, Floats, Floats, Floats]
+    odd: NDArray[np.bool_]
 
     @property
     def sizes(self) -> tuple[int, int]:
         """Unknowns of a vertical and of a lateral mode."""
         return self.up.shape[1], self.across.shape[1]
-
-    @property
-    def odd(self) -> NDArray[np.bool_]:
-        """Which unknowns belong to odd multiples of half the encounter: those of a motion of two periods alone."""
-        up, across = (
-            np.concatenate([np.full(1 if o == 0 else 2, o % 2 == 1) for o in orders] or [np.empty(0, dtype=bool)])
-            for orders in (self.vertical, self.lateral)
-        )
-        return np.concatenate([up, up, across, across, across]).astype(np.bool_)
 
     @property
     def of_one_period(self) -> Harmonics:
@@ -114,7 +109,12 @@ def harmonics(vertical: tuple[int, ...], lateral: tuple[int, ...], samples: int)
         share = np.concatenate([np.full(1 if o == 0 else 2, 1.0 if o == 0 else 2.0) for o in orders] or [np.empty(0)])
         return np.ascontiguousarray((values * share / count).T)
 
-    return Harmonics(first, second, phase, up, across, turn, rate, onto(up, first), onto(across, second))
+    projections = onto(up, first), onto(across, second)
+    up_rows, across_rows, turn_rows, rate_rows = (np.ascontiguousarray(part.T) for part in (up, across, turn, rate))
+    by_rows = up_rows, across_rows, turn_rows, rate_rows
+    up_odd, across_odd = (np.repeat(orders % 2 == 1, np.where(orders == 0, 1, 2)) for orders in (first, second))
+    odd = np.concatenate([up_odd, up_odd, across_odd, across_odd, across_odd])
+    return Harmonics(first, second, phase, up, across, turn, rate, *projections, by_rows, odd)
 
 
 def symmetric_harmonics(order: int = 7, samples: int = 32) -> Harmonics:
@@ -173,19 +173,27 @@ def solved(course: Course, basis: Harmonics, start: Floats) -> tuple[Floats, NDA
     return x, outcome
 
 
-def balance(course: Course, i: int, basis: Harmonics, x: Floats) -> tuple[Floats, Floats, bool]:
-    """Residual (m,) and Jacobian (m, m) of one condition over `force_scale`, and whether the hull stays in its tables."""
+def balance(course: Course, i: int, basis: Harmonics, x: Floats, derive: bool = True) -> tuple[Floats, Floats, bool]:
+    """Residual (m,) and Jacobian (m, m) of one condition over `force_scale`, and whether the hull stays in its tables.
+
+    derive: with the Jacobian, which is left unfinished otherwise
+    """
     residual, jacobian = np.zeros(x.size), np.zeros((x.size, x.size))
     arguments = (course.tables, course.numbers, i, basis, np.ascontiguousarray(x), force_scale(course))
-    inside = _balance(*arguments, residual, jacobian)
+    inside = _balance(*arguments, residual, jacobian, derive)
     return residual, jacobian, bool(inside)
 
 
 @kernel
-def _balance(tables, numbers, i, basis, x, scale, residual, jacobian):
+def _balance(tables, numbers, i, basis, x, scale, residual, jacobian, derive):
     """Residual and Jacobian of one condition."""
-    room = (rooms(), np.empty((5, basis.phase.size)), np.empty((5, 6, basis.phase.size)), np.empty((basis.phase.size,)))
-    return _assemble(tables, numbers, i, basis, x, scale, room, residual, jacobian)
+    room = (
+        rooms(tables),
+        np.empty((5, basis.phase.size)),
+        np.empty((5, 6, basis.phase.size)),
+        np.empty((basis.phase.size,)),
+    )
+    return _assemble(tables, numbers, i, basis, x, scale, room, residual, jacobian, derive)
 
 
 @kernel
@@ -194,9 +202,9 @@ def _solve(tables, numbers, basis, scale, longest, tolerance, x, outcome):
     m = x.shape[1]
     residual, jacobian, trial, step = np.empty(m), np.empty((m, m)), np.empty(m), np.empty(m)
     samples = basis.phase.size
-    room = (rooms(), np.empty((5, samples)), np.empty((5, 6, samples)), np.empty((samples,)))
+    room = (rooms(tables), np.empty((5, samples)), np.empty((5, 6, samples)), np.empty((samples,)))
     for i in range(x.shape[0]):
-        if not _assemble(tables, numbers, i, basis, x[i], scale, room, residual, jacobian):
+        if not _assemble(tables, numbers, i, basis, x[i], scale, room, residual, jacobian, True):
             outcome[i] = OUTSIDE
             continue
         outcome[i] = NO_MOTION
@@ -212,7 +220,7 @@ def _solve(tables, numbers, basis, scale, longest, tolerance, x, outcome):
             inside = False
             for _ in range(6):
                 trial[:] = x[i] - by * step
-                inside = _assemble(tables, numbers, i, basis, trial, scale, room, residual, jacobian)
+                inside = _assemble(tables, numbers, i, basis, trial, scale, room, residual, jacobian, True)
                 if inside:
                     break
                 by *= 0.5
@@ -238,7 +246,7 @@ def _shortened(basis, step, longest):
 # Z = (i nu M + B) i nu for a displacement, i nu M + B for a velocity. The rudder turns with
 # -(gain + i nu rate)/(1 + i nu lag) psi.
 @inner
-def _assemble(tables, numbers, i, basis, x, scale, room, residual, jacobian):
+def _assemble(tables, numbers, i, basis, x, scale, room, residual, jacobian, derive):
     """Residual (m,) and Jacobian (m, m) over the scale; False where a section leaves its table."""
     places, force, slope, weighted = room
     up, across = basis.up.shape[1], basis.across.shape[1]
@@ -260,30 +268,30 @@ def _assemble(tables, numbers, i, basis, x, scale, room, residual, jacobian):
         for a in range(onto.shape[0]):
             for n in range(onto.shape[1]):
                 residual[first + a] -= onto[a, n] * force[row, n]
-        for column in range(2 + lateral):
+        for column in range(2 + lateral if derive else 0):
             at = column * up if column < 2 else 2 * up + (column - 2) * across
-            values = basis.up if column < 2 else basis.turn if column == 4 else basis.across
-            for a in range(onto.shape[0]):
-                for n in range(onto.shape[1]):
-                    weighted[n] = onto[a, n] * slope[row, column, n]
-                for b in range(values.shape[1]):
-                    total = 0.0
-                    for n in range(weighted.size):
-                        total += weighted[n] * values[n, b]
-                    jacobian[first + a, at + b] -= total
-                if column == 3:
-                    for n in range(onto.shape[1]):
-                        weighted[n] = onto[a, n] * slope[row, 5, n] * numbers.omega[i]
-                    for b in range(values.shape[1]):
-                        total = 0.0
-                        for n in range(weighted.size):
-                            total += weighted[n] * basis.rate[n, b]
-                        jacobian[first + a, at + b] -= total
+            values = basis.by_rows[0] if column < 2 else basis.by_rows[2] if column == 4 else basis.by_rows[1]
+            _project(onto, slope[row, column], 1.0, values, first, at, weighted, jacobian)
+            if column == 3:
+                _project(onto, slope[row, 5], numbers.omega[i], basis.by_rows[3], first, at, weighted, jacobian)
         for a in range(onto.shape[0]):
             residual[first + a] /= scale[row]
             for b in range(x.size):
                 jacobian[first + a, b] /= scale[row]
     return True
+
+
+@summing
+def _project(onto, slope, by, values, first, at, weighted, jacobian):
+    """Subtract from a block of the Jacobian what a slope at the samples does to one mode with the harmonics of another."""
+    for a in range(onto.shape[0]):
+        for n in range(onto.shape[1]):
+            weighted[n] = onto[a, n] * slope[n] * by
+        for b in range(values.shape[0]):
+            total = 0.0
+            for n in range(onto.shape[1]):
+                total += weighted[n] * values[b, n]
+            jacobian[first + a, at + b] -= total
 
 
 @inner

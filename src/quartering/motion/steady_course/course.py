@@ -5,7 +5,9 @@ force; radiation and diffraction stay linear, and sway, roll and yaw keep the li
 
     (M + A) d(velocity)/dt + B velocity = F_w(heave, pitch, roll, t) + F_D(t) + F_v(velocity).
 
-Heave and pitch are displacements in axes that move with the mean course, sway and yaw are velocities of the ship.
+Heave and pitch are displacements in axes that move with the mean course, sway and yaw are velocities of the ship. Surge is that
+of linear theory: the ship meets the wave earlier and later by it. What the pressure along the motion itself makes is 1 to 8 %
+less in waves of 1/33 to 1/67, which moves growth and roll by less than 0.1 %; without any surge they are 1 to 2 % less.
 """
 
 from __future__ import annotations
@@ -24,6 +26,7 @@ from quartering.hull.ship import Ship
 from quartering.hydro.coefficient_table import Coefficients
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.source.of_ship import source_of
+from quartering.hydro.strip.surge import spheroid_surge
 from quartering.loads.forces import ship_force_phasors
 from quartering.loads.lift import ship_lift_phasors
 from quartering.loads.strips.vertical import vertical_forces
@@ -41,6 +44,8 @@ Phasors = NDArray[np.complex128]
 MODES: Final = ("heave", "pitch", "sway", "roll", "yaw")
 """What the equations solve for: heave [m], pitch [rad], sway velocity [m/s], roll [rad], rate of turn [rad/s]."""
 HEAVE, PITCH, SWAY, ROLL, YAW = range(5)
+SURGING: Final = 0.3
+"""Surge times the wave number along the ship above which it is not small: the ship is on its way to ride the wave."""
 STRAIGHT: Final = 0.3
 """k B sin mu above which the surface is not straight across the ship."""
 HALVES: Final = 15
@@ -60,6 +65,7 @@ class Numbers(NamedTuple):
     powers, modulus, products    of (v, phi, p, r): (t, 4), (t,) and coefficients (n, 3, t), as `TermTable`
     strips : (n, z, 5)           cross-flow drag, as `Strips.array`; the water's velocity per metre of amplitude
     rudder : (n, 3)              Y, K, N per radian
+    surge : (n, h, 2)            of the ship about its mean place, cos and sin of multiples of omega per metre of amplitude
     gains : (3,)                 of the heading, of its rate, and the lag; 0 without an autopilot
     share : (5,)                 1, or 0 for a mode in which the pressure does not push
     scale : (2,)                 density times gravity, and the volume of the tables
@@ -77,6 +83,7 @@ class Numbers(NamedTuple):
     products: Floats
     strips: Floats
     rudder: Floats
+    surge: Floats
     gains: Floats
     share: Floats
     scale: Floats
@@ -136,6 +143,7 @@ class Course:
             "products",
             "strips",
             "rudder",
+            "surge",
         )
         picked = {name: np.ascontiguousarray(getattr(self.numbers, name)[rows]) for name in per_condition}
         numbers = self.numbers._replace(**picked)
@@ -188,6 +196,24 @@ def warn_across(ship: Ship, wavenumber: float, heading: float) -> None:
         )
 
 
+def warn_of_surge(many: Course) -> None:
+    """Say that a ship surges so far along the wave that linear theory does not give it."""
+    numbers = many.numbers
+    if not numbers.surge.shape[1]:
+        return
+    far = np.abs(numbers.wave[:, 0]) * numbers.amplitude * np.hypot(*numbers.surge[:, 0].T)
+    far[many.slow] = 0.0
+    worst = int(far.argmax())
+    if far[worst] > SURGING:
+        warnings.warn(
+            f"{many.ship.name} at {many.speed[worst]:.3g} m/s: the wave number times the surge of linear theory is "
+            f"{far[worst]:.2g}; above {SURGING:g} surge is not small, and the wave may carry the ship along; see "
+            "surf_riding, or take another speed",
+            RangeWarning,
+            stacklevel=5,
+        )
+
+
 def roll_inertia(ship: Ship, frequency: Floats) -> Floats:
     """I44 + A44 about G at frequencies (n,) [kg m2].
 
@@ -215,31 +241,24 @@ def course(ship: Ship, wavenumber: float, amplitude: Floats, speed: Floats, head
     slow = np.abs(signed) < least_encounter_frequency(ship.hull.length)
     omega = np.where(slow, least_encounter_frequency(ship.hull.length), np.abs(signed))
     tables, volume = floating_tables(ship, wavenumber)
-    mass, damping = _radiation(ship, omega, U)
-    diffraction = vertical_forces(ship, k, U, mu)[1][:, 1:]
-    lateral = ship_force_phasors(ship, k, U, mu)[1]
+    mass, damping = radiation(ship, omega, U)
     first = coefficients(ship, omega, U)
-    overtakes = signed[:, None] < 0
-    # there the surface at G passes its mean level on the way down at t = 0; here a crest stands at G
-    turn = np.where(overtakes, 1j, -1j)
-    lateral = (lateral + ship_lift_phasors(ship, first, k, U, mu)) * turn
-    force = np.concatenate([np.where(overtakes, np.conj(diffraction), diffraction), lateral], axis=1)
-    ahead, across = heading_components(mu)
-    along = -k * ahead
+    met = waves_met(ship, first, k, U, mu, signed, slow)
     powers, modulus, products = _products(first, a.size)
     numbers = Numbers(
         amplitude=a,
         omega=omega,
-        wave=np.stack([along, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),
+        wave=met.wave,
         mass=mass,
         damping=damping,
         heel=first.relative_heel,
-        force=force,
+        force=met.force,
         powers=powers,
         modulus=modulus,
         products=products,
-        strips=_strips(ship, first, k, U, mu, turn),
+        strips=met.strips,
         rudder=np.zeros((a.size, 3)) if first.rudder is None else first.rudder,
+        surge=met.surge,
         gains=_gains(ship),
         share=np.ones(5),
         scale=np.array([ship.loading.density * GRAVITY, volume]),
@@ -247,7 +266,68 @@ def course(ship: Ship, wavenumber: float, amplitude: Floats, speed: Floats, head
     return Course(ship, tables, numbers, U, signed, slow, ship.hull.length, ship.hull.draught)
 
 
-def _radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:
+class WavesMet(NamedTuple):
+    """What n waves do beside their pressure on the wetted hull, per metre of amplitude; as `Numbers` has them.
+
+    Parameters
+    ----------
+    wave : (n, 3)
+    force : (n, 5) complex
+    strips : (n, z, 5)
+    surge : (n, 1, 2)
+    """
+
+    wave: Floats
+    force: Phasors
+    strips: Floats
+    surge: Floats
+
+
+def waves_met(
+    ship: Ship, c: Coefficients, k: Floats, speed: Floats, heading: Floats, signed: Floats, slow: NDArray[np.bool_]
+) -> WavesMet:
+    """Diffraction, lift of the moving water, its velocity at the strips of the drag, and surge, of n waves.
+
+    c: of the ship at the modulus of each encounter frequency
+    k, speed, heading (n,): [1/m], [m/s], [deg]
+    signed, slow (n,): encounter frequency [rad/s]; the ship keeps pace with the wave
+    """
+    undisturbed, scattered = vertical_forces(ship, k, speed, heading)
+    overtakes = signed[:, None] < 0
+    # there the surface at G passes its mean level on the way down at t = 0; here a crest stands at G
+    turn = np.where(overtakes, 1j, -1j)
+    lateral = (ship_force_phasors(ship, k, speed, heading)[1] + ship_lift_phasors(ship, c, k, speed, heading)) * turn
+    vertical = np.where(overtakes, np.conj(scattered[:, 1:]), scattered[:, 1:])
+    ahead, across = heading_components(heading)
+    along = np.where(overtakes[:, 0], np.conj(undisturbed[:, 0]), undisturbed[:, 0])
+    omega = np.where(slow, 1.0, np.abs(signed))
+    return WavesMet(
+        np.stack([-k * ahead, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),
+        np.concatenate([vertical, lateral], axis=1),
+        _strips(ship, c, k, speed, heading, turn),
+        _surge(ship, along, omega, slow),
+    )
+
+
+def surge_at(one: Course, time: Floats) -> Floats:
+    """Surge (t,) of one condition about the place of its mean speed, + forward [m]."""
+    numbers = one.numbers
+    found = np.zeros(time.size)
+    for j, (c, s) in enumerate(numbers.surge[0]):
+        phase = (j + 1) * numbers.omega[0] * time
+        found += numbers.amplitude[0] * (c * np.cos(phase) + s * np.sin(phase))
+    return found
+
+
+def _surge(ship: Ship, force: Phasors, omega: Floats, slow: NDArray[np.bool_]) -> Floats:
+    """Surge (n, 1, 2) of linear theory from its wave force (n,), as `vertical_motion` has it: no damping."""
+    water = hydrostatics(ship)
+    inertia = water.mass * (1 + spheroid_surge(ship.hull.length, water.volume))
+    found = np.where(slow, 0.0, -force / (omega**2 * inertia))
+    return np.stack([found.real, -found.imag], axis=1)[:, None, :]
+
+
+def radiation(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats]:
     """Mass with added mass, and damping, of the five modes at multiples of half the encounter frequency."""
     n = omega.size
     frequency = (0.5 * omega[:, None] * np.arange(HALVES)).ravel()

@@ -10,7 +10,8 @@ has just ceased to be.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 
 from quartering._machine.piecewise import zero
 from quartering.motion.steady_course.balance import FOUND, Harmonics, balance, doubled_harmonics, solved
+from quartering.motion.steady_course.continuation import Family, OfAmplitude, Path
 from quartering.motion.steady_course.course import ROLL, Course
 from quartering.motion.steady_course.orbits import climbed
 
@@ -25,9 +27,6 @@ Floats = NDArray[np.float64]
 
 LARGEST_ROLL: Final = np.radians(60.0)
 """Roll at which a branch is left [rad]."""
-_SIZES: Final = np.array([0.3, 0.1, 2.0, 0.3, 0.1])
-"""Coefficients of one unit of length along a branch: heave in draughts, pitch [rad], sway [m/s], roll [rad], yaw [rad/s]."""
-_FIRST, _LONGEST, _SHORTEST = 0.03, 0.25, 1e-4
 _MOST: Final = 250
 _ONSET: Final = np.radians(0.5)
 
@@ -111,17 +110,36 @@ def onsets(course: Course, amplitudes: Floats, basis: Harmonics | None = None) -
     whole = np.zeros((amplitudes.size, odd.size))
     whole[:, ~odd] = orbits.x
     signs = np.array([_sign(ladder, i, basis, whole[i]) if orbits.found[i] else 0.0 for i in range(amplitudes.size)])
-    begun = []
-    for i in np.flatnonzero(signs[:-1] * signs[1:] < 0):
-        a = _root(course, basis, (amplitudes[i], amplitudes[i + 1]), (whole[i], whole[i + 1]))
-        x = _one_period_at(course, basis, a, whole[i])
-        if x is None:
-            continue
-        block = _odd_block(course.at_amplitude(np.array([a])), 0, basis, x)
-        direction = np.zeros(x.size)
-        direction[odd] = np.linalg.svd(block)[2][-1]
-        begun.append((a, x, direction))
-    return begun
+    family = OfAmplitude(course)
+    begun = [
+        onset_between(family, basis, (amplitudes[i], amplitudes[i + 1]), (whole[i], whole[i + 1]))
+        for i in np.flatnonzero(signs[:-1] * signs[1:] < 0)
+    ]
+    return [onset for onset in begun if onset is not None]
+
+
+def onset_between(
+    family: Family, basis: Harmonics, between: tuple[float, float], ends: tuple[Floats, Floats]
+) -> tuple[float, Floats, Floats] | None:
+    """Where motions of two periods begin between two motions of one, or None where those do not meet.
+
+    between: values of the parameter, at which the sign of the determinant differs
+    ends: the motions there, coefficients (m,) of two periods
+    Returns as `onsets`
+    """
+    value = _root(family, basis, between, ends)
+    t = (value - between[0]) / (between[1] - between[0])
+    x = _one_period_at(family.at(value), basis, (1 - t) * ends[0] + t * ends[1])
+    if x is None:
+        return None
+    direction = np.zeros(x.size)
+    direction[basis.odd] = np.linalg.svd(_odd_block(family.at(value), 0, basis, x))[2][-1]
+    return value, x, direction
+
+
+def doubling_sign(course: Course, basis: Harmonics, x: Floats) -> float:
+    """Sign of the determinant that changes where motions of two periods begin, of a motion of one (m,)."""
+    return _sign(course, 0, basis, x)
 
 
 def _odd_block(course: Course, i: int, basis: Harmonics, x: Floats) -> Floats:
@@ -133,10 +151,10 @@ def _sign(course: Course, i: int, basis: Harmonics, x: Floats) -> float:
     return float(np.linalg.slogdet(_odd_block(course, i, basis, x))[0])
 
 
-def _one_period_at(course: Course, basis: Harmonics, amplitude: float, guess: Floats) -> Floats | None:
-    """The motion of one period in a wave, as coefficients of two."""
+def _one_period_at(course: Course, basis: Harmonics, guess: Floats) -> Floats | None:
+    """The motion of one period of a condition, as coefficients of two."""
     odd = basis.odd
-    x, outcome = solved(course.at_amplitude(np.array([amplitude])), basis.of_one_period, guess[None, ~odd])
+    x, outcome = solved(course, basis.of_one_period, guess[None, ~odd])
     if outcome[0] != FOUND:
         return None
     whole = np.zeros(odd.size)
@@ -144,20 +162,20 @@ def _one_period_at(course: Course, basis: Harmonics, amplitude: float, guess: Fl
     return whole
 
 
-def _root(course: Course, basis: Harmonics, between: tuple[float, float], ends: tuple[Floats, Floats]) -> float:
-    """Amplitude at which the odd block is singular, by its determinant over that at one end."""
+def _root(family: Family, basis: Harmonics, between: tuple[float, float], ends: tuple[Floats, Floats]) -> float:
+    """Value at which the odd block is singular, by its determinant over that at one end."""
     low, high = between
-    reference = np.linalg.slogdet(_odd_block(course.at_amplitude(np.array([low])), 0, basis, ends[0]))[1]
+    reference = np.linalg.slogdet(_odd_block(family.at(low), 0, basis, ends[0]))[1]
 
-    def determinant(a: float) -> float:
-        t = (a - low) / (high - low)
-        x = _one_period_at(course, basis, a, (1 - t) * ends[0] + t * ends[1])
+    def determinant(value: float) -> float:
+        t = (value - low) / (high - low)
+        x = _one_period_at(family.at(value), basis, (1 - t) * ends[0] + t * ends[1])
         if x is None:
             return float("nan")
-        sign, size = np.linalg.slogdet(_odd_block(course.at_amplitude(np.array([a])), 0, basis, x))
+        sign, size = np.linalg.slogdet(_odd_block(family.at(value), 0, basis, x))
         return float(sign * np.exp(np.clip(size - reference, -60.0, 60.0)))
 
-    return zero(determinant, low, high, xtol=1e-7 * high, rtol=1e-10)
+    return zero(determinant, low, high, xtol=1e-7 * abs(high), rtol=1e-10)
 
 
 def doubled_branch(
@@ -176,84 +194,42 @@ def doubled_branch(
     halved.  Source: [Krack19] (arclength continuation).
     """
     basis = doubled_harmonics() if basis is None else basis
-    path = _Path(course, basis, top)
-    a, x, direction = onset
-    points = [np.append(x, a)]
+    path = Path(OfAmplitude(course), basis, course.draught, 0.25 * top, 1e-5 * top)
+    made = np.array(branch_from(path, onset, lambda point: 0.0 < point[-1] < top))
+    return Doubled(course, basis, made[:, -1], made[:, :-1])
+
+
+def branch_from(path: Path, onset: tuple[float, Floats, Floats], inside: Callable[[Floats], bool]) -> list[Floats]:
+    """Points (x, parameter) of the branch that begins at an onset, which is the first of them.
+
+    onset: value of the parameter, motion of one period and direction, as `onsets` has them
+    inside: is the parameter where the branch is looked for? The last point may lie outside, or be back at small roll
+    """
+    basis = path.basis
+    value, x, direction = onset
+    first = np.append(x, value)
     roll = doubled_roll(basis, direction)[0]
     tangent = np.append(direction, 0.0) / path.sizes
-    tangent /= np.linalg.norm(tangent)
-    by = _ONSET / max(roll, 1e-12)
-    start = path.corrected(points[0] + np.append(by * direction, 0.0), tangent)
+    start = path.corrected(
+        first + np.append(_ONSET / max(roll, 1e-12) * direction, 0.0), tangent / np.linalg.norm(tangent)
+    )
     if start is None:
-        return Doubled(course, basis, np.array([a]), x[None])
-    points.append(start)
-    step, tangent = _FIRST, path.tangent(start, tangent)
-    while len(points) < _MOST and step > _SHORTEST:
-        found = path.corrected(points[-1] + step * tangent * path.sizes, tangent)
-        if found is None:
-            step *= 0.5
-            continue
-        turned = path.tangent(found, tangent)
-        if turned @ tangent < 0.8:
-            step *= 0.5
-            continue
-        if _odd_roll(basis, found) @ _odd_roll(basis, points[-1]) < 0.0:  # back through the motion of one period
-            break
-        points.append(found)
-        tangent, step = turned, min(_LONGEST, 1.4 * step)
-        if not 0.0 < found[-1] < top or largest_roll(basis, found[:-1])[0] > LARGEST_ROLL:
-            break
-    made = np.array(points)
-    return Doubled(course, basis, made[:, -1], made[:, :-1])
+        return [first]
+
+    def go_on(point: Floats, before: Floats) -> bool:
+        there = bool(
+            _odd_roll(basis, point) @ _odd_roll(basis, before) >= 0.0
+        )  # else back through the motion of one period
+        return there and inside(point) and bool(largest_roll(basis, point[:-1])[0] <= LARGEST_ROLL)
+
+    points = path.followed(start, tangent, _MOST, go_on)
+    if _odd_roll(basis, points[-1]) @ _odd_roll(basis, points[0]) < 0.0:
+        points = points[:-1]
+    return [first, *points]
 
 
 def _odd_roll(basis: Harmonics, point: Floats) -> Floats:
     return basis.parts(np.where(basis.odd, point[:-1], 0.0))[ROLL]
-
-
-class _Path:
-    """Points (x, a) on a branch, in units of their own."""
-
-    def __init__(self, course: Course, basis: Harmonics, top: float) -> None:
-        numbers = course.numbers._replace(amplitude=course.numbers.amplitude.copy())
-        self.course, self.basis = replace(course, numbers=numbers), basis
-        up, across = basis.sizes
-        one = _SIZES * np.array([course.draught, 1, 1, 1, 1])
-        self.sizes = np.append(np.repeat(one, [up, up, across, across, across]), 0.25 * top)
-        self.small = 1e-5 * top
-
-    def balance(self, point: Floats) -> tuple[Floats, Floats, bool]:
-        """Residual (m,) and its derivatives (m, m + 1) by the scaled point."""
-        self.course.numbers.amplitude[0] = point[-1]
-        residual, jacobian, inside = balance(self.course, 0, self.basis, point[:-1])
-        self.course.numbers.amplitude[0] = point[-1] + self.small
-        higher, _, inside_too = balance(self.course, 0, self.basis, point[:-1])
-        whole = np.column_stack([jacobian, (higher - residual) / self.small])
-        return residual, whole * self.sizes, inside and inside_too
-
-    def corrected(self, guess: Floats, tangent: Floats) -> Floats | None:
-        """The point of the branch on the plane through a guess at right angles to the tangent."""
-        point = guess.copy()
-        for _ in range(8):
-            residual, jacobian, inside = self.balance(point)
-            if not inside:
-                return None
-            if np.abs(residual).max() < 1e-9:
-                return point
-            try:
-                change = np.linalg.solve(np.vstack([jacobian, tangent]), np.append(residual, 0.0))
-            except np.linalg.LinAlgError:
-                return None
-            if np.abs(change).max() > 2.0:
-                return None
-            point = point - change * self.sizes
-        return None
-
-    def tangent(self, point: Floats, before: Floats) -> Floats:
-        """Unit tangent that goes on as the one before."""
-        _, jacobian, _ = self.balance(point)
-        found = np.linalg.solve(np.vstack([jacobian, before]), np.append(np.zeros(jacobian.shape[0]), 1.0))
-        return np.asarray(found / np.linalg.norm(found))
 
 
 def doubled_motions(

@@ -83,7 +83,7 @@ def march_in_steps(
 @kernel
 def _march(tables, numbers, i, up, across, damp_up, damp_across, h, limit, rise, out):
     """Steps from row to row; returns how it ends."""
-    room, force, slope, x = rooms(), np.empty(5), np.empty((5, 6)), np.empty(5)
+    room, force, slope, x = rooms(tables), np.empty(5), np.empty((5, 6)), np.empty(5)
     size = out.shape[1]
     y, stage, rate, total = np.empty(size), np.empty(size), np.empty(size), np.empty(size)
     full = numbers.amplitude[i]
@@ -100,7 +100,7 @@ def _march(tables, numbers, i, up, across, damp_up, damp_across, h, limit, rise,
             if not instant(tables, numbers, i, numbers.omega[i] * time, x, stage[6], room, force, slope):
                 numbers.amplitude[i] = full
                 return UNDER
-            _rates(numbers, i, up, across, damp_up, damp_across, stage, force, rate)
+            motion_rates(numbers, i, up, across, damp_up, damp_across, stage, force, rate)
             for s in range(size):
                 total[s] += (1.0 if j == 0 or j == 3 else 2.0) * rate[s]
         for s in range(size):
@@ -113,7 +113,7 @@ def _march(tables, numbers, i, up, across, damp_up, damp_across, h, limit, rise,
 
 
 @inner
-def _rates(numbers, i, up, across, damp_up, damp_across, y, force, rate):
+def motion_rates(numbers, i, up, across, damp_up, damp_across, y, force, rate):
     """Derivative of the state."""
     gain, yaw_gain, lag = numbers.gains[0], numbers.gains[1], numbers.gains[2]
     order = -gain * y[8] - yaw_gain * y[7]

@@ -181,7 +181,7 @@ def slopes(course: Course, basis: Harmonics, x: Floats, phase: Floats) -> Floats
 @kernel
 def _slopes(tables, numbers, up, across, rate, phase, x, out):  # type: ignore[no-untyped-def]
     """Slopes of the forces of n motions at t phases; NaN outside the tables."""
-    room, state, force = rooms(), np.empty(5), np.empty(5)
+    room, state, force = rooms(tables), np.empty(5), np.empty(5)
     ups, sides = up.shape[1], across.shape[1]
     for i in range(x.shape[0]):
         for n in range(phase.size):

@@ -7,23 +7,35 @@ import math
 
 import numpy as np
 
-from quartering._machine.compiled import inlined, inner
-from quartering.loads.wetted_hull.section_tables import table_load
+from quartering._machine.compiled import batch_kernel, inlined
+from quartering.loads.wetted_hull.section_tables import table_load, table_room
 
 # Order of the modes: heave, pitch, sway, roll, yaw. A state is (h, theta, v, phi, r) and the rate p of roll beside it; the
 # derivatives of the five forces are by (h, theta, v, phi, r, p).
 
 
 @inlined
-def rooms():
+def rooms(tables):
     """What one evaluation works in."""
-    return np.empty((7, 18)), np.empty(6), np.empty((6, 3)), np.empty(3), np.empty(4)
+    return table_room(tables.x.size), np.empty(6), np.empty((6, 4)), np.empty(3), np.empty(4)
 
 
-@inner
-def instant(tables, numbers, i, phase, x, p, room, force, slope):
+# The ship surges by xi = a sum (c_j cos j w t + s_j sin j w t) about the place of its mean speed, and meets the wave at
+# k cos mu xi before its time.
+@batch_kernel
+def phase_met(numbers, i, phase):
+    """Phase of the wave at G, with the surge."""
+    xi = 0.0
+    for j in range(numbers.surge.shape[1]):
+        xi += numbers.surge[i, j, 0] * math.cos((j + 1) * phase) + numbers.surge[i, j, 1] * math.sin((j + 1) * phase)
+    return phase - numbers.wave[i, 2] * numbers.wave[i, 0] * numbers.amplitude[i] * xi
+
+
+@batch_kernel
+def instant(tables, numbers, i, course_phase, x, p, room, force, slope):
     """Forces (5,) and their derivatives (5, 6) at a phase of the encounter; False where a section leaves its table."""
     scratch, load, jacobian, state, wave = room
+    phase = phase_met(numbers, i, course_phase)
     state[0], state[1], state[2] = x[0], x[3], x[1]
     a = numbers.amplitude[i]
     wave[0], wave[1], wave[2], wave[3] = a, numbers.wave[i, 0], numbers.wave[i, 1], numbers.wave[i, 2] * phase
@@ -47,13 +59,13 @@ def instant(tables, numbers, i, phase, x, p, room, force, slope):
     for m in range(3):
         force[2 + m] += numbers.heel[i, m] * x[3]
         slope[2 + m, 3] += numbers.heel[i, m]
-    _products(numbers, i, x, p, force, slope)
+    add_products(numbers, i, x, p, force, slope)
     _drag(numbers, i, a * c, a * s, x, p, force, slope)
     return True
 
 
-@inner
-def _products(numbers, i, x, p, force, slope):
+@batch_kernel
+def add_products(numbers, i, x, p, force, slope):
     """Add the products of (v, phi, p, r)."""
     for t in range(numbers.modulus.size):
         value = 1.0
@@ -82,7 +94,7 @@ def _of(x, p, s):
     return x[2] if s == 0 else x[3] if s == 1 else p if s == 2 else x[4]
 
 
-@inner
+@batch_kernel
 def _drag(numbers, i, c, s, x, p, force, slope):
     """Add the drag -|q| q e of every strip, and -2 |q| e e^T; see `equations.drag`."""
     strips = numbers.strips

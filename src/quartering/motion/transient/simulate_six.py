@@ -1,4 +1,4 @@
-"""Motion in time of a ship on a steady course with heave and pitch, the wave's pressure on its whole hull."""
+"""Motion in time of a ship on a steady course with surge, heave and pitch, the wave's pressure on its whole hull."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from quartering.conventions import GRAVITY, InputError
 from quartering.hull.told import condition, number
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.validity import warn_of_conditions
-from quartering.motion.steady_course.course import Course, course, warn_across
+from quartering.motion.steady_course.course import Course, course, surge_at, warn_across, warn_of_surge
 from quartering.motion.steady_course.march import STATES, UNDER, march_in_steps
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ RISE: Final = 2.0
 _STEPS: Final = 48
 _MOST: Final = 5_000_000
 _COLUMNS: Final = {
+    "surge": ("m", "surge of G about the place of its mean speed, positive forward", "eta1"),
     "heave": ("m", "heave of G, positive down", "eta3"),
     "pitch": ("deg", "pitch, positive bow up", "theta"),
     "sway": ("m/s", "sway velocity, positive to starboard", "v"),
@@ -46,19 +47,20 @@ def simulate_on_course(
     state0: Sequence[float | str] = (0.0, 0.0, 0.0, 0.0),
     step: float | str | None = None,
 ) -> xr.Dataset:
-    """Heave, pitch, sway, roll and yaw in time of a ship on a steady course.
+    """Surge, heave, pitch, sway, roll and yaw in time of a ship on a steady course.
 
     speed, heading: U [m/s], mu [deg]
     duration: [s]
     state0 (4,): v [m/s], phi [rad], p, r [rad/s] at time 0; heave and pitch begin at rest in calm water, and the wave
         rises over `RISE` periods
     step: between output samples [s]; by default 1/48 of a period
-    Returns heave [m], pitch [deg], sway_velocity [m/s], roll, yaw [deg], roll_rate, yaw_rate [deg/s] over time [s]; NaN
+    Returns surge, heave [m], pitch [deg], sway_velocity [m/s], roll, yaw [deg], roll_rate, yaw_rate [deg/s] over time [s]; NaN
         after a capsize, as `simulate`
 
     Nonlinear restoring and Froude-Krylov force from the pressure over the instantaneous wetted hull; radiation at the encounter
     frequency in heave and pitch, at half of it in sway, roll and yaw in head and following seas and at it elsewhere; linear
-    diffraction; lift, drag and roll damping as `equations` has them. The speed is constant: surge is left out.
+    diffraction; lift, drag and roll damping as `equations` has them. The mean speed is constant, surge about it that of linear
+    theory.
     Source: [STF70] radiation and diffraction.  Valid: as `parametric_roll`; small yaw.
     """
     import xarray as xr
@@ -87,9 +89,11 @@ def simulate_on_course(
         one, start, sampled / inner, count * inner, limit=limit.radians, half=mu in (0.0, 180.0), rise=RISE * period
     )
     state = history.state[::inner]
+    times = np.asarray(sampled * np.arange(len(state)), dtype=float)
+    surge = np.where(np.isfinite(state[:, 5]), np.clip(times / (RISE * period), 0, 1) * surge_at(one, times), np.nan)
     data = {}
     for name, (unit, meaning, symbol) in _COLUMNS.items():
-        values = state[:, STATES.index(name)]
+        values = surge if name == "surge" else state[:, STATES.index(name)]
         shown = np.degrees(values) if unit.startswith("deg") else values
         key = "sway_velocity" if name == "sway" else name
         data[key] = ("time", shown, {"units": unit, "long_name": meaning, "symbol": symbol})
@@ -102,7 +106,6 @@ def simulate_on_course(
     if ended.size:
         said |= {"capsize_time": float(sampled * max(ended[0] - 1, 0)), "capsize_angle": limit.angle}
         said["capsize_reason"] = "under water" if history.outcome == UNDER else limit.reason
-    times = sampled * np.arange(len(state))
     return xr.Dataset(data, {"time": ("time", times, {"units": "s", "long_name": "time"})}, said)
 
 
@@ -114,4 +117,5 @@ def _course(ship: Ship, wave: Wave, speed: float, heading: float) -> Course:
             "radiation and diffraction have no frequency; change speed or heading"
         )
     warn_across(ship, wave.wavenumber, heading)
+    warn_of_surge(one)
     return one

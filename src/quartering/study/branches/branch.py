@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
 from quartering._machine.threads import small_matrices
+from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.hull.told import condition, count
@@ -22,6 +23,8 @@ from quartering.motion.equations.model import Model
 from quartering.motion.equations.system import Floats
 from quartering.motion.steady.motion import peaks
 from quartering.motion.steady.subharmonic import columns
+from quartering.motion.transient.simulate import Modes
+from quartering.option_checks import quoted
 from quartering.stability.precompile import announce_compilation
 from quartering.study.branches.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.branches.family import Limits, family, parameter_attributes
@@ -51,6 +54,7 @@ def branch(
     speed: float | str = 0.0,
     heading: float | str = 90.0,
     points: int = 2000,
+    modes: Modes = "three",
 ) -> xr.Dataset:
     """Follow the periodic motions over one parameter through their folds and onto every branch that leaves them.
 
@@ -65,6 +69,9 @@ def branch(
     harmonics : int                  highest harmonic of the wave's frequency, odd
     wave, speed, heading             of a ship [m/s, deg]
     points : int                     of one curve, at the most
+    modes : str                      "three": sway, roll and yaw; "six": heave and pitch too, in the pressure over the whole
+                                     wetted hull, over "wave_height", "speed" or "heading" of a ship: motions of one wave period
+                                     and of two (`parametric_roll`), head and following seas among them
 
     Returns
     -------
@@ -102,6 +109,18 @@ def branch(
     """
     speed, heading = condition(ship_or_model if isinstance(ship_or_model, Ship) else None, speed, heading)
     count("points", points, 2, 2000)
+    if modes not in get_args(Modes):
+        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
+    if modes == "six":
+        from quartering.study.six_modes.branch import branch_six
+
+        if not isinstance(ship_or_model, Ship) or wave is None:
+            raise InputError(
+                'modes = six takes a ship and its wave; try branch(ship, "wave_height", wave=wave, modes="six")'
+            )
+        if (harmonics, points) != (9, 2000):
+            raise InputError("modes = six has harmonics and points of its own; leave both out")
+        return branch_six(ship_or_model, wave, speed, heading, over, limits)
     announce_compilation()
     low, high, at = family(ship_or_model, over, limits, wave, speed, heading)
     with small_matrices():

@@ -13,7 +13,7 @@ from quartering.hydro.calm_water import calm_water_exponents
 from quartering.loads.validity import warn_of_conditions
 from quartering.motion.status import Status
 from quartering.motion.steady_course.balance import Harmonics, doubled_harmonics, oblique_doubled_harmonics
-from quartering.motion.steady_course.course import ROLL, SWAY, YAW, Course, course, warn_across
+from quartering.motion.steady_course.course import ROLL, SWAY, YAW, Course, course, warn_across, warn_of_surge
 from quartering.motion.steady_course.doubled import doubled_motions, largest_roll
 from quartering.motion.steady_course.orbits import Orbits, forced_motions, symmetric_orbits
 from quartering.stability.kind import Kind
@@ -53,6 +53,7 @@ def evaluate_six(
             if at.size == 0:
                 continue
             many = course(ship, 2 * np.pi / float(length), wave_height[at] / 2, speed[at], folded[at])
+            warn_of_surge(many)
             found = _along(many) if head_on else _across(many)
             for name, values in found.items():
                 out[name][at] = values if name == "encounter_frequency" else values[:, None]

@@ -17,7 +17,7 @@ from quartering.loads.validity import warn_of_conditions
 from quartering.loads.waves import STEEPEST
 from quartering.motion.status import Status
 from quartering.motion.steady_course.balance import Harmonics, doubled_harmonics, symmetric_harmonics
-from quartering.motion.steady_course.course import Course, course, roll_inertia
+from quartering.motion.steady_course.course import Course, course, roll_inertia, warn_of_surge
 from quartering.motion.steady_course.doubled import Doubled, doubled_branch, largest_roll, onsets
 from quartering.motion.steady_course.orbits import climbed
 from quartering.stability.averaged_roll import threshold
@@ -86,6 +86,7 @@ def parametric_map(
     warn_of_conditions(ship, U, length)
     amplitudes = heights / 2
     many = course(ship, 2 * np.pi / length, np.full(U.size, amplitudes[0]), U, np.full(U.size, mu))
+    warn_of_surge(many.at_amplitude(np.full(U.size, amplitudes[-1])))
     basis = doubled_harmonics()
     found = _on_the_motion(ship, many, amplitudes)
     rolls = np.full((U.size, heights.size), np.nan)

@@ -20,7 +20,15 @@ from quartering.loads.wetted_hull.floating import floating_hull
 from quartering.loads.wetted_hull.pressure import Waves, immersion
 from quartering.motion.status import Status
 from quartering.motion.steady_course.balance import columns, doubled_harmonics, oblique_doubled_harmonics
-from quartering.motion.steady_course.course import ROLL, Course, course, roll_inertia, warn_across
+from quartering.motion.steady_course.course import (
+    ROLL,
+    Course,
+    course,
+    roll_inertia,
+    surge_at,
+    warn_across,
+    warn_of_surge,
+)
 from quartering.motion.steady_course.doubled import doubled_motions, largest_roll
 from quartering.motion.steady_course.orbits import POINTS, Orbits, forced_motions, symmetric_orbits
 from quartering.stability.averaged_roll import threshold
@@ -121,16 +129,17 @@ def parametric_roll(ship: Ship, wave: Wave, speed: float | str, heading: float |
 
     Warns
     -----
-    RangeWarning  the wave passes over the deck, or is short across the ship; what `warn_of_conditions` finds
+    RangeWarning  the wave passes over the deck, or is short across the ship; surge so far along the wave that it is not
+                  small; what `warn_of_conditions` finds
 
     Notes
     -----
     Heave and pitch by harmonic balance of the pressure over the instantaneous wetted hull, with linear radiation and
-    diffraction; the stability of roll on that motion by Floquet's theorem, with sway and yaw; the roll beyond by continuation
-    of the motions of two wave periods. An oblique sea forces roll of its own period: that motion is judged, and those of two
-    periods that branch off it are followed, with all multiples of half the encounter in every mode. Where the ship keeps pace
-    with the wave there is no periodic motion: then GM is that of the balance on each crest position, and one below zero a
-    permanent loss.
+    diffraction, and the surge of linear theory; the stability of roll on that motion by Floquet's theorem, with sway and yaw;
+    the roll beyond by continuation of the motions of two wave periods. An oblique sea forces roll of its own period: that
+    motion is judged, and those of two periods that branch off it are followed, with all multiples of half the encounter in
+    every mode. Where the ship keeps pace with the wave there is no periodic motion: then GM is that of the balance on each
+    crest position, and one below zero a permanent loss.
     Source: [STF70] radiation and diffraction; Floquet's theorem.  Valid: constant speed, deep water, hull watertight to the top
     of its offsets, no water on deck.
 
@@ -152,6 +161,7 @@ def parametric_roll(ship: Ship, wave: Wave, speed: float | str, heading: float |
         status = Status.ENCOUNTER_FREQUENCY_NEAR_ZERO
         facts |= _keeping_pace(ship, one, facts, zeta)
     else:
+        warn_of_surge(one)
         orbits = symmetric_orbits(one) if mu in (0.0, 180.0) else forced_motions(one)
         status = Status(int(orbits.status[0]))
         facts |= _along(one, orbits, zeta) if status.ok else {}
@@ -282,7 +292,8 @@ def _deck(one: Course, orbits: Orbits) -> float:
     roll = columns(orbits.basis.lateral, phase)[0] @ orbits.basis.parts(orbits.x[0])[ROLL]
     along, across, way = one.numbers.wave[0]
     ones = np.ones(POINTS)
-    waves = Waves(one.numbers.amplitude[0] * ones, along * ones, across * ones, way * phase)
+    met = way * phase - along * surge_at(one, phase / float(one.numbers.omega[0]))
+    waves = Waves(one.numbers.amplitude[0] * ones, along * ones, across * ones, met)
     over = float(immersion(floating_hull(one.ship).hull, roll, heave, pitch, waves).max())
     if over > 0:
         warnings.warn(
@@ -330,6 +341,7 @@ def _sentence(facts: dict[str, Any]) -> str:
         if f["heading"] not in (0.0, 180.0):
             end = f"out of the forced roll grows one of two wave periods that {end}" if rolls else end
         what = f"parametric roll, tenfold in {f['tenfold']:.3g} s; {end}"
+        what += f"; {lost}" if f["time_below_zero"] > 0 else ""
     elif f["kind"] == "pure-loss":
         what = f"pure loss of stability, tenfold in {f['tenfold']:.3g} s; {lost}"
     elif f["kind"] == "forced":

@@ -15,6 +15,7 @@ from quartering.view.console.arguments import (
     Changes,
     Harmonics,
     Heading,
+    Modes,
     PictureOrData,
     ShipName,
     Speed,
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 
     from quartering.hull.ship import Ship
     from quartering.loads.waves import Wave
+    from quartering.motion.transient.simulate import Modes as ModesOf
     from quartering.view.console.printed import Table
 
 _UNBROKEN = 0.999
@@ -64,19 +66,25 @@ def branch(
     limits: Annotated[str | None, typer.Option(help="From and to: 1:6 [m], 20:160 [deg], 5kn:15kn.")] = None,
     harmonics: Harmonics = _USUAL_HARMONICS,
     output: PictureOrData = None,
+    modes: Modes = "three",
 ) -> Answer:
     """Follow every motion over one parameter: folds, bifurcations, what is stable."""
     from quartering.stability.precompile import announce_compilation
     from quartering.study.branches.branch import branch as follow_branches
     from quartering.view.wording import ship_notes, speed_words
 
+    if modes not in ("three", "six"):
+        raise InputError(f'--modes: "{modes}" is none; three (sway, roll, yaw) or six (heave and pitch too)')
+    if modes == "six" and harmonics != _USUAL_HARMONICS:
+        raise InputError("--modes six has harmonics of its own; leave --harmonics out")
+    asked: ModesOf = modes  # type: ignore[assignment]
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
     path = reserve_path(output, (*PICTURES, ".nc", *TABLES))
     ends = _limits(one, wave, over, limits)
     announce_compilation()
     with working("following the motions"):
-        ds = follow_branches(one, over, limits=ends, harmonics=harmonics, wave=wave, speed=u, heading=mu)
+        ds = follow_branches(one, over, limits=ends, harmonics=harmonics, wave=wave, speed=u, heading=mu, modes=asked)
 
     def draw() -> Figure:
         from quartering.view.plots.branch import branch_picture
@@ -92,11 +100,12 @@ def branch(
 
     again = f" --harmonics {harmonics}" if harmonics != _USUAL_HARMONICS else ""
     again += f" --limits {limits}" if limits is not None else ""
+    again += " --modes six" if modes == "six" else ""
     return Answer(
         _lines(ds, over, one),
         facts,
         dataset_or_picture(path, ds, draw),
-        next_steps=_next(ds, typed, over, again if path is None else None),
+        next_steps=_next(ds, typed, over, again if path is None else None, " --modes six" if modes == "six" else ""),
         output=path,
         data=lambda: [data_table(ds, f"{one.name}: points of the curves", along=["point"])],
     )
@@ -209,8 +218,11 @@ def _lines(ds: xr.Dataset, over: str, one: Ship) -> Iterator[Table | str]:
     yield ship_notes(one)
 
 
-def _next(ds: xr.Dataset, typed: Typed, over: str, again: str | None) -> list[str]:
-    """What to type next: a verdict at the first event, the basin, and the picture where ``again`` tells its options."""
+def _next(ds: xr.Dataset, typed: Typed, over: str, again: str | None, more: str) -> list[str]:
+    """What to type next: a verdict at the first event, the basin, and the picture where ``again`` tells its options.
+
+    more: options of the verdict; there is no basin with them
+    """
     given, ship, words = typed.condition, typed.ship_words, typed.words
     steps = [] if again is None else [f"quartering branch {ship} {words} --over {over}{again} -o branch.png"]
     events = _events(ds, over)
@@ -218,5 +230,5 @@ def _next(ds: xr.Dataset, typed: Typed, over: str, again: str | None) -> list[st
         there = " ".join(
             f"{OPTIONS[key].command} {events[0][over] if key == over else text:.5}" for key, text in given.items()
         )
-        steps.append(f"quartering verdict {ship} {there}")
-    return [*steps, f"quartering basin {ship} {words} -o basin.png"]
+        steps.append(f"quartering verdict {ship} {there}{more}")
+    return [*steps, *([] if more else [f"quartering basin {ship} {words} -o basin.png"])]

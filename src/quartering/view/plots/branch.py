@@ -76,7 +76,8 @@ def curves_on(ax: Axes, ds: xr.Dataset, over: str) -> None:
         )
     ax.set_xlabel(headed(over, str(ds[over].attrs["units"])))
     ax.set_ylabel("largest roll over a cycle [deg]")
-    ax.set_ylim(bottom=0.0)
+    upright = float(ds["roll_peak"].min()) == 0.0 and float(ds["roll_peak"].max()) > 0.0
+    ax.set_ylim(bottom=-0.015 * float(ds["roll_peak"].max()) if upright else 0.0)
 
 
 def multipliers_on(ax: Axes, ds: xr.Dataset) -> None:

@@ -7,7 +7,7 @@ import warnings
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Final, overload
+from typing import Any, Final, get_args, overload
 
 import numpy as np
 import xarray as xr
@@ -23,6 +23,7 @@ from quartering.loads.sea.sea import Sea
 from quartering.motion.equations.model import Model
 from quartering.motion.sea.equations import Force
 from quartering.motion.transient.irregular import irregular as irregular_by_components
+from quartering.motion.transient.simulate import Modes
 from quartering.option_checks import quoted
 from quartering.study.seas.response import (
     MOST_NEAR,
@@ -70,6 +71,7 @@ def irregular(
     strips: int | None = ...,
     memory: bool = ...,
     store: str | os.PathLike[str] | None = ...,
+    modes: Modes = ...,
 ) -> xr.Dataset: ...
 def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Dataset:
     """A ship simulated in an irregular sea: nonlinear motion in time, its extremes and its rate of failures.
@@ -100,6 +102,9 @@ def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Datas
     memory : bool                 of the radiated waves, by a rational fit of added mass and damping over frequency; without it
                                   both are those of free roll. A `Model` has none
     store : path, optional        a file that keeps finished blocks: an interrupted or shorter run goes on from there
+    modes : str                   "three": sway, roll and yaw; "six": surge, heave and pitch too, the pressure of all waves on
+                                  the whole wetted hull of a ship, with hours, seed and limit alone: heave_rms, pitch_rms,
+                                  roll_rms, failures and their rate; see `irregular_six`
 
     Returns
     -------
@@ -139,6 +144,11 @@ def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Datas
     >>> bool(abs(found["roll_rms"] / closed["roll_rms"] - 1) < 0.05), float(found["exposure"])
     (True, 32.0)
     """
+    modes = named.pop("modes", "three")
+    if modes not in get_args(Modes):
+        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
+    if modes == "six":
+        return _in_six_modes(ship, sea, *given, **named)
     if isinstance(sea, Sea):
         return _in_a_sea(ship, sea, *given, **named)
     if {"model", "frequency", "phase"} & named.keys() or (isinstance(ship, Model) and len(given) > 1):
@@ -149,6 +159,20 @@ def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Datas
         f"sea = {quoted(sea)} is no Sea; give one, such as quartering.Sea(hs=6, tp=11), or arrays: frequency, force, phase,"
         " duration"
     )
+
+
+def _in_six_modes(ship: Any, sea: Any, *given: Any, **named: Any) -> xr.Dataset:
+    """The same in six modes: what they cannot be asked is refused."""
+    from quartering.study.six_modes.irregular import irregular_six
+
+    if not isinstance(ship, Ship) or not isinstance(sea, Sea):
+        raise InputError(
+            "modes = six takes a ship and a Sea; try irregular(ship, quartering.Sea(hs=6, tp=11), 5, modes='six')"
+        )
+    other = sorted(named.keys() - {"speed", "heading", "hours", "seed", "limit"})
+    if other:
+        raise InputError(f"modes = six takes hours, seed and limit; leave {', '.join(other)} out")
+    return irregular_six(ship, sea, *given, **named)
 
 
 @takes(ship="Ship, Model")
