@@ -5,7 +5,7 @@ import pytest
 
 import quartering as qt
 from quartering.motion.equations.batch import rows
-from quartering.motion.equations.system import canonical
+from quartering.motion.equations.system import acceleration_form
 from quartering.motion.equations.terms import term_table
 from quartering.motion.of_ship import ship_system
 from quartering.motion.steady.harmonic import harmonic_balance
@@ -25,7 +25,7 @@ def of_cubics():
     linear[:, 1, 0], linear[:, 1, 1] = random.uniform(-0.1, 0.1, COUNT), -1.0
     table = term_table({"K_phiphiphi": 0.3, "K_ppp": -0.1, "Y_vvp": 0.2, "N_rrp": -0.2})
     cos, sin = 0.05 * random.uniform(-1, 1, (2, COUNT, 3))
-    return canonical(np.eye(3), table, np.geomspace(0.02, 3.0, COUNT), cos, sin, linear=linear)
+    return acceleration_form(np.eye(3), table, np.geomspace(0.02, 3.0, COUNT), (cos, sin, 0.0), linear=linear)
 
 
 def of_a_ship():
