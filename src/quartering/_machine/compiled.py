@@ -20,12 +20,24 @@ from quartering._machine.machine_code import MachineCode
 _njit: Any = numba.njit  # its stubs do not know every option
 
 
+_LOADED_ALONE = ((0, 68),)
+"""Releases of numba whose kept code `MachineCode` is tested with. Every other keeps and loads its code as numba itself does:
+the same numbers, half a second later."""
+
+
 def _kind(**options: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Decorator of one kind."""
+    """Decorator of one kind; without a folder for the cache (read-only package, no home) it compiles in every process."""
 
     def compiled(function: Callable[..., Any]) -> Any:
         made = _njit(nogil=True, **options)(function)
-        made._cache = MachineCode(function)
+        if numba.version_info.short in _LOADED_ALONE:
+            made._cache = MachineCode(function)
+            return made
+        try:
+            made.enable_caching()
+        except RuntimeError as error:
+            if "cannot cache" not in str(error):
+                raise
         return made
 
     return compiled
