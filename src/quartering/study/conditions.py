@@ -29,7 +29,9 @@ from quartering.study.loading_systems import part_of, systems
 
 Floats = NDArray[np.float64]
 BLOCK = 1024
-"""Conditions worked on at once by one core: bounds the memory, and how often progress is told."""
+"""Conditions of a map worked on at once by one core: bounds the memory, and how often progress is told."""
+_OF_A_BLOCK: Final = 2048
+"""The same where a block of a larger grid is, of which each core has several: what is done once for them all weighs less."""
 
 ACCURACY = 5e-6
 """Error of the Floquet multipliers in a map."""
@@ -128,7 +130,7 @@ def evaluate_block(grid: Grid, index: int) -> dict[str, NDArray[np.generic]]:
     results: dict[str, NDArray[np.generic]] = {
         name: np.empty((*shape, *s), np.int8 if name in FLAGS else np.float64) for name, s in RESULTS.items()
     }
-    rows, beyond = max(1, BLOCK // height.shape[1]), 0
+    rows, beyond = max(1, _OF_A_BLOCK // height.shape[1]), 0
     for i, equations in enumerate(systems(ships, 2 * np.pi / length, u, mu, grid.form)):
         limit = capsize_limit(ships[i]).angle
         fitted = fitted_to(ships[i])
