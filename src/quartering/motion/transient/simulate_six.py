@@ -126,8 +126,8 @@ def _warn_of_deck(one: Course, times: Floats, surge: Floats, state: Floats) -> N
     if over.size and over.max() > 0.0:
         warnings.warn(
             f"{one.ship.name}: the water comes up to {over.max():.3g} m over the top of the offsets; from there on the hull is "
-            f"a watertight box; carry the sides up with depth, such as depth={1.2 * one.ship.hull.depth:.3g}, where the ship has "
-            "them",
+            f"a watertight box; carry the sides up with depth, such as depth={1.2 * one.ship.hull.depth:.3g}, where the ship "
+            "has them",
             RangeWarning,
             stacklevel=6,
         )
