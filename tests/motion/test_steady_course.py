@@ -158,3 +158,8 @@ def test_a_ship_marches_with_three_modes_or_six():
             qt.simulate(SHIP, 20.0, **given)
     with pytest.raises(qt.InputError, match="a Model has its wave"):
         qt.simulate(qt.equations(SHIP, wave, 5.0, 150.0), 20.0, modes="six")
+
+
+def test_water_over_the_deck_is_said_of_a_march():
+    with pytest.warns(qt.RangeWarning, match="over the top of the offsets"):
+        qt.simulate(SHIP, 60.0, wave=qt.Wave(175.0, 20.0), speed=3.3, heading=180.0, modes="six")

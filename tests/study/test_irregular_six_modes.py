@@ -73,3 +73,8 @@ def test_failures_are_counted_with_their_interval():
 def test_what_it_cannot_be_asked_is_refused(given, words):
     with pytest.raises(qt.InputError, match=words):
         qt.irregular(SHIP, qt.Sea(hs=2, tp=10), 5.0, **({"modes": "six"} | given))
+
+
+def test_a_sea_that_the_ship_keeps_pace_with_is_refused():
+    with pytest.raises(qt.InputError, match="near encounter frequency 0"):
+        qt.irregular(SHIP, qt.Sea(hs=3, tp=10, heading=0), 15.0, hours=0.5, modes="six")

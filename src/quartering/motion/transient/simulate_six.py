@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from quartering.conventions import GRAVITY, InputError
+from quartering.conventions import GRAVITY, InputError, RangeWarning
+from quartering.hull.lines.section import Floats
 from quartering.hull.told import condition, number
 from quartering.hydro.capsize import capsize_limit
 from quartering.loads.validity import warn_of_conditions
+from quartering.loads.wetted_hull.floating import floating_hull
+from quartering.loads.wetted_hull.pressure import Waves, immersion
 from quartering.motion.steady_course.course import Course, course, surge_at, warn_across, warn_of_surge
 from quartering.motion.steady_course.march import STATES, UNDER, march_in_steps
 
@@ -91,6 +95,7 @@ def simulate_on_course(
     state = history.state[::inner]
     times = np.asarray(sampled * np.arange(len(state)), dtype=float)
     surge = np.where(np.isfinite(state[:, 5]), np.clip(times / (RISE * period), 0, 1) * surge_at(one, times), np.nan)
+    _warn_of_deck(one, times, surge, state)
     data = {}
     for name, (unit, meaning, symbol) in _COLUMNS.items():
         values = surge if name == "surge" else state[:, STATES.index(name)]
@@ -107,6 +112,25 @@ def simulate_on_course(
         said |= {"capsize_time": float(sampled * max(ended[0] - 1, 0)), "capsize_angle": limit.angle}
         said["capsize_reason"] = "under water" if history.outcome == UNDER else limit.reason
     return xr.Dataset(data, {"time": ("time", times, {"units": "s", "long_name": "time"})}, said)
+
+
+def _warn_of_deck(one: Course, times: Floats, surge: Floats, state: Floats) -> None:
+    """Say how far the water comes over the top of the offsets, looked at in 2,000 samples at the most."""
+    some = np.flatnonzero(np.isfinite(state[:, 5]))[:: max(1, len(state) // 2000)]
+    along, across, way = one.numbers.wave[0]
+    rises = np.clip(times[some] * float(one.numbers.omega[0]) / (2 * math.pi * RISE), 0.0, 1.0)
+    ones = np.ones(some.size)
+    met = way * float(one.numbers.omega[0]) * times[some] - along * surge[some]
+    waves = Waves(float(one.numbers.amplitude[0]) * rises, along * ones, across * ones, met)
+    over = immersion(floating_hull(one.ship).hull, state[some, 5], state[some, 0], state[some, 1], waves)
+    if over.size and over.max() > 0.0:
+        warnings.warn(
+            f"{one.ship.name}: the water comes up to {over.max():.3g} m over the top of the offsets; from there on the hull is "
+            f"a watertight box; carry the sides up with depth, such as depth={1.2 * one.ship.hull.depth:.3g}, where the ship "
+            "has them",
+            RangeWarning,
+            stacklevel=6,
+        )
 
 
 def _course(ship: Ship, wave: Wave, speed: float, heading: float) -> Course:

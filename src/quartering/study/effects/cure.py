@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import get_args
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from quartering.loads.forces import Form
 from quartering.loads.strips.strip_forces import checked_form
 from quartering.loads.waves import Wave
 from quartering.motion.equations.system import Floats
+from quartering.motion.transient.simulate import Modes
 from quartering.names import term
 from quartering.option_checks import quoted
 from quartering.options import unknown
@@ -51,7 +53,7 @@ class Cure:
     @property
     def change(self) -> float:
         """Relative change needed."""
-        return self.needed / self.now - 1.0
+        return self.needed / self.now - 1.0 if self.now else math.copysign(math.inf, self.needed)
 
     @property
     def rounded(self) -> float:
@@ -85,6 +87,7 @@ def cures(
     margin: float = 0.0,
     harmonics: int = 1,
     form: Form = "stf",
+    modes: Modes = "three",
 ) -> list[Cure]:
     """Smallest change of each parameter that makes the motion stable with a margin, the smallest relative change first.
 
@@ -98,6 +101,8 @@ def cures(
     margin : float             the leading exponent must be below minus this, >= 0 [1/s]
     harmonics : int            of the steady motion, as in `steady_motion`: those of the verdict that is to change
     form : str                 of the diffraction force
+    modes : str                "three": sway, roll and yaw; "six": parametric roll, pure loss and growing forced roll with heave
+                               and pitch, parameters being those of `cures_six`: keels and heading too
 
     Returns
     -------
@@ -122,6 +127,18 @@ def cures(
     >>> [one.parameter for one in found]
     ['K_prr', 'roll_damping']
     """
+    if modes not in get_args(Modes):
+        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
+    if modes == "six":
+        from quartering.study.six_modes.cure import CURES as OF_SIX
+        from quartering.study.six_modes.cure import cures_six
+
+        if harmonics != 1 or form != "stf":
+            raise InputError("modes = six has harmonics and diffraction of its own; leave harmonics and form out")
+        U, mu = condition(ship, speed, heading)
+        if not margin >= 0:
+            raise InputError(f"margin = {margin:g} 1/s; it is 0 or above; try 0")
+        return cures_six(ship, wave, U, mu, OF_SIX if parameters == CURES else parameters, margin)
     return list(seek(ship, wave, speed, heading, parameters=parameters, margin=margin, harmonics=harmonics, form=form))[
         -1
     ]

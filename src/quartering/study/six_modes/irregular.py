@@ -42,7 +42,9 @@ WAVES: Final = 200
 BANDS: Final = 3
 """Of the wave number, in which the decay with depth is that of one."""
 _STEPS: Final = 36
-_NEAR, _SHARE = 0.05, 0.05
+_NEAR, _SHARE, _MOST_NEAR = 0.05, 0.05, 0.2
+_SLOW: Final = 0.25
+"""Of its own frequency, below which a wave is met too slowly for its surge to be linear: the ship does not surge in it."""
 _GRID, _WIDTH = 600, 5.0
 
 
@@ -99,6 +101,12 @@ def irregular_six(
         raise InputError(f"seed = {quoted(seed)}; it is a whole number of 0 or more; try 0")
     roll_limit, why = roll_limit_of(ship, limit)
     cells = _cells(sea)
+    near = _near_zero(cells, U)
+    if near > _MOST_NEAR:
+        raise InputError(
+            f"{sea.words}, {U:.3g} m/s: {near:.0%} of the energy is near encounter frequency 0, where surge is not small; "
+            "change speed or heading, or see surf_riding"
+        )
     one, banded = _at_rest(ship, sea, cells, U), _banded(ship, cells, bands)
     blocks = range(math.ceil(2 * duration))
     found = spread_in_order(lambda i: _block(one, cells, banded, (seed, i), roll_limit), blocks)
@@ -174,7 +182,7 @@ def components(ship: Ship, tables: SectionTables, edges: Floats, speed: float, w
     signed = np.asarray(encounter_frequency(sigma, speed, heading))
     slow = np.abs(signed) < least_encounter_frequency(ship.hull.length)
     c = coefficients(ship, np.where(slow, least_encounter_frequency(ship.hull.length), np.abs(signed)), speeds)
-    met = waves_met(ship, c, k, speeds, heading, signed, slow)
+    met = waves_met(ship, c, k, speeds, heading, signed, slow | (np.abs(signed) < _SLOW * sigma))
     angle = met.wave[:, :1] * tables.x
     return Components(
         amplitude, np.abs(signed), phase, met.wave, met.force, np.ascontiguousarray(met.strips[:, :, 3:]),
@@ -226,11 +234,15 @@ def marched(
     )
 
 
+def _near_zero(cells: Drawn, speed: float) -> float:
+    """Share of the energy that the ship nearly keeps pace with."""
+    return float(_weights(cells)[np.abs(encounter_frequency(cells.sigma, speed, cells.heading)) < _NEAR].sum())
+
+
 def _warn(ship: Ship, sea: Sea, cells: Drawn, speed: float, sums: Floats) -> None:
     """What leaves the range of the method."""
     warn_of_conditions(ship, speed, 2 * math.pi * GRAVITY / float(_weights(cells) @ cells.sigma) ** 2)
-    near = np.abs(encounter_frequency(cells.sigma, speed, cells.heading)) < _NEAR
-    share, lost = float(_weights(cells)[near].sum()), int((sums[:, 5] < 0).sum())
+    share, lost = _near_zero(cells, speed), int((sums[:, 5] < 0).sum())
     said = []
     if share > _SHARE:
         said.append(f"{share:.0%} of the energy is near encounter frequency 0: surf-riding; change speed or heading")

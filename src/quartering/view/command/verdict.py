@@ -81,6 +81,7 @@ def verdict(
 def _six(typed: Typed, one: Ship, wave: Wave, condition: tuple[float, float], path: Path | None, own: bool) -> Answer:
     """The same judged with heave and pitch, in the pressure over the whole wetted hull."""
     from quartering.stability.precompile import announce_compilation
+    from quartering.study.six_modes.cure import cures_six
     from quartering.study.six_modes.parametric_roll import parametric_roll
     from quartering.view.parametric_record import parametric_facts, parametric_lines
 
@@ -88,16 +89,25 @@ def _six(typed: Typed, one: Ship, wave: Wave, condition: tuple[float, float], pa
         raise InputError("--modes six has harmonics and diffraction of its own; leave --harmonics and --form out")
     announce_compilation()
     found = parametric_roll(one, wave, *condition)
+    cured = cures_six(one, wave, *condition) if found.unstable and found.status.ok else []
     again = f"{typed.ship}{option_words(typed.changes)}"
     return Answer(
-        parametric_lines(found),
-        lambda: parametric_facts(found),
+        _with_cures(parametric_lines(found), cured),
+        lambda: parametric_facts(found) | {"cures": [cure.sentence for cure in cured]},
         output=path,
         next_steps=[
             f"quartering polar {again} --speed {typed.speed} --modes six",
             f"quartering verdict {again} {typed.words}",
         ],
     )
+
+
+def _with_cures(lines: Iterator[Table | str], cured: list[Cure]) -> Iterator[Table | str]:
+    """The verdict's lines, after its sentence what lets small roll decay."""
+    yield next(lines)
+    if cured:
+        yield "Each of these alone lets small roll decay: " + "; ".join(cure.sentence for cure in cured) + "."
+    yield from lines
 
 
 def _lines(found: Examined, cures: list[Cure]) -> Iterator[Table | str]:
