@@ -10,7 +10,7 @@ import time
 
 from tests.view.pages import STABLE, filled, slider
 
-PAINT, VERDICT, MAP = 2000.0, 150.0, 1500.0
+PAINT, VERDICT, MAP = 2000.0, 100.0, 1500.0
 """First paint of a visitor who has the files, dial to verdict, dial to the last cell of the map of 37 x 20 [ms]."""
 
 LOOP, IDLE = 4_000_000, 0.061
