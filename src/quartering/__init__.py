@@ -71,7 +71,8 @@ if TYPE_CHECKING:
     from quartering.study.seas.simulated.design_point import design_point
     from quartering.study.seas.simulated.rare import failure_rate_at, largest_roll
     from quartering.study.seas.simulated.simulation import irregular
-    from quartering.study.six_modes.broaching import broaching, broaching_branch
+    from quartering.study.six_modes.broaching import broaching
+    from quartering.study.six_modes.broaching_branch import broaching_branch
     from quartering.study.six_modes.gm_in_waves import gm_in_waves, righting_arm
     from quartering.study.six_modes.parametric_map import parametric_map
     from quartering.study.six_modes.parametric_roll import parametric_roll
@@ -128,7 +129,7 @@ _HOMES = {
     "all_motions": "study.branches.coexisting",
     "branch": "study.branches.branch",
     "broaching": "study.six_modes.broaching",
-    "broaching_branch": "study.six_modes.broaching",
+    "broaching_branch": "study.six_modes.broaching_branch",
     "criteria": "study.criteria.judged",
     "limiting_kg": "study.criteria.limiting_kg",
     "operational_guidance": "study.criteria.operational",

@@ -64,7 +64,7 @@ def broaching(
         raise InputError(f"-o: {found.status.advice}")
 
     def draw() -> Figure:
-        from quartering.study.six_modes.broaching import broaching_branch
+        from quartering.study.six_modes.broaching_branch import broaching_branch
         from quartering.view.plots.broaching import broaching_picture
 
         return broaching_picture(broaching_branch(one, wave, u))
