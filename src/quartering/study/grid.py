@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
-from typing import Any, NamedTuple, get_args
+from typing import Any, ClassVar, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -72,6 +72,8 @@ class Grid:
     text: str = ""
     block_size: int = 0
     _ships: dict[int, Ship] = field(default_factory=dict, init=False, repr=False)
+    sampled: ClassVar[int] = 1024
+    """Conditions at most that tell how long one takes."""
 
     def __post_init__(self) -> None:
         for mapping in ("axes", "loadings"):

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH, enter_inputs, fill, forces, room_for, row_of_lanes
 from quartering.motion.equations.steering import HEADING, RUDDER
 from quartering.motion.equations.system import Floats
+from quartering.motion.modes import Modes, in_six
 from quartering.motion.of_ship import equations
 
 if TYPE_CHECKING:
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Ship
     from quartering.loads.waves import Wave
 
-Modes = Literal["three", "six"]
 
 MOST_SAMPLES = 5_000_000
 """Longest result: about 300 MB."""
@@ -187,19 +187,18 @@ def simulate(
     >>> trace["roll"].values.round(4).tolist()
     [5.7296, -5.7296, 5.7296]
     """
-    if modes not in get_args(Modes):
-        raise InputError(f"modes {modes!r} is unknown; allowed: {', '.join(get_args(Modes))}; try 'six'")
+    six = in_six(modes)
     if not isinstance(model, Model):
         if wave is None:
             raise InputError(
                 "wave is missing; of a ship give one, such as wave=quartering.Wave(100.0, 2.0), with speed and heading"
             )
-        if modes == "six":
+        if six:
             from quartering.motion.transient.simulate_six import simulate_on_course
 
             return simulate_on_course(model, wave, speed, heading, duration, state0, step)
         model = equations(model, wave, speed, heading)
-    elif wave is not None or modes == "six":
+    elif wave is not None or six:
         raise InputError(
             "a Model has its wave, speed and heading, and three modes; give a ship in its place, such as "
             'simulate(ship, 300, wave=wave, speed=5, heading=180, modes="six")'

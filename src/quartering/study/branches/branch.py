@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple, get_args
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -21,10 +21,9 @@ from quartering.motion.branches.isola import loops
 from quartering.motion.branches.switching import doubled, leaning, strength
 from quartering.motion.equations.model import Model
 from quartering.motion.equations.system import Floats
+from quartering.motion.modes import Modes, in_six
 from quartering.motion.steady.motion import peaks
 from quartering.motion.steady.subharmonic import columns
-from quartering.motion.transient.simulate import Modes
-from quartering.option_checks import quoted
 from quartering.stability.precompile import announce_compilation
 from quartering.study.branches.events import PERIOD_DOUBLING, SYMMETRY_BREAKING, judged, with_events
 from quartering.study.branches.family import Limits, family, parameter_attributes
@@ -109,9 +108,7 @@ def branch(
     """
     speed, heading = condition(ship_or_model if isinstance(ship_or_model, Ship) else None, speed, heading)
     count("points", points, 2, 2000)
-    if modes not in get_args(Modes):
-        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
-    if modes == "six":
+    if in_six(modes):
         from quartering.study.six_modes.branch import branch_six
 
         if not isinstance(ship_or_model, Ship) or wave is None:

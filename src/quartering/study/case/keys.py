@@ -8,6 +8,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, create_model
 
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Spectrum
+from quartering.motion.modes import Modes
 from quartering.motion.steady.harmonic import MOST_HARMONICS
 from quartering.options import OPTIONS, choice_axes, line_of, loading_axes
 from quartering.study.seas.over_seas.settings import Judge
@@ -107,3 +108,4 @@ class Case(_Strict):
         default=1, ge=1, description=f"of the steady motion: 1 is the paper's method; 3, 5, 7, .. {MOST_HARMONICS}"
     )
     form: Form = Field(default="stf", description="of the diffraction force")
+    modes: Modes = Field(default="three", description="three: sway, roll and yaw; six: heave and pitch too")

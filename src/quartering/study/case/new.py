@@ -34,6 +34,7 @@ def starting_case(name: str) -> str:
         ("#   K_ppp: [0.5, 1, 2]", "half, as it is, and twice the cubic roll damping"),
         ("harmonics: 1", "of the steady motion: 1 is the paper's method; 3, 5, .. harmonic balance"),
         ("form: stf", "diffraction: stf, relative-motion, paper-corrected or paper"),
+        ("modes: three", "sway, roll and yaw; six: heave and pitch too"),
         ("# sea: {hs: [4, 6], tp: 8..14 count 4}", "irregular seas, in place of wave_length and wave_height"),
         ("# with: {linear: strip}", "other options of the ship, one value each: docs/options.md"),
     )

@@ -30,6 +30,7 @@ from quartering.study.grid import CONDITION_AXES, SEA_AXES, STEEPNESS, Grid, axi
 from quartering.study.loadings import CHOICE_AXES
 from quartering.study.seas.over_seas.grid import sea_grid
 from quartering.study.seas.over_seas.settings import SeaSettings
+from quartering.study.six_modes.grid import in_six_modes
 
 
 @dataclass(frozen=True)
@@ -80,6 +81,8 @@ def case_grid(path: str | Path) -> Grid:
     sea = None if case.sea is None else _sea(case, own, place, asked)
     try:
         made = grid(own, **asked, harmonics=case.harmonics) if sea is None else _seas(own, asked | sea)
+        if case.modes == "six":
+            made = in_six_modes(made)
     except InputError as error:
         raise place.says(_blamed(str(error), place), str(error)) from None
     return replace(made, text=text)
@@ -94,6 +97,8 @@ def _sea(case: Case, own: Ship, place: _Place, given: Mapping[str, Any]) -> dict
             )
     if case.harmonics != 1:
         raise place.says(("harmonics",), "harmonics are of motions in regular waves; leave them out beside sea")
+    if case.modes == "six":
+        raise place.says(("modes",), "six modes are of regular waves in a study; leave modes or sea out")
     sea = dict(case.sea or ())
     for name in SEA_AXES:
         if sea[name] is not None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import get_args
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from quartering.loads.forces import Form
 from quartering.loads.strips.strip_forces import checked_form
 from quartering.loads.waves import Wave
 from quartering.motion.equations.system import Floats
-from quartering.motion.transient.simulate import Modes
+from quartering.motion.modes import Modes, in_six
 from quartering.names import term
 from quartering.option_checks import quoted
 from quartering.options import unknown
@@ -127,9 +126,7 @@ def cures(
     >>> [one.parameter for one in found]
     ['K_prr', 'roll_damping']
     """
-    if modes not in get_args(Modes):
-        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
-    if modes == "six":
+    if in_six(modes):
         from quartering.study.six_modes.cure import CURES as OF_SIX
         from quartering.study.six_modes.cure import cures_six
 

@@ -24,7 +24,7 @@ LARGEST = 10e9
 SECONDS_OF_A_BLOCK = 1.0
 """Time one block should take on one core."""
 _FEWEST_IN_A_BLOCK = 32
-_SAMPLE, _TRIES = 1024, 3
+_TRIES = 3
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ def estimate(grid: Grid) -> Estimate:
 
     Kernels that are not yet compiled are compiled by this.
     """
-    each = _seconds_each(grid, _SAMPLE)
+    each = _seconds_each(grid, grid.sampled)
     if not grid.block_size:
         grid = grid.in_blocks_of(_size_of_blocks(grid, each))
     return Estimate(
@@ -91,7 +91,7 @@ def timed_block_size(grid: Grid) -> int:
     at that moment has little part in it. A killed run loses the blocks being worked on: seconds, be the conditions cheap
     (the paper's method) or dear (harmonic balance to a high order).
     """
-    return _size_of_blocks(grid, _seconds_each(grid, min(_SAMPLE, max(grid.count // 60, 64))))
+    return _size_of_blocks(grid, _seconds_each(grid, min(grid.sampled, max(grid.count // 60, 64))))
 
 
 def _size_of_blocks(grid: Grid, each: float) -> int:

@@ -1,10 +1,10 @@
-"""What a study computes at each of its conditions: regular waves, or irregular seas. Stores and executors ask here alone."""
+"""What a study computes at each condition: three modes or six in regular waves, or irregular seas. Stores ask here alone."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -24,6 +24,7 @@ from quartering.study.seas.failure_rates.assessment_grid import AssessmentGrid
 from quartering.study.seas.over_seas import conditions as sea_conditions
 from quartering.study.seas.over_seas import guidance_dataset
 from quartering.study.seas.over_seas.grid import SeaGrid
+from quartering.study.six_modes.grid import STEADY_MOTION, SixGrid
 
 Found = Mapping[str, NDArray[np.generic]]
 Coordinates = Mapping[str, tuple[tuple[str, ...], NDArray[np.float64]]]
@@ -78,12 +79,14 @@ def kind_of(grid: Grid) -> StudyKind:
     """Kind of a grid."""
     if isinstance(grid, AssessmentGrid):
         return ASSESSMENT
+    if isinstance(grid, SixGrid):
+        return SIX_MODES
     return SEAS if isinstance(grid, SeaGrid) else WAVES
 
 
 def kind_of_case(case: Mapping[str, Any]) -> StudyKind:
     """Kind of what a store says of its case."""
-    return {"seas": SEAS, "assessment": ASSESSMENT}.get(str(case.get("kind")), WAVES)
+    return {"seas": SEAS, "assessment": ASSESSMENT, "six modes": SIX_MODES}.get(str(case.get("kind")), WAVES)
 
 
 def _waves_labelled(
@@ -124,6 +127,33 @@ WAVES: Final = StudyKind(
     warn=_warn_of_waves,
     missed=missed_resonance,
     code=("study/conditions.py", "study/condition/beside.py", "study/loading_systems.py", *_SHARED_CODE),
+)
+
+
+def _six_block(grid: SixGrid, index: int) -> dict[str, NDArray[np.generic]]:
+    from quartering.study.six_modes.conditions import evaluate_six_block
+
+    return evaluate_six_block(grid, index)
+
+
+def _six_heading(grid: SixGrid) -> dict[str, object]:
+    return _waves_heading(grid) | {"steady_motion": STEADY_MOTION, "modes": "six"}
+
+
+def _warn_of_six(grid: SixGrid, _counts: Counter[str]) -> None:
+    from quartering.study.six_modes.conditions import warn_of_six
+
+    warn_of_six(grid)
+
+
+SIX_MODES: Final = replace(
+    WAVES,
+    evaluate=_six_block,
+    others=lambda _: {},
+    heading=_six_heading,
+    warn=_warn_of_six,
+    missed=lambda _: (),
+    code=("study/six_modes", "study/conditions.py", *_SHARED_CODE),
 )
 _SEA_CODE: Final = (
     "study/seas",

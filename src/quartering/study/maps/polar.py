@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Literal, get_args
 
 import numpy as np
 import xarray as xr
@@ -14,6 +13,7 @@ from quartering.doors import takes
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
 from quartering.loads.waves import STEEPEST, Wave
+from quartering.motion.modes import Modes, in_six
 from quartering.motion.steady.harmonic import checked_harmonics
 from quartering.option_checks import checked, quoted
 from quartering.options import OPTIONS
@@ -21,9 +21,9 @@ from quartering.study.conditions import RESULTS, evaluate
 from quartering.study.dataset import labelled
 from quartering.study.grid import axis
 from quartering.study.maps.extension import carried_on
+from quartering.study.six_modes.grid import STEADY_MOTION
 
 Floats = NDArray[np.float64]
-Modes = Literal["three", "six"]
 """Sway, roll and yaw, or heave and pitch too."""
 MOST_CONDITIONS = 1_000_000
 """Conditions a map that is extended may have: about 1 GB of results."""
@@ -80,9 +80,7 @@ def polar(
     ((1, 3, 1), 0.0)
     """
     checked_harmonics(harmonics)
-    if modes not in get_args(Modes):
-        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
-    if modes == "six" and (harmonics != 1 or form != "stf"):
+    if in_six(modes) and (harmonics != 1 or form != "stf"):
         raise InputError("modes = six has harmonics and diffraction of its own; leave harmonics and form out")
     waves = [wave] if isinstance(wave, Wave) else wave
     if not isinstance(waves, (list, tuple)) or not all(isinstance(one, Wave) for one in waves):
@@ -139,7 +137,7 @@ def _mapped(
     u, mu, length = (a.ravel() for a in np.meshgrid(speed, heading, lengths, indexing="ij"))
     height = np.tile(heights, speed.size * heading.size)[:, None]
     if modes == "six":
-        from quartering.study.six_modes.conditions import STEADY_MOTION, evaluate_six
+        from quartering.study.six_modes.conditions import evaluate_six
 
         found = evaluate_six(ship, u, mu, length, height[:, 0], progress=progress)
     else:

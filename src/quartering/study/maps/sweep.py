@@ -17,6 +17,7 @@ from quartering.doors import takes
 from quartering.hull.option_types import StudyAxes
 from quartering.hull.ship import Ship
 from quartering.loads.forces import Form
+from quartering.motion.modes import Modes, in_six
 from quartering.study.grid import Grid, grid
 from quartering.study.maps.estimate import timed_block_size
 from quartering.study.maps.executor import check_cluster, computed, reached
@@ -24,6 +25,7 @@ from quartering.study.maps.kinds import kind_of
 from quartering.study.maps.result import in_memory, open_result
 from quartering.study.maps.stored.block_file import counted
 from quartering.study.maps.stored.store import Store, begun_block_size, block_counts, open_store, write_block
+from quartering.study.six_modes.grid import in_six_modes
 
 
 @takes(ship="Ship")
@@ -38,6 +40,7 @@ def sweep(
     steepness: ArrayLike | str | None = None,
     harmonics: int = 1,
     form: Form = "stf",
+    modes: Modes = "three",
     progress: Callable[[int, int], None] | None = None,
     store: str | Path | None = None,
     cluster: str | None = None,
@@ -59,6 +62,7 @@ def sweep(
     steepness : (a,) float      H/lambda, in place of wave_height: the waves of all lengths are as steep [1]
     harmonics : int             of the steady motion: 1 is the paper's method
     form : str                  of the diffraction force
+    modes : str                 "three": sway, roll and yaw; "six": heave and pitch too, as in `polar`
     progress : function(done, total), optional
     store : str or Path         folder the results are put in block by block, for studies larger than memory or longer than
                                 patience: a second call with the same case computes only what is missing
@@ -94,6 +98,8 @@ def sweep(
         ship, speed, heading, wave_length, wave_height, wave_period=wave_period, steepness=steepness, harmonics=harmonics,
         form=form, factors=factors, values=values, **axes,
     )  # fmt: skip
+    if in_six(modes):
+        wanted = in_six_modes(wanted)
 
     def told(done: int, _: Counter[str]) -> None:
         if progress is not None:

@@ -19,19 +19,18 @@ from quartering.motion.steady_course.orbits import Orbits, forced_motions, symme
 from quartering.stability.kind import Kind
 from quartering.stability.parametric import doubled_multipliers, growths, roll_growth
 from quartering.study.conditions import FLAGS, RESULTS, UNKNOWN
+from quartering.study.six_modes.grid import SixGrid
 
 Floats = NDArray[np.float64]
 Results = dict[str, NDArray[np.generic]]
 
-STEADY_MOTION: Final = "six modes: harmonic balance, pressure over the instantaneous wetted hull"
-"""What datasets say of the steady motion."""
 BEYOND: Final = 1.6
 """Motions of two periods are followed up to this multiple of the wave's height."""
 
 
 def evaluate_six(
     ship: Ship, speed: Floats, heading: Floats, wave_length: Floats, wave_height: Floats,
-    *, progress: Callable[[int, int], None] | None = None,
+    *, progress: Callable[[int, int], None] | None = None, warn: bool = True,
 ) -> Results:  # fmt: skip
     """Roll, growth and verdict at many conditions, each mode of heave, pitch, sway, roll and yaw free.
 
@@ -53,7 +52,8 @@ def evaluate_six(
             if at.size == 0:
                 continue
             many = course(ship, 2 * np.pi / float(length), wave_height[at] / 2, speed[at], folded[at])
-            warn_of_surge(many)
+            if warn:
+                warn_of_surge(many)
             found = _along(many) if head_on else _across(many)
             for name, values in found.items():
                 out[name][at] = values if name == "encounter_frequency" else values[:, None]
@@ -62,11 +62,40 @@ def evaluate_six(
                 progress(done, m)
     for one in np.unique(speed):
         out["calm_exponent"][speed == one] = float(np.asarray(calm_water_exponents(ship, float(one))).real.max())
-    warn_of_conditions(ship, speed, wave_length)
-    across = np.abs(np.sin(np.radians(heading))) / wave_length
-    worst = int(across.argmax())
-    warn_across(ship, 2 * np.pi / float(wave_length[worst]), float(heading[worst]))
+    if warn:
+        warn_of_conditions(ship, speed, wave_length)
+        across = np.abs(np.sin(np.radians(heading))) / wave_length
+        worst = int(across.argmax())
+        warn_across(ship, 2 * np.pi / float(wave_length[worst]), float(heading[worst]))
     return out
+
+
+def evaluate_six_block(grid: SixGrid, index: int) -> Results:
+    """One block of a grid: a function of nothing but the two.
+
+    index: of the block
+    Returns `RESULTS` with leading shape (loadings, points, heights), and encounter_frequency (points,)
+    """
+    block, heights = grid.blocks[index], grid.heights(grid.blocks[index].points)
+    u, mu, length = (np.repeat(values, heights.shape[1]) for values in grid.points(block.points))
+    loadings = range(block.loadings.start, block.loadings.stop)
+    found = [evaluate_six(grid.loaded(i), u, mu, length, heights.ravel(), warn=False) for i in loadings]
+    out = {
+        name: np.stack([one[name].reshape(*heights.shape, *shape) for one in found]) for name, shape in RESULTS.items()
+    }
+    return out | {"encounter_frequency": found[0]["encounter_frequency"].reshape(heights.shape)[:, 0]}
+
+
+def warn_of_six(grid: SixGrid) -> None:
+    """Say once of a whole grid what its conditions leave behind: ranges of theory, and surge that is not small."""
+    warn_of_conditions(grid.ship, grid.axes["speed"], grid.axes["wave_length"])
+    u, mu, length = grid.points(slice(0, grid.point_count))
+    highest = grid.heights(slice(0, grid.point_count)).max(axis=1)
+    worst = int((np.abs(np.sin(np.radians(mu))) / length).argmax())
+    warn_across(grid.ship, 2 * np.pi / float(length[worst]), float(mu[worst]))
+    for one in np.unique(length):
+        at = length == one
+        warn_of_surge(course(grid.ship, 2 * np.pi / float(one), highest[at] / 2, u[at], np.remainder(mu[at], 360.0)))
 
 
 def _begun(many: Course, orbits: Orbits) -> Results:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
     from quartering.loads.waves import Wave
-    from quartering.study.maps.polar import Modes
+    from quartering.motion.modes import Modes
 
 MOST_CONDITIONS = 1_000_000
 """Largest map: about 1 GB of results."""

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from quartering.hull.ship import Ship
     from quartering.loads.waves import Wave
-    from quartering.motion.transient.simulate import Modes as ModesOf
+    from quartering.motion.modes import Modes as ModesOf
     from quartering.view.console.printed import Table
 
 _UNBROKEN = 0.999

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
     from quartering.hull.ship import Ship
     from quartering.loads.forces import Form
-    from quartering.study.maps.polar import Modes as ModesOf
+    from quartering.motion.modes import Modes as ModesOf
     from quartering.view.console.printed import Table
 
 _NEUTRAL = 1e-9

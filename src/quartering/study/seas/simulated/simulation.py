@@ -7,7 +7,7 @@ import warnings
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Final, get_args, overload
+from typing import Any, Final, overload
 
 import numpy as np
 import xarray as xr
@@ -21,9 +21,9 @@ from quartering.hull.told import count, number
 from quartering.loads.forces import Form
 from quartering.loads.sea.sea import Sea
 from quartering.motion.equations.model import Model
+from quartering.motion.modes import Modes, in_six
 from quartering.motion.sea.equations import Force
 from quartering.motion.transient.irregular import irregular as irregular_by_components
-from quartering.motion.transient.simulate import Modes
 from quartering.option_checks import quoted
 from quartering.study.seas.response import (
     MOST_NEAR,
@@ -145,9 +145,7 @@ def irregular(ship: Any, sea: Any = None, *given: Any, **named: Any) -> xr.Datas
     (True, 32.0)
     """
     modes = named.pop("modes", "three")
-    if modes not in get_args(Modes):
-        raise InputError(f'modes = {quoted(modes)}; it is "three" (sway, roll, yaw) or "six" (heave and pitch too)')
-    if modes == "six":
+    if in_six(modes):
         return _in_six_modes(ship, sea, *given, **named)
     if isinstance(sea, Sea):
         return _in_a_sea(ship, sea, *given, **named)
