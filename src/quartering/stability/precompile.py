@@ -27,9 +27,10 @@ from quartering.motion.transient.approach import capsizes_before
 from quartering.stability.assessment import assess
 from quartering.stability.variational import one_pass, transition
 
-NOTICE = "compiling numerical kernels, once (15 to 30 s)"
+NOTICE = "compiling numerical kernels, once (about a minute on two cores)"
 NOT_KEPT = (
-    "compiling numerical kernels (15 to 30 s), in every process, since no folder for them can be written; name one in "
+    "compiling numerical kernels (about a minute on two cores), in every process, since no folder for them can be written;"
+    " name one in "
     "NUMBA_CACHE_DIR"
 )
 
