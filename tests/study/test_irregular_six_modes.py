@@ -7,7 +7,7 @@ import quartering as qt
 from quartering.motion.six_modes import vertical_motion
 from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.march import march_in_steps
-from quartering.study.six_modes.irregular import _cells, components, marched
+from quartering.study.six_modes.irregular import Banded, _cells, components, marched
 
 SHIP = qt.ship("s175").with_(gm=1.0)
 
@@ -21,9 +21,10 @@ def test_a_sea_of_one_wave_is_that_wave(heading, miss):
     k, a, speed = 2 * np.pi / 175, 2.6, 5.0
     one = course(SHIP, k, *(np.array([v]) for v in (a, speed, heading)))
     wave = tuple(np.array([v]) for v in (a, np.sqrt(9.81 * k), heading, 0.0))
-    sea = components(SHIP, one.tables, np.empty(0), speed, wave)
+    banded = Banded(np.empty(0), np.array([k]), one.tables, one.tables.spline[None])
+    sea = components(SHIP, banded, speed, wave)
     h, steps, out = 2 * np.pi / one.numbers.omega[0] / 48, 48 * 20, np.zeros(6)
-    marched(one, one.tables, one.tables.spline[None], np.array([k]), sea, h, 0.0, 0.0, 1.5, steps, out)
+    marched(one, banded, sea, h, 0.0, 0.0, 1.5, steps, out)
     state = march_in_steps(one, np.zeros(10), h, steps).state[1:]
     assert out[:2] == pytest.approx((state[:, :2] ** 2).sum(axis=0), rel=miss)
     if heading == 150.0:

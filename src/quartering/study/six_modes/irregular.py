@@ -171,10 +171,9 @@ def _banded(ship: Ship, cells: Drawn, bands: int) -> Banded:
     return Banded(edges, k, tables[0], np.stack([one.spline for one in tables]))
 
 
-def components(ship: Ship, tables: SectionTables, edges: Floats, speed: float, waves: tuple[Floats, ...]) -> Components:
+def components(ship: Ship, banded: Banded, speed: float, waves: tuple[Floats, ...]) -> Components:
     """Waves that meet a ship, with all they do beside their pressure.
 
-    edges (b - 1,): of the bands in frequency [rad/s]
     waves: amplitude [m], frequency [rad/s], heading [deg] and phase [rad], (n,) each
     """
     amplitude, sigma, heading, phase = (np.ascontiguousarray(part, dtype=float) for part in waves)
@@ -183,10 +182,10 @@ def components(ship: Ship, tables: SectionTables, edges: Floats, speed: float, w
     slow = np.abs(signed) < least_encounter_frequency(ship.hull.length)
     c = coefficients(ship, np.where(slow, least_encounter_frequency(ship.hull.length), np.abs(signed)), speeds)
     met = waves_met(ship, c, k, speeds, heading, signed, slow | (np.abs(signed) < _SLOW * sigma))
-    angle = met.wave[:, :1] * tables.x
+    angle = met.wave[:, :1] * banded.tables.x
     return Components(
         amplitude, np.abs(signed), phase, met.wave, met.force, np.ascontiguousarray(met.strips[:, :, 3:]),
-        np.ascontiguousarray(met.surge[:, 0]), np.searchsorted(edges, sigma).astype(np.int64),
+        np.ascontiguousarray(met.surge[:, 0]), np.searchsorted(banded.edges, sigma).astype(np.int64),
         np.ascontiguousarray(np.stack([np.cos(angle), np.sin(angle)], axis=1)),
     )  # fmt: skip
 
@@ -195,43 +194,32 @@ def _block(one: Course, cells: Drawn, banded: Banded, seeds: tuple[int, int], li
     """Sums, largest roll and end of one block, and how it ends."""
     sigma, heading, phase = _drawn(cells, np.random.default_rng(seeds))
     amplitude = np.full(WAVES, math.sqrt(2 * cells.m0 / WAVES))
-    sea = components(one.ship, banded.tables, banded.edges, float(one.speed[0]), (amplitude, sigma, heading, phase))
+    sea = components(one.ship, banded, float(one.speed[0]), (amplitude, sigma, heading, phase))
     shortest = 2 * math.pi / max(float(np.quantile(sea.omega, 0.95)), 1e-9)
     h = min(shortest, 2 * math.pi * math.sqrt(2 * one.draught / GRAVITY)) / _STEPS
     out, steps = np.zeros(6), math.ceil(BLOCK / h)
-    ended = marched(one, banded.tables, banded.splines, banded.k, sea, BLOCK / steps, RUN_UP, KICK, limit, steps, out)
+    ended = marched(one, banded, sea, BLOCK / steps, RUN_UP, KICK, limit, steps, out)
     return out, ended
 
 
 def marched(
-    one: Course, tables: SectionTables, splines: Floats, k: Floats, sea: Components, h: float, run_up: float, kick: float,
-    limit: float, steps: int, out: Floats,
-) -> int:  # fmt: skip
+    one: Course,
+    banded: Banded,
+    sea: Components,
+    h: float,
+    run_up: float,
+    kick: float,
+    limit: float,
+    steps: int,
+    out: Floats,
+) -> int:
     """`march_in_a_sea` of a ship: heave and pitch with their own matrices, sway, roll and yaw with theirs."""
     n = one.numbers
     up, across = np.linalg.inv(n.mass[0, 2, :2, :2]), np.linalg.inv(n.mass[0, 1, 2:, 2:])
     damp_up, damp_across = n.damping[0, 2, :2, :2].copy(), n.damping[0, 1, 2:, 2:].copy()
-    rise = run_up / 3
-    return int(
-        march_in_a_sea(
-            tables,
-            splines,
-            k,
-            n,
-            sea,
-            up,
-            across,
-            damp_up,
-            damp_across,
-            h,
-            round(run_up / h),
-            rise,
-            kick,
-            limit,
-            steps,
-            out,
-        )
-    )
+    bands, matrices = (banded.tables, banded.splines, banded.k), (up, across, damp_up, damp_across)
+    told = (h, round(run_up / h), run_up / 3, kick, limit, steps)
+    return int(march_in_a_sea(*bands, n, sea, *matrices, *told, out))
 
 
 def _near_zero(cells: Drawn, speed: float) -> float:
