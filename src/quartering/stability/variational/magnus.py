@@ -91,6 +91,7 @@ def march(values, samples, weights, start, width, count, h, phi, room):
 
     ``values`` (s, 12, W): the variational matrices at the samples of a period and `AROUND` further ones beyond its ends,
         `BEFORE` of them in front; sway velocity in a unit in which all entries are of one size
+
     ``weights, start, width``: of `tables`
     """
     matrix, a1, a2, a3, c1, c2, exponent, norms = room
