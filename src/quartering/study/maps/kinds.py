@@ -143,7 +143,8 @@ def _six_heading(grid: SixGrid) -> dict[str, object]:
 def _warn_of_six(grid: SixGrid, _counts: Counter[str]) -> None:
     from quartering.study.six_modes.conditions import warn_of_six
 
-    warn_of_six(grid)
+    every = slice(0, grid.point_count)
+    warn_of_six(grid.ship, *grid.points(every), grid.heights(every).max(axis=1))
 
 
 SIX_MODES: Final = replace(

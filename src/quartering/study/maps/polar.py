@@ -137,8 +137,9 @@ def _mapped(
     u, mu, length = (a.ravel() for a in np.meshgrid(speed, heading, lengths, indexing="ij"))
     height = np.tile(heights, speed.size * heading.size)[:, None]
     if modes == "six":
-        from quartering.study.six_modes.conditions import evaluate_six
+        from quartering.study.six_modes.conditions import evaluate_six, warn_of_six
 
+        warn_of_six(ship, u, mu, length, height[:, 0])
         found = evaluate_six(ship, u, mu, length, height[:, 0], progress=progress)
     else:
         found = evaluate(ship, u, mu, length, height, harmonics=harmonics, form=form, progress=progress)

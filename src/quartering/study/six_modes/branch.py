@@ -32,6 +32,7 @@ from quartering.stability.kind import Kind
 from quartering.stability.parametric import doubled_multipliers, growths
 from quartering.study.branches.family import Limits, parameter_attributes, parameters
 from quartering.study.dataset import amplitudes_named
+from quartering.study.six_modes.conditions import BEYOND
 
 Floats = NDArray[np.float64]
 
@@ -39,7 +40,6 @@ OVER: Final = ("wave_height", "speed", "heading")
 """What a branch in six modes goes over: the wave's length is that of the tables of the sections."""
 _VALUES: Final = 33
 """Values of speed or heading that the numbers of the equations are splined through."""
-_BEYOND: Final = 1.6
 _MOST: Final = 400
 _GONE, _SMALL = 2e-3, 0.1
 """Roll of two periods below which there is none, and below which a curve comes to its end [rad]."""
@@ -215,7 +215,7 @@ def _of_two_periods(path: Path, begun: list[Onset], low: float, high: float) -> 
         there = family.at(value)
         there = there.at_amplitude(there.numbers.amplitude.copy())
         amplitude = float(there.numbers.amplitude[0])
-        for x in doubled_motions(there, amplitude, _BEYOND * amplitude, basis=basis)[0]:
+        for x in doubled_motions(there, amplitude, BEYOND * amplitude, basis=basis)[0]:
             point = np.append(x, value)
             if not any(_passes(line, point, basis) for line in lines):
                 both = [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Final
 
 import numpy as np
@@ -30,7 +30,7 @@ BEYOND: Final = 1.6
 
 def evaluate_six(
     ship: Ship, speed: Floats, heading: Floats, wave_length: Floats, wave_height: Floats,
-    *, progress: Callable[[int, int], None] | None = None, warn: bool = True,
+    *, progress: Callable[[int, int], None] | None = None,
 ) -> Results:  # fmt: skip
     """Roll, growth and verdict at many conditions, each mode of heave, pitch, sway, roll and yaw free.
 
@@ -44,30 +44,38 @@ def evaluate_six(
     out: Results = {name: np.full((m, 1, *shape), np.nan) for name, shape in RESULTS.items()}
     out |= {name: np.full((m, 1), int(UNKNOWN[name]), dtype=np.int8) for name in FLAGS}
     out["encounter_frequency"] = np.full(m, np.nan)
-    folded = np.remainder(heading, 360.0)
     done = 0
+    for at, head_on, many in _courses(ship, speed, heading, wave_length, wave_height):
+        found = _along(many) if head_on else _across(many)
+        for name, values in found.items():
+            out[name][at] = values if name == "encounter_frequency" else values[:, None]
+        done += at.size
+        if progress is not None:
+            progress(done, m)
+    for one in np.unique(speed):
+        out["calm_exponent"][speed == one] = float(np.asarray(calm_water_exponents(ship, float(one))).real.max())
+    return out
+
+
+def _courses(
+    ship: Ship, speed: Floats, heading: Floats, wave_length: Floats, wave_height: Floats
+) -> Iterator[tuple[NDArray[np.intp], bool, Course]]:
+    """Conditions of one wave length, head and following seas apart from oblique ones: which, whether head-on, the course."""
+    folded = np.remainder(heading, 360.0)
     for length in np.unique(wave_length):
         for head_on in (True, False):
             at = np.flatnonzero((wave_length == length) & ((folded % 180.0 == 0) == head_on))
-            if at.size == 0:
-                continue
-            many = course(ship, 2 * np.pi / float(length), wave_height[at] / 2, speed[at], folded[at])
-            if warn:
-                warn_of_surge(many)
-            found = _along(many) if head_on else _across(many)
-            for name, values in found.items():
-                out[name][at] = values if name == "encounter_frequency" else values[:, None]
-            done += at.size
-            if progress is not None:
-                progress(done, m)
-    for one in np.unique(speed):
-        out["calm_exponent"][speed == one] = float(np.asarray(calm_water_exponents(ship, float(one))).real.max())
-    if warn:
-        warn_of_conditions(ship, speed, wave_length)
-        across = np.abs(np.sin(np.radians(heading))) / wave_length
-        worst = int(across.argmax())
-        warn_across(ship, 2 * np.pi / float(wave_length[worst]), float(heading[worst]))
-    return out
+            if at.size:
+                yield at, head_on, course(ship, 2 * np.pi / float(length), wave_height[at] / 2, speed[at], folded[at])
+
+
+def warn_of_six(ship: Ship, speed: Floats, heading: Floats, wave_length: Floats, wave_height: Floats) -> None:
+    """Say what conditions, as of `evaluate_six`, leave behind: the range of theory, and surge that is not small."""
+    for _, _, many in _courses(ship, speed, heading, wave_length, wave_height):
+        warn_of_surge(many)
+    warn_of_conditions(ship, speed, wave_length)
+    worst = int((np.abs(np.sin(np.radians(heading))) / wave_length).argmax())
+    warn_across(ship, 2 * np.pi / float(wave_length[worst]), float(heading[worst]))
 
 
 def evaluate_six_block(grid: SixGrid, index: int) -> Results:
@@ -79,23 +87,11 @@ def evaluate_six_block(grid: SixGrid, index: int) -> Results:
     block, heights = grid.blocks[index], grid.heights(grid.blocks[index].points)
     u, mu, length = (np.repeat(values, heights.shape[1]) for values in grid.points(block.points))
     loadings = range(block.loadings.start, block.loadings.stop)
-    found = [evaluate_six(grid.loaded(i), u, mu, length, heights.ravel(), warn=False) for i in loadings]
+    found = [evaluate_six(grid.loaded(i), u, mu, length, heights.ravel()) for i in loadings]
     out = {
         name: np.stack([one[name].reshape(*heights.shape, *shape) for one in found]) for name, shape in RESULTS.items()
     }
     return out | {"encounter_frequency": found[0]["encounter_frequency"].reshape(heights.shape)[:, 0]}
-
-
-def warn_of_six(grid: SixGrid) -> None:
-    """Say once of a whole grid what its conditions leave behind: ranges of theory, and surge that is not small."""
-    warn_of_conditions(grid.ship, grid.axes["speed"], grid.axes["wave_length"])
-    u, mu, length = grid.points(slice(0, grid.point_count))
-    highest = grid.heights(slice(0, grid.point_count)).max(axis=1)
-    worst = int((np.abs(np.sin(np.radians(mu))) / length).argmax())
-    warn_across(grid.ship, 2 * np.pi / float(length[worst]), float(mu[worst]))
-    for one in np.unique(length):
-        at = length == one
-        warn_of_surge(course(grid.ship, 2 * np.pi / float(one), highest[at] / 2, u[at], np.remainder(mu[at], 360.0)))
 
 
 def _begun(many: Course, orbits: Orbits) -> Results:
