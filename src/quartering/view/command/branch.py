@@ -69,13 +69,13 @@ def branch(
     modes: Modes = "three",
 ) -> Answer:
     """Follow every motion over one parameter: folds, bifurcations, what is stable."""
+    from quartering.motion.modes import in_six
     from quartering.stability.precompile import announce_compilation
     from quartering.study.branches.branch import branch as follow_branches
     from quartering.view.wording import ship_notes, speed_words
 
-    if modes not in ("three", "six"):
-        raise InputError(f'--modes: "{modes}" is none; three (sway, roll, yaw) or six (heave and pitch too)')
-    if modes == "six" and harmonics != _USUAL_HARMONICS:
+    six = in_six(modes)
+    if six and harmonics != _USUAL_HARMONICS:
         raise InputError("--modes six has harmonics of its own; leave --harmonics out")
     asked: ModesOf = modes  # type: ignore[assignment]
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
@@ -100,12 +100,12 @@ def branch(
 
     again = f" --harmonics {harmonics}" if harmonics != _USUAL_HARMONICS else ""
     again += f" --limits {limits}" if limits is not None else ""
-    again += " --modes six" if modes == "six" else ""
+    in_modes = " --modes six" if six else ""
     return Answer(
         _lines(ds, over, one),
         facts,
         dataset_or_picture(path, ds, draw),
-        next_steps=_next(ds, typed, over, again if path is None else None, " --modes six" if modes == "six" else ""),
+        next_steps=_next(ds, typed, over, again + in_modes if path is None else None, in_modes),
         output=path,
         data=lambda: [data_table(ds, f"{one.name}: points of the curves", along=["point"])],
     )

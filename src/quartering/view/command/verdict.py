@@ -52,15 +52,14 @@ def verdict(
     modes: Modes = "three",
 ) -> Answer:
     """Judge the steady motion in one condition: how large, stable or not, why, and what cures it."""
+    from quartering.motion.modes import in_six
     from quartering.stability.precompile import announce_compilation
     from quartering.study.condition.examine import examine, facts, helps
 
     typed = Typed(ship, heading, speed, wave_length, wave_height, changes)
     one, wave, u, mu = typed.read()
     path = reserve_path(output, TABLES)
-    if modes not in ("three", "six"):
-        raise InputError(f'--modes: "{modes}" is none; three (sway, roll, yaw) or six (heave and pitch too)')
-    if modes == "six":
+    if in_six(modes):
         return _six(typed, one, wave, (u, mu), path, own=(harmonics, form) == (1, "stf"))
     announce_compilation()
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
