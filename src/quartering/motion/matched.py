@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from quartering._machine.compiled import summing
 from quartering._machine.threads import in_threads
+from quartering.motion.equations.batch import rows
 from quartering.motion.equations.system import Floats, System
 from quartering.motion.steady.harmonic import harmonic_balance
 
@@ -41,6 +42,10 @@ class Matching:
     strips: System
     scale: float
     terms: Mapping[str, float] = field(default_factory=dict)
+
+    def part(self, which: slice) -> Matching:
+        """The match of some of the conditions."""
+        return replace(self, cubics=rows(self.cubics, which), strips=rows(self.strips, which))
 
     def at_motion(self, system: System, amplitude: Floats) -> System:
         """Equations with u0 matched at the motion that |q| q gives.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
@@ -14,7 +14,8 @@ from quartering.hull.ship import Ship
 from quartering.loads.forces import Form, keeps_speed_terms
 from quartering.loads.validity import conditions_held
 from quartering.loads.waves import encounter_frequency
-from quartering.motion.equations.batch import rows
+from quartering.motion.equations.batch import joined, rows
+from quartering.motion.equations.system import PER_CONDITION
 from quartering.motion.of_ship import ShipSystem, excitation, ship_system
 
 Floats = NDArray[np.float64]
@@ -89,6 +90,54 @@ def _moved(force: Phasors, up: float) -> Phasors:
     return moved
 
 
+def in_batches(found: Iterable[ShipSystem], most: int) -> Iterator[tuple[slice, ShipSystem]]:
+    """The equations of loadings, of as many together as stay within a number of conditions.
+
+    found: of each loading in turn
+    most: conditions of a batch of several loadings
+    Yields (which loadings, their equations one after another): alone where the products are not the same, or where the cubic
+        drag is matched, so that no condition's sums are taken in another order for its neighbours' sake
+
+    >>> from quartering.hull.file.read import ship
+    >>> three = [ship("wigley").with_(gm=gm) for gm in (0.8, 0.9, 1.0)]
+    >>> one = (np.full(2, 0.05), np.array([5.0, 6.0]), np.full(2, 30.0))
+    >>> [(some.start, some.stop, at.system.count) for some, at in in_batches(systems(three, *one), 4)]
+    [(0, 2, 4), (2, 3, 2)]
+    """
+    first, waiting = 0, list[ShipSystem]()
+    for at in found:
+        count = sum(one.system.count for one in waiting)
+        if waiting and (count + at.system.count > most or not _alike(waiting[0], at)):
+            yield slice(first, first + len(waiting)), _one_batch(waiting)
+            first, waiting = first + len(waiting), []
+        waiting.append(at)
+    if waiting:
+        yield slice(first, first + len(waiting)), _one_batch(waiting)
+
+
+def _alike(one: ShipSystem, other: ShipSystem) -> bool:
+    """Have the equations of two loadings the same products, tables of as many pieces, as many strips, and no match?"""
+    if one.matching is not None or other.matching is not None:
+        return False
+    a, b = one.system, other.system
+    same = all(np.array_equal(getattr(a, name), getattr(b, name)) for name in ("powers", "modulus", "extra"))
+    shapes = all(getattr(a, name).shape[1:] == getattr(b, name).shape[1:] for name in PER_CONDITION)
+    return same and shapes and a.layout == b.layout
+
+
+def _one_batch(found: Sequence[ShipSystem]) -> ShipSystem:
+    """The equations of several loadings as one batch, with the first one's coefficients."""
+    if len(found) == 1:
+        return found[0]
+    return replace(
+        found[0],
+        system=joined([one.system for one in found]),
+        encounter_frequency=np.concatenate([one.encounter_frequency for one in found]),
+        slow=np.concatenate([one.slow for one in found]),
+        outside=np.concatenate([one.outside for one in found]),
+    )
+
+
 def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
     """The equations of some of the conditions.
 
@@ -107,4 +156,5 @@ def part_of(equations: ShipSystem, part: slice) -> ShipSystem:
         encounter_frequency=equations.encounter_frequency[part],
         slow=equations.slow[part],
         outside=equations.outside[part],
+        matching=None if equations.matching is None else equations.matching.part(part),
     )

@@ -79,7 +79,7 @@ class Asked(NamedTuple):
 
 
 def beside_motions(
-    system: System, judged: Assessment, u: Floats, orders: tuple[int, ...], peaks: Floats, limit: float
+    system: System, judged: Assessment, u: Floats, orders: tuple[int, ...], peaks: Floats, limit: Floats | float
 ) -> Asked:
     """Whether ships capsize before they come to their stable motions, and which others exist, asked where it may be.
 
@@ -88,7 +88,7 @@ def beside_motions(
     u (n, 3, b): the motions, as from `steady_motions`
     orders: their harmonics
     peaks (n,): largest roll over a cycle [rad]
-    limit: roll angle that counts as a capsize [rad]
+    limit (n,): roll angle that counts as a capsize [rad], or one for all
 
     Asked of stable motions that roll past half the limit, and of those near a fold (`near_fold`), beside which a larger motion
     stands or none.  Source: [Thompson89] for the use; [Krack19].
@@ -100,15 +100,15 @@ def beside_motions(
     steep = np.nan_to_num(peaks) > _STEEP * limit
     asked = np.flatnonzero((judged.kind == Kind.STABLE) & (steep | near_fold(judged.floquet)))
     if asked.size:
-        some = rows(system, asked)
-        times = capsizes_before(some, np.full(asked.size, limit))
+        some, limits = rows(system, asked), np.broadcast_to(limit, peaks.shape)[asked]
+        times = capsizes_before(some, limits)
         way[asked] = np.isfinite(times) @ [int(OnTheWay.FROM_UPRIGHT), int(OnTheWay.WAVE_RAISED)]
         many = orders_for(some, max(3, *orders))
         of: list[int] = []
         others: list[Floats] = []
-        for i, low, seeds in _seeds_beside(some, u[asked], orders, limit):
+        for i, low, seeds in _seeds_beside(some, u[asked], orders, limits):
             known = _Known(u[asked[i]], orders, float(peaks[asked[i]]))
-            found = _others(rows(some, np.array([i])), low, seeds, known, limit, many)
+            found = _others(rows(some, np.array([i])), low, seeds, known, float(limits[i]), many)
             of += [i] * len(found)
             others += found
         for i, each in _stable_rolls(some, of, others, many).items():
@@ -118,18 +118,20 @@ def beside_motions(
 
 
 def _seeds_beside(
-    system: System, u: Floats, orders: tuple[int, ...], limit: float
+    system: System, u: Floats, orders: tuple[int, ...], limits: Floats
 ) -> Iterator[tuple[int, tuple[int, ...], list[Floats]]]:
     """One-harmonic motions of conditions that have others than the known one: which condition, harmonics, motions.
 
-    From a grid of starts each, as far as 1.1 times the limit, all conditions in one batch.
+    From a grid of starts each, as far as 1.1 times its limit (n,), all conditions in one batch.
     """
     low, first = orders_for(system, 1), 1 if orders[0] == 0 else 0
     column, width = (1, 3) if low[0] == 0 else (0, 2)
     each = _SIZES * _ANGLES
-    starts = np.tile(grid_of_roll(_BEYOND * limit, _SIZES, _ANGLES, column, width), (system.count, 1, 1))
+    different, of = np.unique(limits, return_inverse=True)
+    grids = np.array([grid_of_roll(_BEYOND * limit, _SIZES, _ANGLES, column, width) for limit in different])
+    starts = grids[of].reshape(-1, 3, width)
     found, status = quick_motions(rows(system, np.repeat(np.arange(system.count), each)), low, starts)
-    usable = (status == 0) & (roll_peaks(np.nan_to_num(found), low) <= _BEYOND * limit)
+    usable = (status == 0) & (roll_peaks(np.nan_to_num(found), low) <= _BEYOND * np.repeat(limits, each))
     known = u[:, 1, first : first + 2]
     away = found[:, 1, column : column + 2] - np.repeat(known, each, axis=0)
     others = usable & (np.hypot(*away.T) > _ALIKE * np.repeat(np.hypot(*known.T), each))
@@ -152,7 +154,7 @@ def other_stable_motions(model: Model, motion: Motion, harmonics: int = 3) -> li
     with small_matrices():
         low, seeds = from_grid(system)
         known = _Known(motion.coefficients, motion.orders_with_mean, float(motion.peak[1]))
-        as_a_map = _seeds_beside(system, known.u[None], known.orders, model.capsize_limit.radians)
+        as_a_map = _seeds_beside(system, known.u[None], known.orders, np.array([model.capsize_limit.radians]))
         for _, _, found in as_a_map:  # closer starts, up to the limit: a cell and its verdict look in the same places
             seeds += [one for one in found if not any(same(one, known) for known in seeds)]
         many = orders_for(system, max(3, harmonics))
