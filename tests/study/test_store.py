@@ -21,7 +21,7 @@ import quartering as qt
 from quartering._machine import publish
 from quartering.hydro.database.dataset import write_capytaine
 from quartering.hydro.manoeuvring.measured import LIBRARY
-from quartering.study.grid import grid
+from quartering.study.grid import LARGEST_BLOCK, grid
 from quartering.study.maps import estimate as estimates
 from quartering.study.maps.estimate import timed_block_size
 from quartering.study.maps.kinds import SEAS, WAVES
@@ -413,7 +413,7 @@ def test_blocks_cover_the_grid_once():
         seen = np.zeros((gms, points), int)
         for block in wanted.blocks:
             seen[block.loadings, block.points] += 1
-            assert seen[block.loadings, block.points].size * heights <= max(size or 16_384, heights)
+            assert seen[block.loadings, block.points].size * heights <= max(size or LARGEST_BLOCK, heights)
         assert (seen == 1).all()
 
 

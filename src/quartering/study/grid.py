@@ -34,9 +34,11 @@ STEEPNESS = "steepness"
 """Axis that may stand in the place of wave_height: H/lambda, the same for all wave lengths."""
 MOST_CONDITIONS = 1_000_000_000
 """Largest study: some 300 GB of results."""
-LARGEST_BLOCK, SMALLEST_BLOCK = 16_384, 512
-_BLOCKS_WANTED = 64
-_POINTS_WANTED = 512
+LARGEST_BLOCK, SMALLEST_BLOCK = 32_768, 512
+_BLOCKS_WANTED = 32
+_POINTS_WANTED = 256
+"""Points of a block of several loadings: the wave forces of a point are found once for the loadings that stand in its block,
+the coefficients of a loading once for the points."""
 _DRAUGHTS_TOGETHER = 4
 _SHIPS_KEPT = 4096
 
