@@ -17,14 +17,19 @@ TERMS = {
 }  # fmt: skip
 INERTIA = [[1.0, 0.05, 0.0], [0.02, 1.0, 0.01], [0.0, 0.03, 1.0]]
 MODEL = Model(INERTIA, TERMS, 1.0, (0, 0, 0), (0, 0, 0), force_mean=(0.0, 0.01, 0.0))
+PLAIN = {name: value for name, value in TERMS.items() if "|" not in name}
+PRODUCTS = Model(
+    INERTIA, PLAIN | {"K_phiphiphiphiphi": -0.2, "K_vvp": -0.1, "Y_vpr": 0.1, "N_pp": 0.02}, 1.0, (0, 0, 0), (0, 0, 0)
+)
+"""Without a modulus: rows go in pairs."""
 FREQUENCY = np.array([0.6, 0.83, 1.1])
 FORCE = np.array([[0.05, 0.02 + 0.03j, 0.01j], [0.02j, 0.05, 0.02], [0.03, -0.04, 0.01]])
 PHASE = np.random.default_rng(4).uniform(0, 2 * np.pi, (40, 3))  # more than a batch
 
 
-def by_scipy(phase, duration):
+def by_scipy(model, phase, duration):
     """The same equations through solve_ivp (DOP853, 1e-11)."""
-    system, inverse = MODEL.system, np.linalg.inv(np.array(INERTIA))
+    system, inverse = model.system, np.linalg.inv(np.array(INERTIA))
 
     def rate(t, y):
         a = system.linear[0] @ y + system.mean[0]
@@ -36,11 +41,12 @@ def by_scipy(phase, duration):
     return solve_ivp(rate, (0, duration), np.zeros(4), method="DOP853", rtol=1e-11, atol=1e-13).y[:, -1]
 
 
-def test_ends_where_scipy_ends_with_fourth_order():
-    exact = np.array([by_scipy(PHASE[i], 60.0) for i in (0, 37)])
+@pytest.mark.parametrize("model", [MODEL, PRODUCTS], ids=["modulus", "products alone"])
+def test_ends_where_scipy_ends_with_fourth_order(model):
+    exact = np.array([by_scipy(model, PHASE[i], 60.0) for i in (0, 37)])
     errors = []
     for step in (0.2, 0.1, 0.05):
-        end = irregular(MODEL, FREQUENCY, FORCE, PHASE, 60.0, step=step)["state"].values[[0, 37]]
+        end = irregular(model, FREQUENCY, FORCE, PHASE, 60.0, step=step)["state"].values[[0, 37]]
         errors.append(np.abs(end - exact).max())
     assert errors[-1] < 1e-7
     orders = np.log2(np.array(errors[:-1]) / errors[1:])

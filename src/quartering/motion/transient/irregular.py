@@ -18,6 +18,7 @@ from quartering.hull.told import number, numbers
 from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats
+from quartering.motion.transient.in_pairs import ROWS, goes_in_pairs, march_in_pairs, products_of
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
 from quartering.option_checks import quoted
 
@@ -146,7 +147,10 @@ def irregular(
         )
     known = _known_inputs(model, w.size, water)
     count, steps = phases.shape[0], round(duration / step)
+    in_pairs = goes_in_pairs(model.system)
     together = min(_TOGETHER, -(-count // WIDTH))
+    if in_pairs:
+        together += together % ROWS
     groups = -(-count // (WIDTH * together))
     rows = groups * together
     acceleration = np.concatenate([np.linalg.solve(model.inertia, f.T), known])  # (3 + m, c)
@@ -160,14 +164,22 @@ def irregular(
     amplitude = np.ascontiguousarray(amplitude).reshape(groups, 2 * w.size + 1, -1)
     states = np.zeros((rows, model.system.states, WIDTH))
     peak, square = np.zeros((rows, WIDTH)), np.zeros((rows, WIDTH))
-    capsize, equations = np.full((rows, WIDTH), np.nan), alike(model.system)
+    capsize = np.full((rows, WIDTH), np.nan)
+    equations = products_of(model.system) if in_pairs else alike(model.system)
+    ahead = np.exp(1j * np.multiply.outer((np.arange(_CHUNK + _BETWEEN.size - 1) - _BEFORE) * step, w))
+    waves = np.ones((len(ahead), 2 * w.size + 1))
+    room = np.empty((groups, len(ahead), len(acceleration) * together * WIDTH))
     for begin in range(0, steps, _CHUNK):
         samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
-        angle = np.multiply.outer((begin - _BEFORE + np.arange(samples)) * step, w)
-        waves = np.concatenate([np.cos(angle), np.sin(angle), np.ones((samples, 1))], axis=1)
-        forcing = (waves @ amplitude).reshape(groups, samples, len(acceleration), together, WIDTH)
+        turned = ahead * np.exp(1j * (begin * step) * w)
+        waves[:, : w.size], waves[:, w.size : -1] = turned.real, turned.imag
+        forcing = np.matmul(waves, amplitude, out=room) if samples == len(waves) else waves[:samples] @ amplitude
+        forcing = forcing.reshape(groups, samples, len(acceleration), together, WIDTH)
         arrays = (equations, forcing, _BETWEEN, step, begin * step, angle_of_capsize, states, peak, square, capsize)
-        in_threads(_march, rows, *arrays, smallest=1)
+        if in_pairs:
+            in_threads(march_in_pairs, rows // ROWS, *arrays, smallest=1)
+        else:
+            in_threads(_march, rows, *arrays, smallest=1)
     result = _dataset(model, states, peak, square, capsize, count, steps * step, step)
     reason = model.capsize_limit.reason if limit is None else "given"
     return result.assign_attrs(capsize_angle=float(np.degrees(angle_of_capsize)), capsize_reason=reason)
@@ -221,17 +233,14 @@ def _dataset(
         "roll_rms": (np.degrees(np.sqrt(square.ravel()[:count] * step / past)), "deg", "root mean square roll angle"),
         "capsize_time": (time, "s", "time of capsize"),
     }
-    result = xr.Dataset(
+    ends = states.transpose(0, 2, 1).reshape(-1, states.shape[1])[:count]
+    described = {"units": ", ".join(_UNITS[: ends.shape[1]]), "long_name": "state at the end"}
+    return xr.Dataset(
         {
             name: ("realisation", values, {"units": unit, "long_name": words})
             for name, (values, unit, words) in data.items()
         }
+        | {"state": (("realisation", "component"), ends, described)},
+        coords={"component": _COMPONENTS[: ends.shape[1]]},
+        attrs={"duration": duration, "step": step, "references": ", ".join(model.references)},
     )
-    ends = states.transpose(0, 2, 1).reshape(-1, states.shape[1])[:count]
-    result["state"] = (
-        ("realisation", "component"),
-        ends,
-        {"units": ", ".join(_UNITS[: ends.shape[1]]), "long_name": "state at the end"},
-    )
-    result.attrs = {"duration": duration, "step": step, "references": ", ".join(model.references)}
-    return result.assign_coords(component=_COMPONENTS[: ends.shape[1]])
