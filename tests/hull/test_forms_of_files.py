@@ -51,6 +51,25 @@ def test_units_stand_in_the_header_or_below_it(tmp_path):
     assert "furlong" in refused(tmp_path, "a.csv")
 
 
+def test_sections_of_both_sides_are_the_ones_of_starboard(tmp_path):
+    # 36 m of box and two ends of no breadth, where both sides lie in the centreplane
+    breadth = {-40.0: 0.0, -18.0: 6.0, 0.0: 6.0, 18.0: 6.0, 40.0: 0.0}
+    half = [(0.0, 0.0), (1.0, 0.0), (1.0, 5.0)]
+
+    def write(sides):
+        rows = [(x, b * y, z) for x, b in breadth.items() for y, z in sides]
+        (tmp_path / "a.csv").write_text("x,y,z" + "".join(f"\n{x},{y},{z}" for x, y, z in rows))
+
+    write(half)
+    starboard = volume(tmp_path)
+    write([(-y, z) for y, z in half[:0:-1]] + half)
+    assert volume(tmp_path) == starboard
+    write([(-1.0, 4.0), (-1.0, 0.0), *half])
+    assert "port and starboard differ" in refused(tmp_path, "a.csv")
+    write([(0.0, 0.0), (-1.0, 0.0), (-1.0, 5.0)])
+    assert "negative" in refused(tmp_path, "a.csv")
+
+
 def test_decimal_commas_between_commas_are_refused(tmp_path):
     (tmp_path / "a.csv").write_text("\n".join(",".join(comma(cell) for cell in row) for row in TABLE))
     assert "commas" in refused(tmp_path, "a.csv") or "header" in refused(tmp_path, "a.csv")

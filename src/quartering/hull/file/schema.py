@@ -211,6 +211,11 @@ def _unknown(key: str, allowed: list[str]) -> str:
     return f"{key} is unknown; {hint} allowed here: {', '.join(allowed)}"
 
 
+def _names_lines(key: str, problem: Any) -> bool:
+    """Is the name of a file given for offsets?"""
+    return key == "offsets" and isinstance(problem["input"], str) and "." in problem["input"]
+
+
 def _sentence(problem: Any, data: dict[str, Any]) -> str:
     """One problem in words."""
     location = [part for part in problem["loc"] if not (isinstance(part, str) and "[" in part)]
@@ -223,7 +228,8 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     if own is not None:
         return f"{key}{own}" if own.startswith(":") else f"{key}: {own}"
     if kind in ("model_type", "model_attributes_type", "dict_type"):
-        return f"{key}: {given} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}"
+        hint = f"; a file of lines stands under `lines: {problem['input']}`" if _names_lines(key, problem) else ""
+        return f"{key}: {given} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}{hint}"
     if kind == "literal_error":
         return f"{key}: {given} is given; {nearest_word(problem)}"
     return f"{key}: {given} is given; allowed: {allowed(problem)}"
