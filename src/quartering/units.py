@@ -66,7 +66,7 @@ def wave_length_of(period: float) -> float:
     >>> round(wave_length_of(10.0), 2)
     156.13
     """
-    return GRAVITY * period**2 / (2.0 * math.pi)
+    return GRAVITY * period * period / (2.0 * math.pi)
 
 
 def units_of(kind: Kind, sizes: Sizes = NO_SHIP) -> tuple[str, ...]:

@@ -17,10 +17,11 @@ from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
 from quartering.hull.changes import COEFFICIENTS, check_twice
 from quartering.hull.ship import Ship
+from quartering.hull.told import real
 from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import Wave
 from quartering.motion.steady.harmonic import checked_harmonics
-from quartering.option_checks import Refused, checked
+from quartering.option_checks import Refused, checked, quoted
 from quartering.options import OPTIONS
 from quartering.study.case.values import values_of
 from quartering.study.loadings import CHOICE_AXES, VALUE, base_of, coded, loaded
@@ -278,10 +279,10 @@ def axis(name: str, values: ArrayLike, ship: Ship | None = None) -> Floats:
         ship = None
     if ship is not None and one is not None and _has_text(given):
         return np.array(values_of(one, given, ship))
-    try:
-        array = np.atleast_1d(np.array(given, dtype=float))
-    except (TypeError, ValueError):
-        raise InputError(f"{name} = {values!r} is not a number or a list of numbers; try [0, 5, 10]") from None
+    found = real(given)
+    if found is None:
+        raise InputError(f"{name} = {quoted(values)} is not a number or a list of numbers; try [0, 5, 10]")
+    array = np.atleast_1d(found)
     if array.ndim != 1 or array.size == 0:
         raise InputError(f"{name} needs at least one value in a flat list; given shape {array.shape}")
     if not np.isfinite(array).all():

@@ -161,7 +161,8 @@ def _from_points(
     points = points * [columns.factor(k, "length", str(path)) for k in range(3)]
     breaks = np.flatnonzero(np.diff(points[:, 0]) != 0) + 1
     whole = _is_whole(points[:, 1])
-    x, contours, labels = [], [], []
+    x: list[float] = []
+    contours, labels = [], []
     for group in np.split(points, breaks):
         if group[0, 0] in x:
             raise InputError(

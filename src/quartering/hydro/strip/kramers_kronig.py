@@ -14,6 +14,7 @@ from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.lines.quadrature import gauss
 from quartering.hull.lines.section import Floats
+from quartering.hull.told import real
 from quartering.hydro.strip.table import SectionTable
 
 TOLERANCE: Final = 0.02
@@ -154,10 +155,9 @@ def retardation(frequency: ArrayLike, damping: ArrayLike, time: ArrayLike) -> Fl
     >>> np.round(K * np.pi / 4, 3).tolist()
     [1.0, -0.25]
     """
-    try:
-        omega, b, t = (np.asarray(v, dtype=float) for v in (frequency, damping, time))
-    except (TypeError, ValueError):
-        raise InputError("frequency, damping and time are lists of numbers; one of them is not") from None
+    omega, b, t = (real(values) for values in (frequency, damping, time))
+    if omega is None or b is None or t is None:
+        raise InputError("frequency, damping and time are lists of numbers; one of them is not")
     _check(omega, b, b)
     nodes, values, _ = _completed(omega, b.reshape(omega.size, -1))
     moments = np.atleast_1d(np.abs(t))

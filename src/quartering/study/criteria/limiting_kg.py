@@ -15,7 +15,7 @@ from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.propulsion import Propulsion
 from quartering.hull.ship import Ship
-from quartering.hull.told import number
+from quartering.hull.told import number, numbers
 from quartering.study.criteria import dead_ship, excessive_acceleration, parametric_rolling, pure_loss, surf_riding
 from quartering.study.criteria.particulars import Particulars, particulars
 from quartering.study.criteria.record import FORM, Judgement
@@ -47,7 +47,7 @@ ALWAYS: Final = 3
 FOUND = {BELOW: "limit found", NOT_JUDGED: "not judged", NEVER: "vulnerable at every KG", ALWAYS: "passed at every KG"}
 
 
-@takes(ship="Ship", propulsion="Propulsion, None")
+@takes(ship="Ship", propulsion="Propulsion, None", levels="words, None")
 def limiting_kg(
     ship: Ship,
     draughts: Sequence[float | str] | None = None,
@@ -88,7 +88,7 @@ def limiting_kg(
     >>> 0.9 < float(found.kg_max) / ship("wigley").loading.kg, bool(found.monotone)
     (True, True)
     """
-    wanted = [ship.hull.draught] if draughts is None else [number(ship, "draught", one) for one in draughts]
+    wanted = [ship.hull.draught] if draughts is None else np.atleast_1d(numbers(ship, "draught", draughts)).tolist()
     service = None if speed is None else number(ship, "speed", speed)
     judges = _levels(propulsion)
     if unknown := [one for one in levels or () if one not in judges]:

@@ -113,7 +113,7 @@ def gm_in_waves(
     import xarray as xr
 
     U, mu = condition(ship, speed, heading)
-    share = np.arange(count("positions", positions, 1, 10)) / positions
+    share = np.arange(count("positions", positions, 1, 10, 1000)) / positions
     if positions > _MOST_POSITIONS:
         raise InputError(f"positions = {positions}; at most {_MOST_POSITIONS}; try 10")
     floats, smith = floating_hull(ship), _pressure(pressure) == "smith"
