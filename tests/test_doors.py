@@ -132,7 +132,6 @@ WORDS = {
     "edge": lambda one: qt.edge(MODEL, one),
     "broaching_branch": lambda one: qt.broaching_branch(SHIP, WAVE, 9.0, one),
     "tornado": lambda one: qt.tornado(SHIP, WAVE, 5.0, 60.0, parameters=one),
-    "cures": lambda one: qt.cures(SHIP, WAVE, 5.0, 60.0, parameters=one),
     "limiting_kg": lambda one: qt.limiting_kg(SHIP, levels=one),
     "paper_ship": lambda one: qt.paper_ship(one),
     "read_capytaine": lambda one: qt.read_capytaine(one, SHIP),

@@ -25,11 +25,11 @@ _ADVICE: Final = {
     "Propulsion": "quartering.Propulsion(resistance, diameter=2.6, thrust=(0.36, -0.28, -0.12))",
     "Section": "quartering.Section(y=[0, 5, 5], z=[4, 4, 0])",
     "word": '"speed"',
-    "words": '["gm", "speed"]',
+    "words": '["gm", "K_p"]',
     "file": '"mine.csv"',
 }
 """Kind -> how one is made."""
-_SAID: Final = {"word": "text", "words": "list of texts", "file": "name of a file"}
+_SAID: Final = {"word": "text", "words": "list of names", "file": "name of a file"}
 
 
 def takes(**kinds: str) -> Callable[[Callable[P, R]], Callable[P, R]]:

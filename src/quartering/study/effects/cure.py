@@ -75,7 +75,7 @@ class Cure:
         return f"{abs(told - self.now):.3g}{unit} {more} {name} ({self.now:.3g} -> {told:.3g}{unit})"
 
 
-@takes(ship="Ship", wave="Wave", parameters="words")
+@takes(ship="Ship", wave="Wave")
 def cures(
     ship: Ship,
     wave: Wave,
