@@ -117,6 +117,7 @@ NUMBERS = {
     "failure_rate_at after": lambda one: qt.failure_rate_at(5.0, [6.0, 7.0, 8.0], [30, 60, 90], one),
     "decay_record": lambda one: qt.decay_record(one, one),
 }
+RADIATION = qt.hydrodynamics(SHIP, np.linspace(0.1, 3.0, 12))
 NO_NUMBERS = [b"5", True, np.datetime64("2020-01-01"), 10**400, 1e300, [], {}, object(), [[1.0, 2.0], [3.0]], 1 + 2j]
 
 
@@ -134,6 +135,18 @@ WORDS = {
     "tornado": lambda one: qt.tornado(SHIP, WAVE, 5.0, 60.0, parameters=one),
     "limiting_kg": lambda one: qt.limiting_kg(SHIP, levels=one),
     "paper_ship": lambda one: qt.paper_ship(one),
+    "equations": lambda one: qt.equations(SHIP, WAVE, 5.0, 60.0, one),
+    "wave_forces": lambda one: qt.wave_forces(SHIP, WAVE, form=one),
+    "polar": lambda one: qt.polar(SHIP, WAVE, [5.0], [60.0], form=one),
+    "gm_in_waves": lambda one: qt.gm_in_waves(SHIP, WAVE, balance=one),
+    "righting_arm": lambda one: qt.righting_arm(SHIP, [10.0], WAVE, balance=one),
+    "responses": lambda one: qt.responses(SHIP, WAVE, place=one),
+    "sea_response": lambda one: qt.sea_response(SHIP, qt.Sea(hs=2, tp=8), 5.0, place=one),
+    "sensitivity": lambda one: qt.sensitivity(SHIP, WAVE, 5.0, 60.0, harmonics=one if one != 3.0 else "x"),
+    "factors": lambda one: qt.sweep(SHIP, 5.0, 60.0, 80.0, 2.0, factors=one if one else 1.0),
+    "values": lambda one: qt.sweep(SHIP, 5.0, 60.0, 80.0, 2.0, values=one if one else 1.0),
+    "kramers_kronig": lambda one: qt.kramers_kronig(RADIATION, added_mass_infinite=one),
+    "edge limits": lambda one: qt.edge(MODEL, ("frequency", "excitation"), limits=one),
     "read_capytaine": lambda one: qt.read_capytaine(one, SHIP),
     "read_wamit": lambda one: qt.read_wamit(one, SHIP),
     "read_decay": lambda one: qt.read_decay(one),
@@ -142,7 +155,7 @@ WORDS = {
 
 @pytest.mark.parametrize("given", [3.0, [], {}, b"gm", "", ["gm", 2], [["gm"]], object()], ids=repr)
 @pytest.mark.parametrize("name", WORDS)
-def test_what_is_no_word_or_no_file_is_refused(name, given):
+def test_what_is_no_word_no_file_or_no_place_is_refused(name, given):
     with pytest.raises(qt.InputError):
         WORDS[name](given)
 
@@ -154,6 +167,8 @@ def test_what_is_no_word_or_no_file_is_refused(name, given):
         lambda: qt.gm_in_waves(SHIP, WAVE, positions=10**9),
         lambda: qt.design_point(SHIP, qt.Sea(hs=2, tp=8), 5.0, 20.0, windows=10**400),
         lambda: qt.simulate(MODEL, 10.0, [[1.0, 2.0], [3.0]]),
+        lambda: qt.simulate(MODEL, 10.0, speed=5.0),
+        lambda: qt.simulate(MODEL, 10.0, heading=60.0),
         lambda: qt.failure_rate_at(5.0, [6.0, 7.0, 8.0], [30, 60, 90], [1e3, 1e3, 1e3], confidence=2.0),
     ],
 )

@@ -256,6 +256,11 @@ def _extra(
     """Every axis beside the conditions by one name: of the loading, factors on coefficients, values of them."""
     if "coefficients" in axes:
         raise Refused("coefficients", COEFFICIENTS)
+    for what, told in (("factors", factors), ("values", values)):
+        if told is not None and not isinstance(told, Mapping):
+            raise InputError(
+                f'{what} = {quoted(told)}; it is a mapping of names to values, such as {{"K_ppp": [1, 2]}}'
+            )
     found = dict(axes)
     for name, given in (factors or {}).items():
         if name in found:

@@ -70,6 +70,7 @@ class Extremes(NamedTuple):
         return np.asarray((a[:-2] + 2 * a[1:-1] + a[2:]) / 4)
 
 
+@takes(source="word")
 def decay_record(time: ArrayLike, angle: ArrayLike, *, unit: AngleUnit = "deg", source: str = "given") -> DecayRecord:
     """A decay from two arrays, checked.
 

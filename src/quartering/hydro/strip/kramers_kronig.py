@@ -16,6 +16,7 @@ from quartering.hull.lines.quadrature import gauss
 from quartering.hull.lines.section import Floats
 from quartering.hull.told import real
 from quartering.hydro.strip.table import SectionTable
+from quartering.option_checks import quoted
 
 TOLERANCE: Final = 0.02
 """Inconsistency up to which a set passes, beside what the damping outside its frequencies may add [1]."""
@@ -109,9 +110,10 @@ def kramers_kronig(data: xr.Dataset | SectionTable, *, added_mass_infinite: Arra
     if fitted:
         infinite = np.median(a - inside - outside, axis=0)
     else:
-        infinite = np.asarray(limit if added_mass_infinite is None else added_mass_infinite, dtype=float)
-        if infinite.shape != a.shape[1:]:
-            raise InputError(f"added_mass_infinite of shape {infinite.shape} given; needed {a.shape[1:]}")
+        told = real(limit if added_mass_infinite is None else added_mass_infinite)
+        if told is None or told.shape != a.shape[1:]:
+            raise InputError(f"added_mass_infinite = {quoted(added_mass_infinite)}; it is numbers of shape {a.shape[1:]}")
+        infinite = told
     expected = infinite + inside + outside
     size = _size(np.abs(a - infinite).max(axis=0), labels)
     difference = np.divide(a - expected, size, out=np.zeros_like(a), where=size > 0)

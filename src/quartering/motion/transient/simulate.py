@@ -198,7 +198,7 @@ def simulate(
 
             return simulate_on_course(model, wave, speed, heading, duration, state0, step)
         model = equations(model, wave, speed, heading)
-    elif wave is not None or six:
+    elif wave is not None or six or np.any(speed != 0.0) or np.any(heading != 180.0):
         raise InputError(
             "a Model has its wave, speed and heading, and three modes; give a ship in its place, such as "
             'simulate(ship, 300, wave=wave, speed=5, heading=180, modes="six")'

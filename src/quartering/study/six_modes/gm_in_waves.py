@@ -54,7 +54,7 @@ _WATER: Final = ("within_the_lines", "on_straight_sides", "over_the_deck")
 _MOST_POSITIONS: Final = 1000
 
 
-@takes(ship="Ship", wave="Wave")
+@takes(ship="Ship", wave="Wave", balance="word")
 def gm_in_waves(
     ship: Ship,
     wave: Wave,
@@ -138,7 +138,7 @@ def gm_in_waves(
     )
 
 
-@takes(ship="Ship", wave="Wave, None")
+@takes(ship="Ship", wave="Wave, None", balance="word")
 def righting_arm(
     ship: Ship,
     heel: ArrayLike,

@@ -94,7 +94,7 @@ class _Basis:
         return np.asarray(np.einsum("n,njmk->jmk", u, self.directions))
 
 
-@takes(ship="Ship, Model")
+@takes(ship="Ship, Model", form="word")
 def design_point(
     ship: Ship | Model,
     sea: Sea,
