@@ -116,6 +116,13 @@ NUMBERS = {
     "failure_rate_at": lambda one: qt.failure_rate_at(5.0, [6.0, 7.0, 8.0], one, [1e3, 1e3, 1e3]),
     "failure_rate_at after": lambda one: qt.failure_rate_at(5.0, [6.0, 7.0, 8.0], [30, 60, 90], one),
     "decay_record": lambda one: qt.decay_record(one, one),
+    "Section": lambda one: qt.Section(one, [4.0, 0.0]),
+    "Propulsion": lambda one: qt.Propulsion(one, diameter=2.6, thrust=(0.36, -0.28, -0.12)),
+    "Propulsion of": lambda one: qt.Propulsion([0.0, 1e3], diameter=one, thrust=(0.36, -0.28, -0.12)),
+    "Wave": lambda one: qt.Wave(period=one, height=2.0),
+    "Model": lambda one: qt.Model(one, {"K_phi": -1.0}, 1.0, (0, 0.1, 0), (0, 0, 0)),
+    "Model under": lambda one: qt.Model(np.eye(3), {"K_phi": -1.0}, 1.0, one, (0, 0, 0)),
+    "Model at": lambda one: qt.Model(np.eye(3), {"K_phi": -1.0}, one if one != 1e300 else "x", (0, 0.1, 0), (0, 0, 0)),
 }
 RADIATION = qt.hydrodynamics(SHIP, np.linspace(0.1, 3.0, 12))
 NO_NUMBERS = [b"5", True, np.datetime64("2020-01-01"), 10**400, 1e300, [], {}, object(), [[1.0, 2.0], [3.0]], 1 + 2j]
@@ -146,6 +153,11 @@ WORDS = {
     "factors": lambda one: qt.sweep(SHIP, 5.0, 60.0, 80.0, 2.0, factors=one if one else 1.0),
     "values": lambda one: qt.sweep(SHIP, 5.0, 60.0, 80.0, 2.0, values=one if one else 1.0),
     "kramers_kronig": lambda one: qt.kramers_kronig(RADIATION, added_mass_infinite=one),
+    "terms": lambda one: qt.Model(np.eye(3), one if one else 1.0, 1.0, (0, 0.1, 0), (0, 0, 0)),
+    "measured": lambda one: SHIP.with_(measured=one),
+    "loading_case": lambda one: SHIP.with_(loading_case=one),
+    "spreading": lambda one: qt.Sea(hs=2, tp=8, spreading=one if one != 3.0 else "x"),
+    "spectrum": lambda one: qt.Sea(hs=2, tp=8, spectrum=one),
     "edge limits": lambda one: qt.edge(MODEL, ("frequency", "excitation"), limits=one),
     "read_capytaine": lambda one: qt.read_capytaine(one, SHIP),
     "read_wamit": lambda one: qt.read_wamit(one, SHIP),

@@ -112,7 +112,9 @@ def kramers_kronig(data: xr.Dataset | SectionTable, *, added_mass_infinite: Arra
     else:
         told = real(limit if added_mass_infinite is None else added_mass_infinite)
         if told is None or told.shape != a.shape[1:]:
-            raise InputError(f"added_mass_infinite = {quoted(added_mass_infinite)}; it is numbers of shape {a.shape[1:]}")
+            raise InputError(
+                f"added_mass_infinite = {quoted(added_mass_infinite)}; it is numbers of shape {a.shape[1:]}"
+            )
         infinite = told
     expected = infinite + inside + outside
     size = _size(np.abs(a - infinite).max(axis=0), labels)
