@@ -63,10 +63,11 @@ class OffsetKeys(_Strict):
 
 
 class LinesKeys(_Strict):
-    """`lines:` a file of another program, its format where the ending does not tell, and x of midship in it [m]."""
+    """`lines:` a file of another program, its format where the ending does not tell, its unit, and x of midship in it [m]."""
 
     file: str
     format: Literal["csv", "pdstrip", "gdf", "stl"] | None = None
+    unit: Literal["m", "mm", "cm", "ft"] | None = None
     midship: float = 0.0
     outline: Literal["smooth", "straight"] = "straight"
 

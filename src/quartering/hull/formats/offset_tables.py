@@ -34,6 +34,7 @@ class Lines(NamedTuple):
     datum : str or None              where the heights are counted from, where the format or the surface tells
     still_water : float or None      height of the calm plane, where the file says it [m]
     remarks : tuple of str           what was done to the lines
+    own_unit : bool                  did the file name a unit?
     """
 
     x: Floats
@@ -43,6 +44,7 @@ class Lines(NamedTuple):
     datum: Datum | None = None
     still_water: float | None = None
     remarks: tuple[str, ...] = ()
+    own_unit: bool = False
 
     @property
     def profile(self) -> Profile:
@@ -230,9 +232,9 @@ def _in_order(
     if len(at_x) < 4:
         at_x, found, names = _prism(path, at_x, found, names)
         remarks.append("the same all along")
-    units = sorted({unit for unit in columns.units if unit} - {"m"}) if columns else []
-    remarks += [f"given in {', '.join(units)}"] if units else []
-    return Lines(at_x, tuple(found), tuple(names), source, None, still_water, tuple(remarks))
+    named = {unit for unit in columns.units if unit} if columns else set()
+    remarks += [f"given in {', '.join(sorted(named - {'m'}))}"] if named - {"m"} else []
+    return Lines(at_x, tuple(found), tuple(names), source, None, still_water, tuple(remarks), bool(named))
 
 
 def _stepped(path: str | Path, x: Floats, labels: list[str]) -> tuple[Floats, list[float]]:
