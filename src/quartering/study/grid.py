@@ -186,25 +186,22 @@ def grid(
     wave_length: ArrayLike | None = None,
     wave_height: ArrayLike | None = None,
     *,
-    wave_period: ArrayLike | None = None,
-    steepness: ArrayLike | None = None,
     harmonics: int = 1,
     form: Form = "stf",
     factors: Mapping[str, ArrayLike] | None = None,
     values: Mapping[str, ArrayLike] | None = None,
-    **axes: ArrayLike,
+    **axes: Any,
 ) -> Grid:
     """All combinations of conditions and loadings, checked.
 
     speed, heading, wave_length, wave_height (n,): [m/s, deg, m, m], or text with a unit
-    wave_period (n,): in place of wave_length [s]
-    steepness (n,): H/lambda, in place of wave_height [1]
-    as in `sweep`
     factors, values: factors on coefficients, and values of them, by name
-    **axes (l,): loading values, or factors on coefficients, by name
+    **axes (l,): loading values, or factors on coefficients, by name; wave_period [s] in place of wave_length and steepness,
+        H/lambda, in place of wave_height; as in `sweep`
     """
+    period, steepness = axes.pop("wave_period", None), axes.pop("steepness", None)
     conditions: dict[str, ArrayLike] = {"speed": speed, "heading": heading}
-    conditions |= {"wave_length": _lengths(wave_length, wave_period, ship)} | _sea(wave_height, steepness)
+    conditions |= {"wave_length": _lengths(wave_length, period, ship)} | _sea(wave_height, steepness)
     own = {name: axis(name, given, ship) for name, given in conditions.items()}
     _check_conditions(own)
     checked_harmonics(harmonics)
