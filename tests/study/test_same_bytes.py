@@ -10,6 +10,7 @@ import pytest
 import quartering as qt
 from quartering._machine import threads
 from quartering._machine.rowwise import rowwise
+from quartering.study import conditions
 from quartering.study import grid as grids
 from quartering.study.conditions import RESULTS, evaluate, evaluate_block
 from quartering.study.grid import grid
@@ -32,6 +33,8 @@ CASES = {
     "measured": ("mariner", {}, {}),
     "bilge keels": ("series60-cb60", {"roll_damping": "ikeda", "bilge_keels": (30.0, 0.3)}, {}),
     "absolute velocities": ("s175", {"velocities": "absolute"}, {}),
+    "matched drag": ("series60-cb60", {"drag": "cubic"}, {"gm": [0.6, 0.9]}),
+    "other products": ("series60-cb60", {}, {"gm": [0.6, 0.9], "velocities": ["relative", "absolute"]}),
 }
 
 
@@ -57,6 +60,16 @@ def test_blocks_of_any_size_give_the_same_bytes(case):
     expected = _whole(wanted.in_blocks_of(grids.LARGEST_BLOCK))
     for size in (wanted.sea_count, 7, 50, 111):
         _same(_whole(wanted.in_blocks_of(size)), expected)
+
+
+@pytest.mark.parametrize("case", ["several loadings", "matched drag", "other products"])
+def test_batches_of_any_size_within_a_block_give_the_same_bytes(case, monkeypatch):
+    """Loadings beside each other, one alone, and parts of one."""
+    wanted = _wanted(*CASES[case]).in_blocks_of(grids.LARGEST_BLOCK)
+    expected = _whole(wanted)
+    for most in (30, 2 * wanted.point_count * wanted.sea_count):
+        monkeypatch.setattr(conditions, "_OF_A_BLOCK", most)
+        _same(_whole(wanted), expected)
 
 
 @pytest.mark.soak

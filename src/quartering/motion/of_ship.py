@@ -56,7 +56,7 @@ class ShipSystem:
         Returns m h conditions, the heights of one condition beside each other
         """
         count = amplitude.shape[1]
-        raised = self.system.repeated(count).raised(amplitude.reshape(-1))
+        raised = self.system.raised(amplitude.reshape(-1), count)
         return raised if self.matching is None else self.matching.at_motion(raised, amplitude.reshape(-1))
 
 

@@ -10,7 +10,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quartering._machine.compiled import kernel
 from quartering._machine.rowwise import contracted
+from quartering._machine.threads import in_threads
 from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.righting.spline import OddSpline
@@ -157,13 +159,19 @@ class System:
         """Each condition a number of times, its copies beside each other."""
         return self if count == 1 else self.each(lambda array: np.repeat(array, count, axis=0))
 
-    def raised(self, factor: Floats) -> System:
-        """The excitation and all known inputs times a factor (n,) or (1,): the wave at another height."""
-        by = np.asarray(factor, dtype=float).reshape(-1, 1)
-        strips = self.strips.copy()
-        strips[:, :, 3:] *= by[:, :, None]
-        inputs = by[:, :, None] * self.inputs
-        return replace(self, mean=by * self.mean, cos=by * self.cos, sin=by * self.sin, inputs=inputs, strips=strips)
+    def raised(self, factor: Floats, copies: int = 1) -> System:
+        """The excitation and all known inputs times a factor (n,) or (1,): the wave at another height.
+
+        copies: of each condition beside each other, each with a factor of its own
+        """
+        rest = replace(self, strips=self.strips[:, :0]).repeated(copies)
+        by = np.array(np.broadcast_to(np.asarray(factor, dtype=float).reshape(-1), (rest.count,)))
+        strips = rest.strips
+        if self.has_drag:
+            strips = np.empty((rest.count, *self.strips.shape[1:]))
+            in_threads(_raise_water, rest.count, np.require(self.strips, requirements=("C", "W")), by, copies, strips)
+        parts = {name: by[:, None] * getattr(rest, name) for name in ("mean", "cos", "sin")}
+        return replace(rest, inputs=by[:, None, None] * rest.inputs, strips=strips, **parts)
 
     def begun_at(self, phase: Floats) -> System:
         """The equations with the time counted from phases (n,) of a cycle [rad]."""
@@ -205,6 +213,16 @@ class System:
         """
         own = (getattr(self, name) for name in PER_CONDITION)
         return Parts(*(a if a.flags.carray else np.require(a, requirements=("C", "W")) for a in own))
+
+
+@kernel
+def _raise_water(first, last, strips, by, copies, out):  # type: ignore[no-untyped-def]
+    """Strips (n, z, 5) of conditions first..last, the water times ``by`` (n,), of some copies of each of those given."""
+    for i in range(first, last):
+        for z in range(strips.shape[1]):
+            own = strips[i // copies, z]
+            out[i, z, 0], out[i, z, 1], out[i, z, 2] = own[0], own[1], own[2]
+            out[i, z, 3], out[i, z, 4] = by[i] * own[3], by[i] * own[4]
 
 
 FEWEST: Final = 48
