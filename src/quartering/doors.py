@@ -9,6 +9,7 @@ from os import PathLike
 from typing import Any, Final, ParamSpec, TypeVar
 
 from quartering.conventions import InputError
+from quartering.option_checks import quoted
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -24,12 +25,11 @@ _ADVICE: Final = {
     "Dataset": "quartering.bem_forces(ship, [100.0], [90.0])",
     "Propulsion": "quartering.Propulsion(resistance, diameter=2.6, thrust=(0.36, -0.28, -0.12))",
     "Section": "quartering.Section(y=[0, 5, 5], z=[4, 4, 0])",
-    "word": '"speed"',
     "words": '["gm", "K_p"]',
     "file": '"mine.csv"',
 }
 """Kind -> how one is made."""
-_SAID: Final = {"word": "text", "words": "list of names", "file": "name of a file"}
+_SAID: Final = {"word": "word in quotes", "words": "list of names", "file": "name of a file"}
 
 
 def takes(**kinds: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
@@ -63,10 +63,9 @@ def _of_kind(name: str, given: Any, kinds: str) -> None:
         return
     if any(_is_of(given, kind) for kind in allowed):
         return
-    said = repr(given)
-    said = said if len(said) <= 60 else f"{said[:57]}..."
     words = " or ".join(_SAID.get(one, one) for one in allowed if one != "None")
-    raise InputError(f"{name} = {said} is no {words}; give one, such as {_ADVICE[allowed[0]]}")
+    advice = f"; give one, such as {_ADVICE[allowed[0]]}" if allowed[0] in _ADVICE else ""
+    raise InputError(f"{name} = {quoted(given)} is no {words}{advice}")
 
 
 def _is_of(given: Any, kind: str) -> bool:
