@@ -6,7 +6,9 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 CONSTRAINTS := constraints.txt
-PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check $(CONSTRAINTS:%=--constraint %)
+PIP := $(BIN)/python -m pip install --quiet --no-compile --disable-pip-version-check $(CONSTRAINTS:%=--constraint %)
+# pip would compile what it brings to bytecode on one core, half a minute; some templates among it are no Python of today.
+BYTECODE := $(BIN)/python -m compileall -q -j 0 $(VENV)/lib >/dev/null 2>&1 || true
 PYTEST := $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 
 .PHONY: demo quick test soak test-latest docs browser bench bench-check constraints clean lint types tests-quick tests-all
@@ -82,22 +84,27 @@ $(VENV)/pyvenv.cfg:
 
 $(VENV)/.demo: $(VENV)/pyvenv.cfg pyproject.toml $(CONSTRAINTS)
 	$(PIP) --editable .
+	$(BYTECODE)
 	touch $@
 
 $(VENV)/.dev: $(VENV)/pyvenv.cfg pyproject.toml $(CONSTRAINTS)
 	$(PIP) --editable '.[dev]'
+	$(BYTECODE)
 	touch $@ $(VENV)/.demo
 
 $(VENV)/.soak: $(VENV)/.dev
 	$(PIP) --editable '.[dev,soak]'
+	$(BYTECODE)
 	touch $@
 
 $(VENV)/.bench: $(VENV)/.dev
 	$(PIP) --editable '.[dev,bench]'
+	$(BYTECODE)
 	touch $@
 
 $(VENV)/.docs: $(VENV)/.dev
 	$(PIP) --editable '.[docs]'
+	$(BYTECODE)
 	touch $@
 
 # At each release, after `make test-latest`: the head of the file stays, the names and versions are written anew.

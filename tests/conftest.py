@@ -45,6 +45,13 @@ def _compile_once():
         subprocess.run([sys.executable, "-c", call], cwd=folder, stdout=subprocess.DEVNULL, check=False)
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    from tests.scheduling import LongestFirst
+
+    return LongestFirst(config, log) if config.option.dist == "loadfile" else None
+
+
 def pytest_deselected(items):
     """Count what a tier leaves out. In a run on several processes each of them collects everything: one count is enough."""
     if not items:

@@ -20,6 +20,7 @@ from quartering.hull.righting.heeled import cross_curve, deck_angle
 from quartering.hull.ship import Loading, Ship
 from quartering.hydro.coefficients import coefficients
 from quartering.hydro.contributions import righting_moment
+from tests.tiers import mostly_soak
 
 SHIPS = [entry.name for entry in available_ships()]
 
@@ -39,7 +40,7 @@ def _emergence(beam: float, draught: float, depth: float) -> float:
 boxes = st.tuples(st.floats(5, 40), st.floats(0.1, 0.9), st.floats(0.2, 1.2), st.floats(0.05, 4.0))
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=30)
 @given(boxes, st.floats(-0.99, 0.99))
 def test_wall_sided_box_has_the_closed_form_arm_until_deck_or_bilge(box: tuple[float, ...], part: float) -> None:
     # closed form: GZ = sin(phi) (GM + BM tan^2(phi) / 2)
@@ -53,7 +54,7 @@ def test_wall_sided_box_has_the_closed_form_arm_until_deck_or_bilge(box: tuple[f
     assert float(found) == pytest.approx(expected, rel=1e-6, abs=1e-6 * (bm + gm + beam))
 
 
-@settings(deadline=None)
+@settings(deadline=None, max_examples=30)
 @given(boxes, st.floats(0.0, 0.99))
 def test_heeled_box_keeps_its_volume_about_the_centreline(box: tuple[float, ...], part: float) -> None:
     # closed form at constant displacement: the waterline turns about its middle, freeboard (D - T) cos - (B/2) sin
@@ -102,7 +103,7 @@ def _clipped(hull: Hull, phi: float, level: float) -> tuple[float, float, float]
     return float(volume), float(across / volume), float(up / volume)
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "wigley", "dtmb5415", "coaster-90m"))
 def test_righting_arm_is_odd_in_heel(name: str) -> None:
     angles = min(deck_angle(ship(name).hull), 20.0) * np.array([0.05, 0.35, 0.75, 0.99])  # with the deck dry
     assert righting_arm(ship(name), -angles) == pytest.approx(-righting_arm(ship(name), angles), rel=1e-9)
@@ -123,7 +124,7 @@ def test_metacentre_of_the_heeled_sections_is_that_of_the_hydrostatics(name: str
     assert kn[0] / np.sin(1e-4) == pytest.approx(hydrostatics(hull).km, rel=1e-3)
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "wigley", "dtmb5415", "coaster-90m"))
 def test_work_of_the_righting_arm_is_what_g_rises_over_b(name: str) -> None:
     # energy at constant displacement: int GZ dphi = change of the height of G over B, from sections clipped another way
     loaded = ship(name)
@@ -138,7 +139,7 @@ def test_work_of_the_righting_arm_is_what_g_rises_over_b(name: str) -> None:
     assert work == pytest.approx(kg * (np.cos(phi) - 1) - (b_heeled - b_upright), rel=0.01)
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "wigley", "dtmb5415", "coaster-90m"))
 def test_small_heel_is_righted_by_gm_with_the_default_curve(name: str) -> None:
     # closed form: K_phi = -rho g V GM
     loaded = ship(name)

@@ -27,6 +27,7 @@ from quartering.hydro.strip.integrals import moment_matrix
 from quartering.hydro.strip.lateral import frequency_floor
 from quartering.hydro.strip.moments import hull_moments, section_table
 from quartering.names import CUBIC_NAMES, DRAG_NAME, KNOWN, RESTORING_NAMES, RUDDER_NAMES, canonical, dimension, unit
+from tests.tiers import mostly_soak
 
 SHIPS = sorted(entry.name.removesuffix(".yaml") for entry in (files("quartering.hull") / "library").iterdir())
 S60 = ship("series60-cb60").with_(ends="strips", righting="polynomial", drag="cubic")  # its terms are what is tested
@@ -42,7 +43,7 @@ def by_name(c: Coefficients, condition: int = 0) -> dict[str, float]:
     return {entry.name: entry.value for entry in c.table(condition)}
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "wigley", "dtmb5415", "coaster-90m"))
 def test_inertia_is_symmetric_and_positive_definite_at_all_frequencies(name):
     inertia = coefficients(ship(name), OMEGA, 0.0).inertia
     np.testing.assert_allclose(inertia, inertia.transpose(0, 2, 1), rtol=1e-12)
@@ -50,7 +51,7 @@ def test_inertia_is_symmetric_and_positive_definite_at_all_frequencies(name):
     assert np.linalg.eigvalsh(inertia / scale[:, :, None] / scale[:, None, :]).min() > 0
 
 
-@pytest.mark.parametrize("name", SHIPS)
+@pytest.mark.parametrize("name", mostly_soak(SHIPS, "wigley", "dtmb5415", "coaster-90m"))
 def test_wave_damping_takes_energy_from_every_motion(name):
     s = ship(name)
     about_g = hull_moments(s.hull, 1025.0).at(OMEGA).about(hydrostatics(s).lcb, s.loading.kg - s.hull.draught)
@@ -177,7 +178,7 @@ def test_calm_water_exponents_hold_the_course_roots_of_rest_and_the_roll_roots_o
 
 
 @given(st.floats(0.02, 30.0), st.floats(0.1, 2.0), st.floats(0.0, 0.35))
-@settings(max_examples=5, deadline=None)  # each solves the sections of a hull anew
+@settings(max_examples=2, deadline=None)  # each solves the sections of a hull anew
 def test_coefficients_obey_froude_scaling(scale, omega_hat, froude):
     # similar ships at equal omega sqrt(L/g) and Fn: every value goes with scale^(3 kg + m + s/2) of its unit
     wigley = ship("wigley")

@@ -8,6 +8,7 @@ from scipy.special import ellipe
 from quartering.hull.file.read import ship
 from quartering.hull.lines.mesh import Grid, hull_grid
 from quartering.hydro.strip.double_body import double_body
+from tests.tiers import mostly_soak
 
 FINE = (40, 16)
 TURN = np.linspace(0.0, np.pi / 2, 33)
@@ -33,7 +34,12 @@ def lamb(a, b, c, along):
 
 
 @pytest.mark.parametrize(
-    ("axes", "published"), [((1.0, 1.0, 1.0), 0.5), ((4.0, 1.0, 1.0), 0.860), ((10.0, 1.0, 1.0), 0.960)]
+    ("axes", "published"),
+    mostly_soak(
+        [((1.0, 1.0, 1.0), 0.5), ((4.0, 1.0, 1.0), 0.860), ((10.0, 1.0, 1.0), 0.960)],
+        ((4.0, 1.0, 1.0), 0.860),
+        several=True,
+    ),
 )
 def test_spheroids_abeam_carry_the_water_of_lambs_table(axes, published):
     """Lamb, Hydrodynamics, art. 115: k2 of the sphere and of prolate spheroids, given to three digits."""
@@ -41,7 +47,7 @@ def test_spheroids_abeam_carry_the_water_of_lambs_table(axes, published):
     assert whole[0, 0, 0] / (2 / 3 * np.pi * np.prod(axes)) == pytest.approx(published, abs=1.5e-3)
 
 
-@pytest.mark.parametrize("axes", [(8.0, 1.0, 0.6), (8.0, 0.5, 0.8), (4.0, 1.0, 1.5)])
+@pytest.mark.parametrize("axes", mostly_soak([(8.0, 1.0, 0.6), (8.0, 0.5, 0.8), (4.0, 1.0, 1.5)], (8.0, 1.0, 0.6)))
 def test_ellipsoids_meet_lambs_integrals_in_sway_and_roll(axes):
     """Closed form, art. 114 and 115. Rolling about its own axis the ellipsoid's lower half and its image move as one body
     when the image is odd, the limit of infinite frequency. The polyhedron has less volume, its roll lever squared."""
@@ -71,7 +77,7 @@ def test_error_falls_with_the_square_of_the_panels():
     assert 1.4 < order < 2.6, errors
 
 
-@pytest.mark.parametrize("breadth", [0.1, 0.02, 0.002])
+@pytest.mark.parametrize("breadth", mostly_soak([0.1, 0.02, 0.002], 0.1, 0.002))
 def test_thin_bodies_are_no_harder_than_thick_ones(breadth):
     """Lamb's integral for an ellipsoid, and its limit for a plate, 1/E of the strips' pi c^2: to 1 % at 1/400 of breadth."""
     a, c = 10.0, 0.8

@@ -13,6 +13,7 @@ from quartering.hull.file.read import ship
 from quartering.hydro.added_mass import hydrodynamics, hydrodynamics6
 from quartering.hydro.strip.kramers_kronig import kramers_kronig, retardation
 from quartering.hydro.strip.moments import section_table
+from tests.tiers import mostly_soak
 
 DATA = Path(__file__).parents[1] / "data" / "sections_reference.csv"
 OMEGA = np.linspace(0.05, 3.2, 64)
@@ -60,7 +61,7 @@ def test_published_half_circle_belongs_together():
     assert np.diag(fitted.added_mass_infinite) == pytest.approx([4 / np.pi**2, 1.0], abs=0.02)
 
 
-@pytest.mark.parametrize("name", ["wigley", "series60-cb60", "box", "s175"])
+@pytest.mark.parametrize("name", mostly_soak(["wigley", "series60-cb60", "box", "s175"], "wigley", "box"))
 def test_sections_and_whole_ships_of_the_library_belong_together(name):
     """Property: the added mass comes from pressures, the damping from radiated waves; causality ties them."""
     vessel = ship(name).with_(ends="strips")

@@ -20,6 +20,7 @@ from quartering.hydro.section.multipole import radiation
 from quartering.hydro.strip.six_mode_matrices import seakeeping_axes, section_matrix, six_mode_matrices
 from quartering.hydro.strip.six_modes import SIX_MODES
 from quartering.hydro.strip.table import radiation_table
+from tests.tiers import mostly_soak
 
 HEAVE, PITCH = 2, 4
 LATERAL = [1, 3, 5]
@@ -49,8 +50,13 @@ def wigley_matrices(x, weight, omega):
     return {"A": added[0], "B": damping[0]}
 
 
-@pytest.mark.parametrize("name", ["wigley", "series60-cb60", "box"])
-@pytest.mark.parametrize("low_frequency", ["cap", "drop"])
+@pytest.mark.parametrize(
+    ("name", "low_frequency"),
+    mostly_soak(
+        [(name, low) for name in ("wigley", "series60-cb60", "box") for low in ("cap", "drop")],
+        ("wigley", "cap"), ("box", "drop"), several=True,
+    ),
+)  # fmt: skip
 def test_lateral_block_is_that_of_the_lateral_strip_theory(name, low_frequency):
     """Agreement with `hydrodynamics`, transom (box) included."""
     vessel, omega = ship(name), [0.05, 0.4, 0.9, 1.6]

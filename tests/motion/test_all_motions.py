@@ -8,6 +8,11 @@ from quartering.motion.equations.model import Model
 from quartering.stability.verdict import stability
 from tests.reference import DYNAMICS, model_of
 
+UNDAMPED = [
+    pytest.param(row, id=f"w={row['w']}", marks=() if row["w"] == 1.6 else pytest.mark.soak)
+    for row in DYNAMICS["duffing"]["rows"]
+]
+
 
 def test_all_three_motions_of_the_fold_case_are_found_and_judged():
     case = DYNAMICS["cases"]["D_fold_strong"]
@@ -18,7 +23,7 @@ def test_all_three_motions_of_the_fold_case_are_found_and_judged():
     assert [stability(model, m).stable for m in motions] == [s["orbit"]["stable"] for s in case["solutions"]]
 
 
-@pytest.mark.parametrize("row", DYNAMICS["duffing"]["rows"], ids=lambda r: f"w={r['w']}")
+@pytest.mark.parametrize("row", UNDAMPED)
 def test_every_undamped_duffing_motion_is_found(row):
     """Exact periodic solutions in 40 digits, in and out of phase."""
     terms = {"Y_v": -1.0, "N_r": -1.0, "K_phi": -1.0, "K_phiphiphi": -DYNAMICS["duffing"]["beta"]}

@@ -11,6 +11,7 @@ from quartering.motion.steady.motion import Motion
 from quartering.stability.variational.hill import exponents_of_batch
 from quartering.stability.variational.transition import transition_matrices
 from tests.reference import table
+from tests.tiers import mostly_soak
 
 MATHIEU, MEISSNER = table("mathieu.csv"), table("meissner.csv")
 UNIT = Motion(1.0, (1,), np.array([[0.0, 1.0, 0.0]]), np.zeros((1, 3)), np.zeros(3), Status.CONVERGED, 0.0, "given")
@@ -58,7 +59,7 @@ def test_a_stiffness_that_changes_with_the_wave_is_mathieus_equation():
     np.testing.assert_allclose(np.sort(np.abs(np.exp(exponents[0] * np.pi))), exact, atol=1e-8)
 
 
-@pytest.mark.parametrize("shift", [-0.3, 0.2, 0.45])
+@pytest.mark.parametrize("shift", mostly_soak([-0.3, 0.2, 0.45], 0.2))
 @pytest.mark.parametrize(
     "row", [r for r in MATHIEU if float(r["q"]) <= 2 and r["type"] == "a"][::3], ids=lambda r: r["a"]
 )

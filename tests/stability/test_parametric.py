@@ -13,6 +13,7 @@ from quartering.motion.steady_course.march import STATES, march, start_on
 from quartering.motion.steady_course.orbits import symmetric_orbits
 from quartering.stability.parametric import doubled_multipliers, growths, hill_multipliers, roll_growth
 from tests.reference import table
+from tests.tiers import mostly_soak
 
 SHIP = qt.ship("s175").with_(gm=1.0, gyradius_roll=8.89, gyradius_pitch=43.75, ends="strips", roll_damping=0.02)
 LENGTH = 175.0
@@ -100,7 +101,7 @@ def test_of_two_motions_of_two_periods_beyond_a_fold_one_is_stable():
     assert checked > 3
 
 
-@pytest.mark.parametrize("heading", [165.0, 150.0])
+@pytest.mark.parametrize("heading", mostly_soak([165.0, 150.0], 150.0))
 def test_roll_of_two_periods_in_an_oblique_sea_is_that_of_a_march(heading):
     """Authority: integration in time of the same equations, from 3 deg of roll, 1 % allowed; the forced motion is unstable."""
     ship = qt.ship("dtc").with_(autopilot="1,10s")

@@ -14,6 +14,16 @@ from quartering.stability.parametric import doubled_multipliers, roll_growth
 from tests.reference import table
 
 ROWS = table("steady_course_of_ships.csv")
+ALWAYS = ("series60-cb60-5.0", "dtmb5415-2.68")
+"""One condition of either ship; the others are of the long tier."""
+
+
+def in_tiers(rows):
+    names = [f"{row['ship']}-{row['speed']}" for row in rows]
+    return [
+        pytest.param(row, id=name, marks=() if name in ALWAYS else pytest.mark.soak)
+        for name, row in zip(names, rows, strict=True)
+    ]
 
 
 def as_there(row):
@@ -30,7 +40,7 @@ def as_there(row):
     return value, replace(one, numbers=numbers), a
 
 
-@pytest.mark.parametrize("row", ROWS, ids=lambda r: f"{r['ship']}-{r['speed']}")
+@pytest.mark.parametrize("row", in_tiers(ROWS))
 def test_heave_pitch_and_stability_are_those_of_an_independent_march(row):
     """Authority: theory of six degrees, section 9, `parametric`; its tolerances, and 1 % for heave and pitch.
 
@@ -50,7 +60,7 @@ def test_heave_pitch_and_stability_are_those_of_an_independent_march(row):
     assert (rate > 0) == (value["growth"] > 0)
 
 
-@pytest.mark.parametrize("row", [r for r in ROWS if float(r["growth"]) > 0], ids=lambda r: f"{r['ship']}-{r['speed']}")
+@pytest.mark.parametrize("row", in_tiers([r for r in ROWS if float(r["growth"]) > 0]))
 def test_roll_of_two_periods_is_that_of_an_independent_march(row):
     """Authority: theory of six degrees, section 9, `parametric`: first harmonic of the double period, 7 %."""
     value, one, a = as_there(row)

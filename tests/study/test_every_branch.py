@@ -1,5 +1,7 @@
 """Branches that leave others, loops that touch none, and all motions of one condition: against shooting and closed forms."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -63,18 +65,25 @@ def test_leaning_motions_come_in_mirrored_pairs():
         assert any(np.abs(other.state(later) - mirror).max() < 1e-9 for other in leaning)
 
 
+@cache
+def followed(of, limits):
+    """A model and its branch, which two events are looked for on."""
+    model = of(1.0)
+    return model, qt.branch(model, "excitation", limits=limits, harmonics=11)
+
+
 @pytest.mark.parametrize(
-    ("model", "limits", "event", "periods"),
+    ("of", "limits", "event", "periods"),
     [
-        (escape(1.0), (0.05, 0.107), "period-doubling", 1),
-        (escape(1.0), (0.05, 0.108), "period-doubling", 2),
-        (duffing(1.0), (0.15, 0.26), "symmetry-breaking", 0.5),
-        (duffing(1.0), (0.15, 0.26), "period-doubling", 1),
+        (escape, (0.05, 0.108), "period-doubling", 1),
+        (escape, (0.05, 0.108), "period-doubling", 2),
+        (duffing, (0.15, 0.26), "symmetry-breaking", 0.5),
+        (duffing, (0.15, 0.26), "period-doubling", 1),
     ],
 )
-def test_events_are_where_shooting_finds_the_multiplier_on_the_unit_circle(model, limits, event, periods):
+def test_events_are_where_shooting_finds_the_multiplier_on_the_unit_circle(of, limits, event, periods):
     """-1 at a period doubling; +1 over half a period where a motion loses its symmetry."""
-    ds = qt.branch(model, "excitation", limits=limits, harmonics=11)
+    model, ds = followed(of, limits)
     at = ds.isel(point=np.flatnonzero((ds["event"] == event) & (ds["periods"] == np.ceil(periods)))[0])
     there = qt.Model(np.eye(3), model.terms, model.frequency, (0, 0, 0), (0, float(at["excitation"]), 0))
     close = [m for m in qt.all_motions(there, 11) if m.periods == np.ceil(periods)]

@@ -55,11 +55,13 @@ def _same(one, other):
 
 
 @pytest.mark.parametrize("case", mostly_soak(CASES, "several loadings"))
-def test_blocks_of_any_size_give_the_same_bytes(case):
+@pytest.mark.parametrize("sizes", mostly_soak([(None, 7), (50, 111)], (None, 7)), ids=["small", "large"])
+def test_blocks_of_any_size_give_the_same_bytes(case, sizes):
+    """No size stands for one block a loading."""
     wanted = _wanted(*CASES[case])
     expected = _whole(wanted.in_blocks_of(grids.LARGEST_BLOCK))
-    for size in (wanted.sea_count, 7, 50, 111):
-        _same(_whole(wanted.in_blocks_of(size)), expected)
+    for size in sizes:
+        _same(_whole(wanted.in_blocks_of(size or wanted.sea_count)), expected)
 
 
 @pytest.mark.parametrize("case", ["several loadings", "matched drag", "other products"])
@@ -85,7 +87,7 @@ def test_blocks_of_a_ship_with_its_own_database_give_the_same_bytes(tmp_path):
         _same(_whole(wanted.in_blocks_of(size)), expected)
 
 
-@pytest.mark.parametrize("count", [1, 2, 5])
+@pytest.mark.parametrize("count", mostly_soak([1, 2, 5], 1, 5))
 def test_threads_of_any_number_give_the_same_bytes(count, monkeypatch):
     wanted = _wanted(*CASES["several loadings"])
     expected = _whole(wanted.in_blocks_of(grids.LARGEST_BLOCK))

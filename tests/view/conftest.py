@@ -13,6 +13,8 @@ from urllib.parse import urlparse
 
 import pytest
 
+from tests.view.pages import STABLE, filled
+
 LONGEST_START = 600.0
 """A fresh checkout compiles its kernels first [s]."""
 
@@ -75,6 +77,11 @@ FLAGS = (
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync",
 )  # fmt: skip
+SHOWN = """() => [location.search, document.querySelector('.says').innerText, document.querySelectorAll('.wrong').length,
+  ...[...document.querySelectorAll('[id^=number-]')].map(dial => Number(dial.value))].join('|')"""
+"""What a page shows, in words: link, sentence, dials."""
+AGAIN = "link => { history.pushState({}, '', link); dispatchEvent(new PopStateEvent('popstate')); }"
+SIZE = {"width": 1440, "height": 1000}
 SLOW = 300_000
 """How long a step may take on a machine that others use too [ms]."""
 
@@ -100,6 +107,20 @@ def context():
         browser.close()
 
 
+def _opened(context, address, scheme="light", motion="reduce", **size):
+    page = context.new_page()
+    page.set_viewport_size(SIZE | size)
+    page.emulate_media(color_scheme=scheme, reduced_motion=motion)
+    page.set_default_timeout(SLOW)
+    page.wrong, page.elsewhere = [], []
+    page.on("pageerror", lambda error: page.wrong.append(str(error)))
+    page.on("console", lambda said: page.wrong.append(said.text) if said.type == "error" else None)
+    page.on("request", lambda asked: page.elsewhere.append(asked.url) if _far(asked.url) else None)
+    page.goto(address)
+    page.wait_for_selector(".says h1 b")
+    return page
+
+
 @pytest.fixture
 def visit(context, explorer):
     """Open the page with a query. Errors, and requests to anywhere but this machine, are kept.
@@ -108,23 +129,40 @@ def visit(context, explorer):
     """
     pages = []
 
-    def open_page(query="", width=1440, height=1000, scheme="light", motion="reduce"):
-        page = context.new_page()
-        pages.append(page)
-        page.set_viewport_size({"width": width, "height": height})
-        page.emulate_media(color_scheme=scheme, reduced_motion=motion)
-        page.set_default_timeout(SLOW)
-        page.wrong, page.elsewhere = [], []
-        page.on("pageerror", lambda error: page.wrong.append(str(error)))
-        page.on("console", lambda said: page.wrong.append(said.text) if said.type == "error" else None)
-        page.on("request", lambda asked: page.elsewhere.append(asked.url) if _far(asked.url) else None)
-        page.goto(f"{explorer.address}/?{query}")
-        page.wait_for_selector(".says h1 b")
-        return page
+    def open_page(query="", **look):
+        pages.append(_opened(context, f"{explorer.address}/?{query}", **look))
+        return pages[-1]
 
     yield open_page
     for page in pages:
         page.close()
+
+
+@pytest.fixture(scope="module")
+def _standing(context, explorer):
+    page = _opened(context, f"{explorer.address}/?{STABLE}")
+    filled(page)
+    page.link, page.first = page.evaluate("location.search"), page.evaluate(SHOWN)
+    yield page
+    page.close()
+
+
+@pytest.fixture
+def page(_standing):
+    """A page at `STABLE` with its map, opened once a file: to open one takes five seconds of processor time.
+
+    Before each test the link of the first view is gone to as Back does, until dials and sentence are those of the start.
+    """
+    _standing.set_viewport_size(SIZE)
+    if _standing.evaluate("location.search") != _standing.link:
+        _standing.evaluate(AGAIN, _standing.link)
+    elif _standing.evaluate(SHOWN) != _standing.first:  # a test that failed left a value that was refused
+        _standing.reload()
+    _standing.wait_for_function(f"first => ({SHOWN})() === first", arg=_standing.first)
+    filled(_standing)
+    _standing.wrong.clear()
+    _standing.elsewhere.clear()
+    return _standing
 
 
 def _far(url):

@@ -29,19 +29,16 @@ def test_the_first_sight_is_the_verdict_and_the_whole_map(visit):
     assert page.wrong == page.elsewhere == []
 
 
-def test_the_sentence_is_that_of_the_command(visit):
+def test_the_sentence_is_that_of_the_command(page):
     words = ["--heading", "30", "--speed", "7.5", "--wave-length", "150", "--wave-height", "4", "--json"]
     said = json.loads(CliRunner().invoke(app, ["verdict", "series60-cb60", *words]).stdout)["sentence"]
-    page = visit(STABLE)
     shown = f"{sentence(page)} {page.inner_text('.says h1 + p')}"
     for number in re.findall(r"\d+\.\d+", said):
         assert number in shown
     assert "stable" in sentence(page)
 
 
-def test_a_turned_dial_moves_verdict_link_and_map(visit):
-    page = visit(STABLE)
-    filled(page)
+def test_a_turned_dial_moves_verdict_link_and_map(page):
     before = sentence(page)
     thumb = page.locator("#slider-heading [tabindex='0'], #slider-heading[tabindex='0']").first
     thumb.focus()
@@ -69,9 +66,7 @@ def test_dragging_a_slider_follows_with_the_mouse(visit):
     assert float(link(page)["gm"]) > float(before)
 
 
-def test_a_click_on_a_cell_opens_its_motion(visit):
-    page = visit(STABLE)
-    filled(page)
+def test_a_click_on_a_cell_opens_its_motion(page):
     ship = qt.ship("series60-cb60")
     page.locator(".q-cell[data-i='24'][data-j='8']").evaluate(
         "cell => cell.dispatchEvent(new MouseEvent('click', { bubbles: true }))"
@@ -118,8 +113,7 @@ def upload(page, name, content, draught=None):
     page.locator("input[type=file]").set_input_files(file)
 
 
-def test_an_uploaded_hull_is_drawn_and_its_case_runs_again(visit, tmp_path, monkeypatch):
-    page = visit(STABLE)
+def test_an_uploaded_hull_is_drawn_and_its_case_runs_again(page, tmp_path, monkeypatch):
     upload(page, "barge.csv", BARGE.encode(), draught=3)
     page.wait_for_function(
         "document.querySelector('.panel').innerText.includes('displaced 1,800')"
@@ -234,8 +228,8 @@ def test_it_fits_a_phone_and_follows_the_dark(visit):
     assert page.wrong == []
 
 
-def test_on_a_phone_verdict_and_refusal_stay_in_sight_of_the_dials(visit):
-    page = visit(STABLE, width=390, height=844)
+def test_on_a_phone_verdict_and_refusal_stay_in_sight_of_the_dials(page):
+    page.set_viewport_size({"width": 390, "height": 844})
     page.locator("#number-gm").scroll_into_view_if_needed()
     page.evaluate("document.querySelector('.dials').scrollIntoView()")
 
@@ -248,3 +242,5 @@ def test_on_a_phone_verdict_and_refusal_stay_in_sight_of_the_dials(visit):
     page.wait_for_selector(".wrong")
     assert in_sight(".wrong")
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
+    page.locator("#number-wave_height").fill("4")
+    page.wait_for_selector(".wrong", state="detached")

@@ -5,7 +5,7 @@ import pytest
 
 import quartering as qt
 from quartering.conventions import InputError
-from tests.view.pages import STABLE, filled, link
+from tests.view.pages import STABLE, link
 
 pytest.importorskip("nicegui", reason="the explorer needs the extra `app`")
 
@@ -77,10 +77,9 @@ def test_a_loading_case_and_ships_of_one_name_and_of_other_sizes_are_each_told()
     assert "those of Wigley hull (wigley)" in twins.said[1]  # the map's rings are of the page's own ship
 
 
-def test_a_loading_is_kept_and_what_the_dials_do_to_it_is_drawn_and_told(visit, tmp_path):
-    page = visit(f"{STABLE}&panel=compare")
-    filled(page)
-    assert "Keep the loading" in page.inner_text(".panel")
+def test_a_loading_is_kept_and_what_the_dials_do_to_it_is_drawn_and_told(page, tmp_path):
+    page.get_by_role("tab", name="Compare").click()
+    page.wait_for_function("document.querySelector('.panel').innerText.includes('Keep the loading')")
     page.get_by_role("button", name="Keep this loading").focus()
     page.keyboard.press("Enter")
     page.get_by_text("one ship, loaded alike").wait_for()
@@ -121,8 +120,8 @@ def test_axe_finds_nothing_serious_where_two_ships_are_compared(visit, width, sc
 
 
 @pytest.mark.parametrize("width", [1440, 1280])
-def test_the_names_of_all_panels_stand_in_one_line(visit, width):
-    page = visit(STABLE, width=width)
+def test_the_names_of_all_panels_stand_in_one_line(page, width):
+    page.set_viewport_size({"width": width, "height": 1000})
     page.get_by_role("tab", name="Compare").wait_for()
     tops = page.evaluate(
         "[...document.querySelectorAll('.tabs .q-tab')].map(one => one.getBoundingClientRect())"

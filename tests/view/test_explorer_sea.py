@@ -180,8 +180,9 @@ def test_the_switch_to_a_sea_and_back(visit):
     page.wait_for_function("document.querySelector('.says h1').innerText.includes('Heading 25 deg')")
     assert link(page)["mode"] == "sea"
     while "mode" in link(page):
-        page.go_back()
-        page.wait_for_timeout(300)
+        before = sentence(page)
+        page.go_back()  # and no further before the server has answered, however long it takes
+        page.wait_for_function("before => document.querySelector('.says h1').innerText !== before", arg=before)
     page.wait_for_function("document.querySelector('.says h1').innerText.includes('wave')")
     page.wait_for_selector("#number-wave_length:visible")
     page.go_forward()

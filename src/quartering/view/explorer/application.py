@@ -49,7 +49,7 @@ def explorer(
 
     @ui.page("/", title="quartering explorer", favicon=_ICON)
     def index(request: Request) -> None:
-        for sheet in ("explorer.css", "compare.css", "visit.css"):
+        for sheet in ("base.css", "explorer.css", "compare.css", "visit.css"):
             ui.add_css(_HERE / sheet)
         ui.colors(primary="#1f6fb2")
         ui.add_body_html(f"<script>{(_HERE / 'page.js').read_text(encoding='utf-8')}</script>")
@@ -66,5 +66,5 @@ def explorer(
         ui.on("quartering-back", lambda event: page.back(str(event.args)[:4000]))
         client.on_delete(page.leave)
 
-    ui.run_with(server, dark=None, show_welcome_message=False, reconnect_timeout=10.0)
+    ui.run_with(server, dark=None, show_welcome_message=False, reconnect_timeout=10.0, tailwind=False)
     return Guard(server, host, names)
