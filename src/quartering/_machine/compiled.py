@@ -47,7 +47,7 @@ def _kind(**options: Any) -> Callable[[Callable[..., Any]], Any]:
 
 kernel: Any = _kind()
 inner: Any = _kind(no_cpython_wrapper=True, no_cfunc_wrapper=True, _nrt=False)
-maker: Any = _kind(no_cpython_wrapper=True, no_cfunc_wrapper=True)
+maker: Any = _kind(no_cpython_wrapper=True, no_cfunc_wrapper=True, _nrt=True)
 batch_kernel: Any = _kind(
     no_cpython_wrapper=True,
     no_cfunc_wrapper=True,

@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import Any
 
 from llvmlite import binding
-from numba.core.caching import FunctionCache, NullCache
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, NullCache
 from numba.core.codegen import JITCodeLibrary
 from numba.core.runtime.nrt import rtsys
 
@@ -59,6 +59,21 @@ class _Library(JITCodeLibrary):
         return int(super().get_pointer_to_function(name))
 
 
+class _Results(CompileResultCacheImpl):
+    """What is kept of a compiled kernel."""
+
+    def reduce(self, result: Any) -> Any:
+        """As numba does, but for environments that hold nothing: to make one again loads the module of its function."""
+        *rest, environments = super().reduce(result)
+        return (*rest, tuple(one for one in environments if one.consts))
+
+
+class _Kept(FunctionCache):
+    """Disk cache of one kernel."""
+
+    _impl_class = _Results
+
+
 class MachineCode:
     """The disk cache of one kernel, found when the kernel is first called.
 
@@ -73,7 +88,7 @@ class MachineCode:
     @cached_property
     def _kept(self) -> Any:
         try:
-            return FunctionCache(self._function)
+            return _Kept(self._function)
         except RuntimeError as error:
             if "cannot cache" not in str(error):
                 raise
