@@ -94,6 +94,101 @@ def test_a_number_without_sense_is_refused(call):
         call()
 
 
+NUMBERS = {
+    "coefficients": lambda one: qt.coefficients(SHIP, one, 5.0),
+    "coefficients at": lambda one: qt.coefficients(SHIP, 0.8, one),
+    "encounter_frequency": lambda one: qt.encounter_frequency(0.5, one, 60.0),
+    "hydrodynamics": lambda one: qt.hydrodynamics(SHIP, one),
+    "hydrodynamics6": lambda one: qt.hydrodynamics6(SHIP, one),
+    "responses": lambda one: qt.responses(SHIP, WAVE, one),
+    "responses to": lambda one: qt.responses(SHIP, WAVE, 5.0, one),
+    "righting_arm": lambda one: qt.righting_arm(SHIP, one),
+    "section_coefficients": lambda one: qt.section_coefficients(SHIP.hull.sections[3], one),
+    "wave_forces": lambda one: qt.wave_forces(SHIP, WAVE, one),
+    "surf_riding_map": lambda one: qt.surf_riding_map(SHIP, one, 0.05),
+    "parametric_map": lambda one: qt.parametric_map(SHIP, "1.0L", one, [5.0]),
+    "parametric_map at": lambda one: qt.parametric_map(SHIP, "1.0L", [2.0], one),
+    "limiting_kg": lambda one: qt.limiting_kg(SHIP, one, levels=["pure_loss.level1"]),
+    "sweep": lambda one: qt.sweep(SHIP, one, 60.0, 80.0, 2.0),
+    "sweep of": lambda one: qt.sweep(SHIP, 5.0, 60.0, one, 2.0),
+    "basin": lambda one: qt.basin(MODEL, one, [0.0]),
+    "retardation": lambda one: qt.retardation(one, [0.0, 1.0], [1.0]),
+    "failure_rate_at": lambda one: qt.failure_rate_at(5.0, [6.0, 7.0, 8.0], one, [1e3, 1e3, 1e3]),
+    "failure_rate_at after": lambda one: qt.failure_rate_at(5.0, [6.0, 7.0, 8.0], [30, 60, 90], one),
+    "decay_record": lambda one: qt.decay_record(one, one),
+    "Section": lambda one: qt.Section(one, [4.0, 0.0]),
+    "Propulsion": lambda one: qt.Propulsion(one, diameter=2.6, thrust=(0.36, -0.28, -0.12)),
+    "Propulsion of": lambda one: qt.Propulsion([0.0, 1e3], diameter=one, thrust=(0.36, -0.28, -0.12)),
+    "Wave": lambda one: qt.Wave(period=one, height=2.0),
+    "Model": lambda one: qt.Model(one, {"K_phi": -1.0}, 1.0, (0, 0.1, 0), (0, 0, 0)),
+    "Model under": lambda one: qt.Model(np.eye(3), {"K_phi": -1.0}, 1.0, one, (0, 0, 0)),
+    "Model at": lambda one: qt.Model(np.eye(3), {"K_phi": -1.0}, one if one != 1e300 else "x", (0, 0.1, 0), (0, 0, 0)),
+}
+RADIATION = qt.hydrodynamics(SHIP, np.linspace(0.1, 3.0, 12))
+NO_NUMBERS = [b"5", True, np.datetime64("2020-01-01"), 10**400, 1e300, [], {}, object(), [[1.0, 2.0], [3.0]], 1 + 2j]
+
+
+@pytest.mark.parametrize("given", NO_NUMBERS, ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize("name", NUMBERS)
+def test_what_is_no_number_or_without_sense_is_refused_wherever_several_may_stand(name, given):
+    with pytest.raises(qt.InputError):
+        NUMBERS[name](given)
+
+
+WORDS = {
+    "branch": lambda one: qt.branch(MODEL, one),
+    "edge": lambda one: qt.edge(MODEL, one),
+    "broaching_branch": lambda one: qt.broaching_branch(SHIP, WAVE, 9.0, one),
+    "tornado": lambda one: qt.tornado(SHIP, WAVE, 5.0, 60.0, parameters=one),
+    "limiting_kg": lambda one: qt.limiting_kg(SHIP, levels=one),
+    "paper_ship": lambda one: qt.paper_ship(one),
+    "equations": lambda one: qt.equations(SHIP, WAVE, 5.0, 60.0, one),
+    "wave_forces": lambda one: qt.wave_forces(SHIP, WAVE, form=one),
+    "polar": lambda one: qt.polar(SHIP, WAVE, [5.0], [60.0], form=one),
+    "gm_in_waves": lambda one: qt.gm_in_waves(SHIP, WAVE, balance=one),
+    "righting_arm": lambda one: qt.righting_arm(SHIP, [10.0], WAVE, balance=one),
+    "responses": lambda one: qt.responses(SHIP, WAVE, place=one),
+    "sea_response": lambda one: qt.sea_response(SHIP, qt.Sea(hs=2, tp=8), 5.0, place=one),
+    "sensitivity": lambda one: qt.sensitivity(SHIP, WAVE, 5.0, 60.0, harmonics=one if one != 3.0 else "x"),
+    "factors": lambda one: qt.sweep(SHIP, 5.0, 60.0, 80.0, 2.0, factors=one if one else 1.0),
+    "values": lambda one: qt.sweep(SHIP, 5.0, 60.0, 80.0, 2.0, values=one if one else 1.0),
+    "kramers_kronig": lambda one: qt.kramers_kronig(RADIATION, added_mass_infinite=one),
+    "terms": lambda one: qt.Model(np.eye(3), one if one else 1.0, 1.0, (0, 0.1, 0), (0, 0, 0)),
+    "measured": lambda one: SHIP.with_(measured=one),
+    "loading_case": lambda one: SHIP.with_(loading_case=one),
+    "spreading": lambda one: qt.Sea(hs=2, tp=8, spreading=one if one != 3.0 else "x"),
+    "spectrum": lambda one: qt.Sea(hs=2, tp=8, spectrum=one),
+    "edge limits": lambda one: qt.edge(MODEL, ("frequency", "excitation"), limits=one),
+    "read_capytaine": lambda one: qt.read_capytaine(one, SHIP),
+    "read_wamit": lambda one: qt.read_wamit(one, SHIP),
+    "read_decay": lambda one: qt.read_decay(one),
+}
+
+
+@pytest.mark.parametrize("given", [3.0, [], {}, b"gm", "", ["gm", 2], [["gm"]], object()], ids=repr)
+@pytest.mark.parametrize("name", WORDS)
+def test_what_is_no_word_no_file_or_no_place_is_refused(name, given):
+    with pytest.raises(qt.InputError):
+        WORDS[name](given)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: qt.Wave(1e300, 2.0),
+        lambda: qt.gm_in_waves(SHIP, WAVE, positions=10**9),
+        lambda: qt.design_point(SHIP, qt.Sea(hs=2, tp=8), 5.0, 20.0, windows=10**400),
+        lambda: qt.simulate(MODEL, 10.0, [[1.0, 2.0], [3.0]]),
+        lambda: qt.simulate(MODEL, 10.0, speed=5.0),
+        lambda: qt.simulate(MODEL, 10.0, heading=60.0),
+        lambda: qt.failure_rate_at(5.0, [6.0, 7.0, 8.0], [30, 60, 90], [1e3, 1e3, 1e3], confidence=2.0),
+    ],
+)
+def test_a_size_without_sense_is_refused_before_anything_is_made(call):
+    with pytest.raises(qt.InputError):
+        call()
+
+
 def test_aliases_of_aliases_are_refused_before_they_grow(tmp_path):
     """9 to the power of 11 values; nothing is expanded."""
     lines = ["a0: &a0 {x: 1}"]

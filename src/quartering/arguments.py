@@ -10,7 +10,7 @@ from typing import Final
 from quartering.option_checks import Option
 
 _ARGUMENTS = (
-    Option("frequency", "frequency", "of motion", low=0, usual="0.6 rad/s", hint="fold a negative one to |omega|"),
+    Option("frequency", "frequency", "of motion", low=0, high=1e4, usual="0.6 rad/s", hint="fold a negative one to |omega|"),
     Option("excitation", "ratio", "share of the wave force", low=0, usual=1.0),
     Option("heel", "angle", "to starboard", low=-90, high=90, usual="40 deg", hint="less than 90 to either side"),
     Option("limit", "roll angle", "roll that counts as capsize", low=0, above=True, usual="90 deg"),
@@ -37,13 +37,18 @@ _ARGUMENTS = (
     Option("gamma", "ratio", "peak enhancement of a spectrum", low=1, high=20, usual=3.3),
     Option("sharpness", "ratio", "lambda of a wave system of Ochi and Hubble", low=0.5, above=True, high=50, usual=1.0),
     Option("hours", "ratio", "that largest motions are of", low=0, above=True, high=1e5, usual=3.0),
+    Option("failures", "ratio", "counted", low=0, high=1e12, usual=100.0),
+    Option("exposure", "ratio", "hours until failure or end", low=0, above=True, high=1e12, usual=1000.0),
+    Option("confidence", "ratio", "of an interval", low=0, above=True, high=0.9999, usual=0.95),
     Option("course", "angle", "of a ship, clockwise from north", low=-360, high=360, usual="45 deg"),
     Option("reference_x", "length", "of a point, forward of midship", usual="0 m"),
     Option("reference_z", "length", "of a point, below the calm plane", usual="0 m"),
 )  # fmt: skip
 
 ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
-    "signed_frequency": Option("frequency", "frequency", "encounter frequency of either sign", usual="0.6 rad/s"),
+    "signed_frequency": Option(
+        "frequency", "frequency", "encounter frequency of either sign", low=-1e4, high=1e4, usual="0.6 rad/s"
+    ),
     "simulated_hours": Option("hours", "ratio", "to simulate, at the least", low=0, above=True, high=1e7, usual=32.0),
     "felt_limit": Option(
         "acceleration_limit", "ratio", "lateral acceleration of a failure [m/s2]", low=0, above=True, usual=9.81
@@ -81,6 +86,8 @@ ARGUMENTS: Final[dict[str, Option]] = {one.name: one for one in _ARGUMENTS} | {
         high=1,
         usual=0.01,
     ),
-    "wave_frequency": Option("frequency", "frequency", "of a wave, or of motion", low=0, above=True, usual="0.6 rad/s"),
+    "wave_frequency": Option(
+        "frequency", "frequency", "of a wave, or of motion", low=0, above=True, high=1e4, usual="0.6 rad/s"
+    ),
 }
 """Arguments of public functions by name; some names have another range elsewhere, or are too common to be options."""

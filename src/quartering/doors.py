@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from inspect import signature
+from os import PathLike
 from typing import Any, Final, ParamSpec, TypeVar
 
 from quartering.conventions import InputError
+from quartering.option_checks import quoted
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -23,14 +25,18 @@ _ADVICE: Final = {
     "Dataset": "quartering.bem_forces(ship, [100.0], [90.0])",
     "Propulsion": "quartering.Propulsion(resistance, diameter=2.6, thrust=(0.36, -0.28, -0.12))",
     "Section": "quartering.Section(y=[0, 5, 5], z=[4, 4, 0])",
+    "words": '["gm", "K_p"]',
+    "file": '"mine.csv"',
 }
 """Kind -> how one is made."""
+_SAID: Final = {"word": "word in quotes", "words": "list of names", "file": "name of a file"}
 
 
 def takes(**kinds: str) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Refuse arguments that are not of the kinds named.
 
-    **kinds: argument -> name of its class, or of several, "Ship, Hull, None"; so no room is imported for it
+    **kinds: argument -> name of its class, or of several, "Ship, Hull, None"; so no room is imported for it; "word" is any
+        text, "words" a list of texts, "file" the name of one
     Returns a decorator; the function raises `InputError` before anything else
     """
 
@@ -55,9 +61,17 @@ def _of_kind(name: str, given: Any, kinds: str) -> None:
     allowed = kinds.split(", ")
     if given is None and "None" in allowed:
         return
-    if any(one.__name__ in allowed for one in type(given).__mro__):
+    if any(_is_of(given, kind) for kind in allowed):
         return
-    said = repr(given)
-    said = said if len(said) <= 60 else f"{said[:57]}..."
-    words = " or ".join(one for one in allowed if one != "None")
-    raise InputError(f"{name} = {said} is no {words}; give one, such as {_ADVICE[allowed[0]]}")
+    words = " or ".join(_SAID.get(one, one) for one in allowed if one != "None")
+    advice = f"; give one, such as {_ADVICE[allowed[0]]}" if allowed[0] in _ADVICE else ""
+    raise InputError(f"{name} = {quoted(given)} is no {words}{advice}")
+
+
+def _is_of(given: Any, kind: str) -> bool:
+    if kind == "words":
+        several = isinstance(given, Sequence) and not isinstance(given, (str, bytes)) and len(given) > 0
+        return several and all(isinstance(one, str) for one in given)
+    if kind in ("word", "file"):
+        return isinstance(given, str) or (kind == "file" and isinstance(given, PathLike))
+    return any(one.__name__ == kind for one in type(given).__mro__)

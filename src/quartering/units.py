@@ -17,10 +17,11 @@ Kind = Literal[
 MOST_VALUES: Final = 100_000
 """Largest number of values one range may stand for."""
 
-_LENGTHS: Final = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048}
+LENGTHS: Final = {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048}
+"""Unit of a length -> metres."""
 _UNITS: Final[dict[str, dict[str, float]]] = {
-    "length": _LENGTHS,
-    "wave length": _LENGTHS,
+    "length": LENGTHS,
+    "wave length": LENGTHS,
     "speed": {"m/s": 1.0, "kn": 1852.0 / 3600.0, "km/h": 1.0 / 3.6},
     "mass": {"kg": 1.0, "t": 1e3},
     "angle": {"deg": 1.0, "rad": 180.0 / math.pi},
@@ -66,7 +67,7 @@ def wave_length_of(period: float) -> float:
     >>> round(wave_length_of(10.0), 2)
     156.13
     """
-    return GRAVITY * period**2 / (2.0 * math.pi)
+    return GRAVITY * period * period / (2.0 * math.pi)
 
 
 def units_of(kind: Kind, sizes: Sizes = NO_SHIP) -> tuple[str, ...]:

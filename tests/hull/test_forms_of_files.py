@@ -51,6 +51,51 @@ def test_units_stand_in_the_header_or_below_it(tmp_path):
     assert "furlong" in refused(tmp_path, "a.csv")
 
 
+def test_sections_of_both_sides_are_the_ones_of_starboard(tmp_path):
+    # 36 m of box and two ends of no breadth, where both sides lie in the centreplane
+    breadth = {-40.0: 0.0, -18.0: 6.0, 0.0: 6.0, 18.0: 6.0, 40.0: 0.0}
+    half = [(0.0, 0.0), (1.0, 0.0), (1.0, 5.0)]
+
+    def write(sides):
+        rows = [(x, b * y, z) for x, b in breadth.items() for y, z in sides]
+        (tmp_path / "a.csv").write_text("x,y,z" + "".join(f"\n{x},{y},{z}" for x, y, z in rows))
+
+    write(half)
+    starboard = volume(tmp_path)
+    write([(-y, z) for y, z in half[:0:-1]] + half)
+    assert volume(tmp_path) == starboard
+    write([(-1.0, 4.0), (-1.0, 0.0), *half])
+    assert "port and starboard differ" in refused(tmp_path, "a.csv")
+    write([(0.0, 0.0), (-1.0, 0.0), (-1.0, 5.0)])
+    assert "negative" in refused(tmp_path, "a.csv")
+
+
+def test_a_file_without_a_unit_is_told_one(tmp_path):
+    """Authority: the box, 80 x 12 x 3 m under water; WAMIT's corners are in the unit of its gravity."""
+    stl(tmp_path / "a.stl", 1000.0 * box_triangles(80.0, 12.0, 5.0))
+    assert "unit: mm" in refused(tmp_path, "a.stl")
+    made = read(tmp_path, "{file: a.stl, unit: mm}")
+    assert hydrostatics(made).volume == pytest.approx(
+        2880.0, rel=1e-4
+    )  # the outermost sections lie a hair inside the ends
+    assert "given in mm" in made.hull.source
+    assert "unit" in refused(tmp_path, "{file: a.stl, unit: inch}")
+    immersed = box_triangles(80.0, 12.0, 3.0, keel=-3.0)
+    gdf(tmp_path / "a.gdf", immersed / 0.3048)
+    assert "are its numbers in ft?" in refused(tmp_path, "a.gdf")
+    text = (tmp_path / "a.gdf").read_text()
+    (tmp_path / "a.gdf").write_text(text.replace("1.0 9.81", "1.0 32.174"))
+    made = read(tmp_path, "a.gdf")
+    assert hydrostatics(made).volume == pytest.approx(2880.0, rel=1e-4)
+    assert "given in ft" in made.hull.source
+    points = [(x, y, z) for x in X for y, z in ((0, 0), (6, 0), (6, 5))]
+    rows = "".join(f"\n{100 * x},{100 * y},{100 * z}" for x, y, z in points)
+    (tmp_path / "a.csv").write_text(f"x,y,z{rows}")
+    assert volume(tmp_path, "{file: a.csv, unit: cm}") == pytest.approx(2880.0)
+    (tmp_path / "a.csv").write_text(f"x [cm],y [cm],z [cm]{rows}")
+    assert "leave `unit: cm` out" in refused(tmp_path, "{file: a.csv, unit: cm}")
+
+
 def test_decimal_commas_between_commas_are_refused(tmp_path):
     (tmp_path / "a.csv").write_text("\n".join(",".join(comma(cell) for cell in row) for row in TABLE))
     assert "commas" in refused(tmp_path, "a.csv") or "header" in refused(tmp_path, "a.csv")

@@ -207,6 +207,7 @@ def test_a_ship_file_takes_its_lines_from_a_file_beside_it(tmp_path):
     ("keys", "words"),
     [
         ("lines: nowhere.csv", ["nowhere.csv", "not there"]),
+        ("offsets: a.csv", ["offsets", "lines: a.csv"]),
         ("lines: {file: a.csv, middle: 3}", ["middle", "midship"]),
         ("lines: a.csv\nshape: box", ["lines", "shape", "drop"]),
         ("lines: a.csv\nbase: box", ["lines", "base", "drop"]),

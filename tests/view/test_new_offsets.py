@@ -70,3 +70,13 @@ def test_lines_in_the_place_of_a_built_in_ship_are_refused_with_the_command_that
 def test_a_name_that_is_neither_ship_nor_file_is_told_the_built_in_ships(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert "wigley" in run("mine.csv", "mine.yaml").stderr
+
+
+def test_lines_in_millimetres_keep_their_unit(tmp_path, monkeypatch):
+    """Authority: closed form of the prism, 80 12 3 m3."""
+    monkeypatch.chdir(tmp_path)
+    Path("a.csv").write_text("x,0,5000\n-40000,6000,6000\n40000,6000,6000")
+    assert "is the unit right?" in run("--offsets", "a.csv", "--draught", "3 m").stderr
+    result = run("--offsets", "a.csv", "--draught", "3 m", "--unit", "mm")
+    assert result.exit_code == 0, result.output
+    assert qt.hydrostatics(qt.ship("a.yaml")).volume == pytest.approx(2880.0)

@@ -18,7 +18,7 @@ from quartering.hull.propulsion import Propulsion, propulsion_of_parts
 from quartering.hull.roll_method import BilgeKeels, RollMethod, checked_bilge_keels, roll_damping_note, roll_method
 from quartering.hull.roll_period import gyradius_of_period
 from quartering.hull.user_database import DATABASE_IS, Database, database_of, database_of_keys
-from quartering.hull.user_measured import measured_source
+from quartering.hull.user_measured import MeasuredFile, measured_source
 from quartering.names import term
 from quartering.option_checks import Option, Refused, checked, quoted
 from quartering.options import OPTIONS, no_coefficients, options, part_values, parts, unknown
@@ -136,7 +136,7 @@ def _of_case(ship: Ship, given: dict[str, Any], where: str) -> tuple[str, dict[s
     cases = ship.particulars.get("loadings", {})
     if "loadings" in given:
         cases = _loading_cases(given["loadings"], where, sizes_of(ship.hull))
-    if name not in cases:
+    if not isinstance(name, str) or name not in cases:
         raise Refused("loading_case", _no_case(name, tuple(cases)), where)
     return str(name), _merged(cases[name], given)
 
@@ -290,7 +290,9 @@ def _keels(ship: Ship, hull: Hull, method: RollMethod, given: Mapping[str, Any],
 def _plain(one: Option, value: Any, where: str, sizes: Sizes) -> Any:
     """Value of an option as the ship keeps it."""
     if one.name == "measured":
-        return None if value == "none" else value if not isinstance(value, (str, Path)) else measured_source(value)
+        if isinstance(value, MeasuredFile):
+            return value
+        return None if isinstance(value, str) and value == "none" else measured_source(value)
     if one.kind == "group":
         record = {"autopilot": Autopilot, "rudder": Rudder}[one.name]
         if isinstance(value, record):

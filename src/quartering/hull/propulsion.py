@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from quartering.conventions import WATER_DENSITY, InputError
+from quartering.hull.told import real
 
 _DEGREE = 5
 
@@ -52,20 +53,21 @@ class Propulsion:
     propellers: int = 1
 
     def __post_init__(self) -> None:
-        r, k = np.array(self.resistance, dtype=float), np.array(self.thrust, dtype=float)
-        if r.ndim != 1 or not 1 <= r.size <= _DEGREE + 1 or not np.isfinite(r).all():
+        r, k = real(self.resistance), real(self.thrust)
+        if r is None or r.ndim != 1 or not 1 <= r.size <= _DEGREE + 1 or not np.isfinite(r).all():
             raise InputError(
                 f"resistance = {self.resistance}; it is up to six finite numbers r0, r1, .. r5 [N/(m/s)^i]"
             )
-        if k.shape != (3,) or not np.isfinite(k).all() or k[0] <= 0:
+        if k is None or k.shape != (3,) or not np.isfinite(k).all() or k[0] <= 0:
             raise InputError(
                 f"thrust = {self.thrust}; it is three numbers k0, k1, k2 of K_T = k0 + k1 J + k2 J^2, k0 above 0"
             )
-        if not 0 < self.diameter < 100:
+        if not (_is_number(self.diameter) and 0 < self.diameter < 100):
             raise InputError(f"diameter = {self.diameter} m; it is above 0 m and below 100 m")
         for name in ("thrust_deduction", "wake"):
-            if not 0 <= getattr(self, name) < 1:
-                raise InputError(f"{name} = {getattr(self, name)}; it is from 0 to below 1")
+            share = getattr(self, name)
+            if not (_is_number(share) and 0 <= share < 1):
+                raise InputError(f"{name} = {share}; it is from 0 to below 1")
         if not isinstance(self.propellers, int) or self.propellers < 1:
             raise InputError(f"propellers = {self.propellers}; it is a whole number of 1 or more")
         object.__setattr__(self, "resistance", tuple(float(x) for x in np.pad(r, (0, _DEGREE + 1 - r.size))))
@@ -105,6 +107,10 @@ class Propulsion:
         roots = np.roots(surplus[::-1])
         real = roots.real[(np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)]
         return float(real.min()) if real.size else math.nan
+
+
+def _is_number(given: object) -> bool:
+    return isinstance(given, (int, float, np.number)) and not isinstance(given, bool)
 
 
 def larger_root(a: float, b: float, c: float) -> float:

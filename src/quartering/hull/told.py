@@ -38,23 +38,35 @@ def numbers(ship: Ship | None, name: str, given: ArrayLike) -> NDArray[np.float6
     one, sizes = _named(name), NO_SHIP if ship is None else ship.sizes
     if _has_text(given):
         given = _each(one, given, sizes)
-    try:
-        array = np.asarray(given, dtype=float)
-    except (TypeError, ValueError):
-        what = one.name
-        raise Refused(
-            what, f"{what} = {quoted(given)}; that is not a number or a list of numbers; {one.range(sizes)}"
-        ) from None
+    array = real(given)
+    if array is None or array.size == 0:
+        why = "give one or more" if array is not None else "that is not a number or a list of numbers"
+        raise Refused(one.name, f"{one.name} = {quoted(given)}; {why}; {one.range(sizes)}")
     bad = array[~np.isfinite(array)]
-    for value in [bad.flat[0]] if bad.size else [array.min(), array.max()] if array.size else []:
+    for value in [bad.flat[0]] if bad.size else [array.min(), array.max()]:
         checked(one, float(value), "", sizes)
     return array
 
 
-def count(name: str, given: Any, least: int, usual: int) -> int:
+def real(given: Any) -> NDArray[np.float64] | None:
+    """Numbers as they are given; None for what is none, or what numpy would make one of: dates, bytes, truth values.
+
+    >>> real([1, 2.5]).tolist(), real(b"5"), real([True]), real(10**400)
+    ([1.0, 2.5], None, None, None)
+    """
+    try:
+        array = np.asarray(given)
+        return array.astype(float) if array.dtype.kind in "iufO" else None
+    except (TypeError, ValueError, OverflowError):
+        return None
+
+
+def count(name: str, given: Any, least: int, usual: int, most: int | None = None) -> int:
     """A whole number of something."""
-    if isinstance(given, bool) or not isinstance(given, (Integral, np.integer)) or int(given) < least:
-        raise InputError(f"{name} = {quoted(given)}; it is a whole number of {least} or more; try {usual}")
+    whole = isinstance(given, (Integral, np.integer)) and not isinstance(given, bool)
+    if not whole or int(given) < least or (most is not None and int(given) > most):
+        limits = f"of {least} or more" if most is None else f"from {least} to {most:,}"
+        raise InputError(f"{name} = {quoted(given)}; it is a whole number {limits}; try {usual}")
     return int(given)
 
 

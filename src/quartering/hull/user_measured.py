@@ -34,13 +34,11 @@ def measured_source(named: str | Path) -> str | MeasuredFile:
     >>> measured_source("son-nomoto-1982")
     'son-nomoto-1982'
     """
-    file = Path(named)
-    if file.is_file():
-        return MeasuredFile(str(file.absolute()), file_digest(file))
+    if isinstance(named, (str, Path)) and Path(named).is_file():
+        return MeasuredFile(str(Path(named).absolute()), file_digest(Path(named)))
     if str(named) not in available_sets():
-        raise Refused(
-            "measured", f"measured = {quoted(str(named))}; it is a file, or one of {', '.join(available_sets())}"
-        )
+        given = str(named) if isinstance(named, (str, Path)) else named
+        raise Refused("measured", f"measured = {quoted(given)}; it is a file, or one of {', '.join(available_sets())}")
     return str(named)
 
 

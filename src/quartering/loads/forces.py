@@ -104,7 +104,7 @@ def relative_phasors(
     return ship_lift_phasors(ship, coefficients(ship, omega, U), k, U, mu)
 
 
-@takes(ship="Ship", wave="Wave")
+@takes(ship="Ship", wave="Wave", form="word")
 def wave_forces(
     ship: Ship, wave: Wave, speed: ArrayLike = 0.0, heading: ArrayLike = 90.0, form: Form = "stf"
 ) -> xr.Dataset:

@@ -71,7 +71,7 @@ class Wave:
             if length is not None:
                 metres = number(ship, "wave_length", length)
             else:
-                metres = wave_length_of(number(ship, "wave_period", period or 0.0))
+                metres = wave_length_of(number(ship, "wave_period", 0.0 if period is None else period))
             object.__setattr__(self, "length", metres)
             object.__setattr__(self, "height", number(ship, "wave_height", height))
         except Refused as error:

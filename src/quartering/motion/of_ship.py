@@ -135,7 +135,7 @@ def ship_system(
     return ShipSystem(system, omega, slow, np.zeros(omega.shape, dtype=bool), c, matching)
 
 
-@takes(ship="Ship", wave="Wave")
+@takes(ship="Ship", wave="Wave", form="word")
 def equations(ship: Ship, wave: Wave, speed: float | str, heading: float | str, form: Form = "stf") -> Model:
     """Equations of motion of a ship in one regular wave.
 

@@ -157,7 +157,7 @@ def _lateral_matrices(course: Course, by: Floats) -> Floats:
             rows[..., 4] -= gain * numbers.rudder[:, None, :]
             rows[..., 3] -= rate * numbers.rudder[:, None, :]
     matrix = np.zeros((*by.shape[:2], states, states))
-    matrix[:, :, [0, 2, 3]] = np.einsum("nij,ntjk->ntik", inverse, rows)
+    matrix[:, :, [0, 2, 3]] = inverse[:, None] @ rows
     matrix[:, :, 1, 2] = 1.0
     if course.steered:
         matrix[:, :, 4, 3] = 1.0
@@ -257,10 +257,10 @@ def doubled_multipliers(
     up = np.linalg.inv(many.numbers.mass[:, 2, :2, :2])
     across = np.linalg.inv(many.numbers.mass[:, 1, SWAY:, SWAY:])
     matrix[:, :, [0, 1], [2, 3]] = 1.0
-    matrix[:, :, 2:4, 0:2] = np.einsum("nij,ntjk->ntik", up, by[:, :, :2, :2])
+    matrix[:, :, 2:4, 0:2] = up[:, None] @ by[:, :, :2, :2]
     matrix[:, :, 2:4, 2:4] = -(up @ many.numbers.damping[:, 2, :2, :2])[:, None]
-    matrix[:, :, 2:4, 4:8] = np.einsum("nij,ntjk->ntik", up, by[:, :, :2, :][..., [SWAY, ROLL, 5, YAW]])
-    coupled = np.einsum("nij,ntjk->ntik", across, by[:, :, SWAY:, :2])
+    matrix[:, :, 2:4, 4:8] = up[:, None] @ by[:, :, :2, :][..., [SWAY, ROLL, 5, YAW]]
+    coupled = across[:, None] @ by[:, :, SWAY:, :2]
     for row, state in enumerate((4, 6, 7)):
         matrix[:, :, state, 0:2] = coupled[:, :, row]
     mirror = np.concatenate([np.ones(4), np.full(s, -1.0 if mirrored else 1.0)])

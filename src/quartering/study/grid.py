@@ -17,10 +17,11 @@ from quartering.arguments import ARGUMENTS
 from quartering.conventions import InputError
 from quartering.hull.changes import COEFFICIENTS, check_twice
 from quartering.hull.ship import Ship
+from quartering.hull.told import real
 from quartering.loads.forces import FORMS, Form
 from quartering.loads.waves import Wave
 from quartering.motion.steady.harmonic import checked_harmonics
-from quartering.option_checks import Refused, checked
+from quartering.option_checks import Refused, checked, quoted
 from quartering.options import OPTIONS
 from quartering.study.case.values import values_of
 from quartering.study.loadings import CHOICE_AXES, VALUE, base_of, coded, loaded
@@ -185,25 +186,22 @@ def grid(
     wave_length: ArrayLike | None = None,
     wave_height: ArrayLike | None = None,
     *,
-    wave_period: ArrayLike | None = None,
-    steepness: ArrayLike | None = None,
     harmonics: int = 1,
     form: Form = "stf",
     factors: Mapping[str, ArrayLike] | None = None,
     values: Mapping[str, ArrayLike] | None = None,
-    **axes: ArrayLike,
+    **axes: Any,
 ) -> Grid:
     """All combinations of conditions and loadings, checked.
 
     speed, heading, wave_length, wave_height (n,): [m/s, deg, m, m], or text with a unit
-    wave_period (n,): in place of wave_length [s]
-    steepness (n,): H/lambda, in place of wave_height [1]
-    as in `sweep`
     factors, values: factors on coefficients, and values of them, by name
-    **axes (l,): loading values, or factors on coefficients, by name
+    **axes (l,): loading values, or factors on coefficients, by name; wave_period [s] in place of wave_length and steepness,
+        H/lambda, in place of wave_height; as in `sweep`
     """
+    period, steepness = axes.pop("wave_period", None), axes.pop("steepness", None)
     conditions: dict[str, ArrayLike] = {"speed": speed, "heading": heading}
-    conditions |= {"wave_length": _lengths(wave_length, wave_period, ship)} | _sea(wave_height, steepness)
+    conditions |= {"wave_length": _lengths(wave_length, period, ship)} | _sea(wave_height, steepness)
     own = {name: axis(name, given, ship) for name, given in conditions.items()}
     _check_conditions(own)
     checked_harmonics(harmonics)
@@ -255,6 +253,11 @@ def _extra(
     """Every axis beside the conditions by one name: of the loading, factors on coefficients, values of them."""
     if "coefficients" in axes:
         raise Refused("coefficients", COEFFICIENTS)
+    for what, told in (("factors", factors), ("values", values)):
+        if told is not None and not isinstance(told, Mapping):
+            raise InputError(
+                f'{what} = {quoted(told)}; it is a mapping of names to values, such as {{"K_ppp": [1, 2]}}'
+            )
     found = dict(axes)
     for name, given in (factors or {}).items():
         if name in found:
@@ -278,10 +281,10 @@ def axis(name: str, values: ArrayLike, ship: Ship | None = None) -> Floats:
         ship = None
     if ship is not None and one is not None and _has_text(given):
         return np.array(values_of(one, given, ship))
-    try:
-        array = np.atleast_1d(np.array(given, dtype=float))
-    except (TypeError, ValueError):
-        raise InputError(f"{name} = {values!r} is not a number or a list of numbers; try [0, 5, 10]") from None
+    found = real(given)
+    if found is None:
+        raise InputError(f"{name} = {quoted(values)} is not a number or a list of numbers; try [0, 5, 10]")
+    array = np.atleast_1d(found)
     if array.ndim != 1 or array.size == 0:
         raise InputError(f"{name} needs at least one value in a flat list; given shape {array.shape}")
     if not np.isfinite(array).all():

@@ -111,7 +111,7 @@ def _from_file(where: str, keys: ShipKeys, name: str, length: float, beam: float
     datum = keys.value("datum")
     if datum is not None:
         checked(OPTIONS["datum"], datum, where)
-    read = read_lines(path, lines.format, draught, datum)
+    read = read_lines(path, lines.format, draught, datum, lines.unit)
     return hull_from_lines(
         f"{where}: {path.name}", read, length=length, beam=beam, draught=draught, midship=lines.midship,
         outline=lines.outline, title=name, datum=datum,

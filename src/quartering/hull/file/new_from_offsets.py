@@ -22,6 +22,7 @@ def write_offsets_ship(
     draught: float | str | None = None,
     length: float | str | None = None,
     beam: float | str | None = None,
+    unit: str | None = None,
 ) -> Ship:
     """Write the ship file of an offset, section or mesh file, with what was found in it.
 
@@ -31,6 +32,7 @@ def write_offsets_ship(
     path : str or Path          ship file to write; one that exists is not overwritten
     draught : float or str      of the lines; needed where heights count from the baseline [m]
     length, beam : float or str moulded; by default the extent of the stations and the largest breadth [m]
+    unit : str                  of the numbers in the file, "mm"; None: what the file says, else metres
 
     Returns
     -------
@@ -56,8 +58,8 @@ def write_offsets_ship(
     sizes = {
         name: float(checked(OPTIONS[name], value, "new", NO_SHIP)) for name, value in given.items() if value is not None
     }
-    read = read_lines(source, None, sizes.get("draught"))
-    text = _text(source, target, read, sizes)
+    read = read_lines(source, None, sizes.get("draught"), unit=unit)
+    text = _text(source, target, read, sizes, unit)
     try:
         target.write_text(text, encoding="utf-8")
     except OSError as error:
@@ -69,7 +71,7 @@ def write_offsets_ship(
         raise
 
 
-def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float]) -> str:
+def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit: str | None) -> str:
     """The ship file, each line with what it rests on."""
     afloat, (keel, top) = read.afloat, read.profile.middle
     draught = sizes.get("draught", -keel if afloat else None)
@@ -97,9 +99,10 @@ def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float]) -> s
         (f"datum: {datum}", f"heights count from there: keel amidships at {keel:.4g} m, top at {top:.4g} m"),
         ("lines:", f"{len(read.x)} stations, {read.source}{remarks}"),
         (f"  file: {json.dumps(beside)}", ""),
+        *([] if unit is None else [(f"  unit: {unit}", "of the numbers in the file")]),
         (
             f"  midship: {(first + last) / 2:.10g}",
-            f"x of midship in the file, stations from {first:.5g} to {last:.5g} m",
+            f"x of midship in the file [m], stations from {first:.5g} to {last:.5g} m",
         ),
         ("loading:", ""),
         ("  gm: 0.05 B", "assumed; give gm or kg"),

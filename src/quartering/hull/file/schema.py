@@ -63,10 +63,11 @@ class OffsetKeys(_Strict):
 
 
 class LinesKeys(_Strict):
-    """`lines:` a file of another program, its format where the ending does not tell, and x of midship in it [m]."""
+    """`lines:` a file of another program, its format where the ending does not tell, its unit, and x of midship in it [m]."""
 
     file: str
     format: Literal["csv", "pdstrip", "gdf", "stl"] | None = None
+    unit: Literal["m", "mm", "cm", "ft"] | None = None
     midship: float = 0.0
     outline: Literal["smooth", "straight"] = "straight"
 
@@ -211,6 +212,11 @@ def _unknown(key: str, allowed: list[str]) -> str:
     return f"{key} is unknown; {hint} allowed here: {', '.join(allowed)}"
 
 
+def _names_lines(key: str, problem: Any) -> bool:
+    """Is the name of a file given for offsets?"""
+    return key == "offsets" and isinstance(problem["input"], str) and "." in problem["input"]
+
+
 def _sentence(problem: Any, data: dict[str, Any]) -> str:
     """One problem in words."""
     location = [part for part in problem["loc"] if not (isinstance(part, str) and "[" in part)]
@@ -223,7 +229,8 @@ def _sentence(problem: Any, data: dict[str, Any]) -> str:
     if own is not None:
         return f"{key}{own}" if own.startswith(":") else f"{key}: {own}"
     if kind in ("model_type", "model_attributes_type", "dict_type"):
-        return f"{key}: {given} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}"
+        hint = f"; a file of lines stands under `lines: {problem['input']}`" if _names_lines(key, problem) else ""
+        return f"{key}: {given} is given; allowed: a group of keys: {', '.join(_keys_at([*location, '']))}{hint}"
     if kind == "literal_error":
         return f"{key}: {given} is given; {nearest_word(problem)}"
     return f"{key}: {given} is given; allowed: {allowed(problem)}"

@@ -7,15 +7,18 @@ from pathlib import Path
 
 import numpy as np
 
-from quartering.conventions import InputError
+from quartering.conventions import GRAVITY, InputError
 from quartering.hull.formats.offset_tables import Lines
 from quartering.hull.formats.surface import Surface, check_surface, joined_surface
 from quartering.hull.formats.surface_sections import surface_lines, surface_profile
 from quartering.hull.lines.datum import Datum, datum_of
 from quartering.hull.lines.section import Floats
+from quartering.units import LENGTHS
 
 
-def read_gdf(path: str | Path, draught: float | None = None, datum: str | None = None) -> Lines:
+def read_gdf(
+    path: str | Path, draught: float | None = None, datum: str | None = None, unit: str | None = None
+) -> Lines:
     """Read a WAMIT low-order panel file.
 
     Parameters
@@ -24,6 +27,7 @@ def read_gdf(path: str | Path, draught: float | None = None, datum: str | None =
                           calm plane
     draught : float       compared with that of the panels [m]; None: not compared
     datum : str           "keel" where the heights count from the baseline all the same
+    unit : str            of the corners, "mm"; None: feet where gravity is 32.2, else metres
 
     Returns
     -------
@@ -35,8 +39,8 @@ def read_gdf(path: str | Path, draught: float | None = None, datum: str | None =
 
     Notes
     -----
-    The corners are in metres as they stand: ULEN only scales the results of a run. Panels in the calm plane (a lid) are
-    left out.  Source: [WAMIT] geometric data file.
+    The corners are in the unit of GRAV, metres where that is 9.81: ULEN only scales the results of a run. Panels in the calm
+    plane (a lid) are left out.  Source: [WAMIT] geometric data file.
 
     Examples
     --------
@@ -54,7 +58,7 @@ def read_gdf(path: str | Path, draught: float | None = None, datum: str | None =
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}; give a file you may read") from None
     try:
-        float(lines[1].split()[0])
+        gravity = [float(word) for word in lines[1].split()[:2]][-1]
         isx, isy = (int(word) for word in lines[2].split()[:2])
         count = int(lines[3].split()[0])
         numbers = np.array([float(word) for line in lines[4:] for word in line.replace(",", " ").split()])
@@ -68,23 +72,28 @@ def read_gdf(path: str | Path, draught: float | None = None, datum: str | None =
         )
     if isx not in (0, 1) or isy not in (0, 1):
         raise InputError(f"{path}: ISX {isx} and ISY {isy}; each is 0 or 1 here")
-    panels = numbers[: 12 * count].reshape(-1, 4, 3)
+    if unit is None and abs(gravity * LENGTHS["ft"] / GRAVITY - 1.0) < 0.01:
+        unit = "ft"
+    panels = numbers[: 12 * count].reshape(-1, 4, 3) * LENGTHS[unit or "m"]
     panels = panels[~(np.abs(panels[:, :, 2]) < 1e-6 * np.ptp(panels[:, :, 2])).all(axis=1)]
     if isx:
         panels = np.concatenate([panels, panels[:, ::-1] * [-1.0, 1.0, 1.0]])
     corners = np.concatenate([panels[:, [0, 1, 2]], panels[:, [0, 2, 3]]])
     surface = joined_surface(str(path), corners, half=bool(isy), waterline=0.0)
-    return _lines(surface, draught, datum, usual="waterline")
+    return _said(_lines(surface, draught, datum, usual="waterline"), unit)
 
 
-def read_stl(path: str | Path, draught: float | None = None, datum: str | None = None) -> Lines:
+def read_stl(
+    path: str | Path, draught: float | None = None, datum: str | None = None, unit: str | None = None
+) -> Lines:
     """Read an STL surface, text or binary.
 
     Parameters
     ----------
-    path : str or Path    x to the bow, z up, metres; whole, or the half on one side, with or without a deck
+    path : str or Path    x to the bow, z up; whole, or the half on one side, with or without a deck
     draught : float       of the lines: tells where z is counted from, and from where on the surface may be open [m]
     datum : str           "keel" or "waterline", where z is counted from; None: decided from the surface
+    unit : str            of the corners, "mm"; None: metres
 
     Returns
     -------
@@ -114,11 +123,18 @@ def read_stl(path: str | Path, draught: float | None = None, datum: str | None =
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}; give a file you may read") from None
     text = data[:5].lower() == b"solid" and b"vertex" in data
-    corners = _text_triangles(path, data) if text else _binary_triangles(path, data)
+    corners = (_text_triangles(path, data) if text else _binary_triangles(path, data)) * LENGTHS[unit or "m"]
     y = corners[..., 1]
     near = 1e-4 * float(np.abs(y).max()) if corners.size else 0.0
     half = bool(corners.size) and (float(y.min()) >= -near or float(y.max()) <= near)
-    return _lines(joined_surface(str(path), corners, half=half, waterline=None), draught, datum, usual=None)
+    return _said(
+        _lines(joined_surface(str(path), corners, half=half, waterline=None), draught, datum, usual=None), unit
+    )
+
+
+def _said(lines: Lines, unit: str | None) -> Lines:
+    """Lines with a word on the unit they were given in."""
+    return lines if unit in (None, "m") else lines._replace(remarks=(*lines.remarks, f"given in {unit}"), own_unit=True)
 
 
 def _lines(surface: Surface, draught: float | None, datum: str | None, usual: Datum | None) -> Lines:

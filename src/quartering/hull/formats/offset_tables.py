@@ -34,6 +34,7 @@ class Lines(NamedTuple):
     datum : str or None              where the heights are counted from, where the format or the surface tells
     still_water : float or None      height of the calm plane, where the file says it [m]
     remarks : tuple of str           what was done to the lines
+    own_unit : bool                  did the file name a unit?
     """
 
     x: Floats
@@ -43,6 +44,7 @@ class Lines(NamedTuple):
     datum: Datum | None = None
     still_water: float | None = None
     remarks: tuple[str, ...] = ()
+    own_unit: bool = False
 
     @property
     def profile(self) -> Profile:
@@ -65,8 +67,9 @@ def read_offset_table(path: str | Path) -> Lines:
     ----------
     path : str or Path    header ``x, 0, 0.5, 1.0`` (waterline heights; a first column ``station`` is allowed), one station a
                           row, half breadths, blank where there is no hull; or header ``x, y, z``, points of each station
-                          from keel to deck; comma, semicolon, tab or blanks; ``#`` starts a comment; metres, or the unit
-                          in the header, "x [mm]", or in a row below it. Two stations at one x are a step
+                          from keel to deck, or of both its sides from deck to deck; comma, semicolon, tab or blanks;
+                          ``#`` starts a comment; metres, or the unit in the header, "x [mm]", or in a row below it.
+                          Two stations at one x are a step
 
     Returns
     -------
@@ -159,18 +162,39 @@ def _from_points(
     ]).reshape(-1, 3)  # fmt: skip
     points = points * [columns.factor(k, "length", str(path)) for k in range(3)]
     breaks = np.flatnonzero(np.diff(points[:, 0]) != 0) + 1
-    x, contours, labels = [], [], []
+    whole = _is_whole(points[:, 1])
+    x: list[float] = []
+    contours, labels = [], []
     for group in np.split(points, breaks):
         if group[0, 0] in x:
             raise InputError(
                 f"{path}: points at x = {group[0, 0]:g} m stand in two places; keep the points of a station together"
             )
+        if whole:
+            where = f"{path}: station {len(x) + 1} (x = {group[0, 0]:g} m)"
+            y, z = _half(where, group[:, 1], group[:, 2])
+            group = np.column_stack([np.full(len(y), group[0, 0]), y, z])
         for one in _stations_at_one_place(group):
             x.append(float(one[0, 0]))
             labels.append(f"station {len(x)} (x = {x[-1]:g} m)")
             check_contour(f"{path}: {labels[-1]}", one[:, 1], one[:, 2])
             contours.append((one[:, 1], one[:, 2]))
     return x, contours, labels
+
+
+def _is_whole(y: Floats) -> bool:
+    """Are both sides of the hull given: every breadth to starboard to port as well?"""
+    port, starboard = np.sort(-y[y < 0]), np.sort(y[y > 0])
+    return bool(port.size and port.size == starboard.size and np.allclose(port, starboard, atol=1e-3 * np.ptp(y)))
+
+
+def _half(where: str, y: Floats, z: Floats) -> Contour:
+    """Starboard half, keel to deck, of a section from deck to deck that is the same on both sides."""
+    if not (np.allclose(y, -y[::-1], atol=1e-3 * np.ptp(y)) and np.allclose(z, z[::-1], atol=1e-3 * np.ptp(z))):
+        raise InputError(
+            f"{where}: port and starboard differ; only symmetric hulls are treated here, their sections from deck to deck"
+        )
+    return np.abs(y[y.size // 2 :]), z[y.size // 2 :]
 
 
 def _stations_at_one_place(group: Floats) -> list[Floats]:
@@ -208,9 +232,9 @@ def _in_order(
     if len(at_x) < 4:
         at_x, found, names = _prism(path, at_x, found, names)
         remarks.append("the same all along")
-    units = sorted({unit for unit in columns.units if unit} - {"m"}) if columns else []
-    remarks += [f"given in {', '.join(units)}"] if units else []
-    return Lines(at_x, tuple(found), tuple(names), source, None, still_water, tuple(remarks))
+    named = {unit for unit in columns.units if unit} if columns else set()
+    remarks += [f"given in {', '.join(sorted(named - {'m'}))}"] if named - {"m"} else []
+    return Lines(at_x, tuple(found), tuple(names), source, None, still_water, tuple(remarks), bool(named))
 
 
 def _stepped(path: str | Path, x: Floats, labels: list[str]) -> tuple[Floats, list[float]]:
@@ -312,10 +336,7 @@ def read_pdstrip_sections(path: str | Path) -> Lines:
 def _starboard(where: str, y: Floats, z: Floats) -> Contour:
     """Starboard half of a section, keel to deck; one that is given whole must be the same on both sides."""
     if y.size and y.min() < 0 < y.max():
-        if not (np.allclose(y, -y[::-1], atol=1e-3 * np.ptp(y)) and np.allclose(z, z[::-1], atol=1e-3 * np.ptp(z))):
-            raise InputError(f"{where}: port and starboard differ; only symmetric hulls are treated here")
-        keel = (y.size - 1) // 2 if y.size % 2 else y.size // 2
-        y, z = np.abs(y[keel:]), z[keel:]
+        y, z = _half(where, y, z)
     y = np.abs(y)
     if z.size > 2 and y.min() > 0.05 * y.max() and z.argmin() not in (0, z.size - 1) and z[0] > z.min() < z[-1]:
         raise InputError(

@@ -14,6 +14,8 @@ from quartering.hull.lines.datum import datum_of
 from quartering.hull.lines.hull import Hull, with_depth
 from quartering.hull.lines.section import Floats
 from quartering.hull.lines.stations import hull_from_offsets
+from quartering.option_checks import quoted
+from quartering.units import LENGTHS
 
 FREEBOARD = 1.5
 """Depth over draught when a file ends at the waterline and none is given (assumed)."""
@@ -29,7 +31,11 @@ _ENDINGS = {"csv": "csv", "txt": "csv", "tsv": "csv", "dat": "csv", "gdf": "gdf"
 
 
 def read_lines(
-    path: str | Path, form: str | None = None, draught: float | None = None, datum: str | None = None
+    path: str | Path,
+    form: str | None = None,
+    draught: float | None = None,
+    datum: str | None = None,
+    unit: str | None = None,
 ) -> Lines:
     """Read lines from a file of any known format.
 
@@ -37,21 +43,39 @@ def read_lines(
     form: "csv", "pdstrip", "gdf" or "stl", where the ending does not tell
     draught: of the lines; tells where the heights of a surface are counted from [m]
     datum: "keel" or "waterline", where the heights are counted from; None: decided from the lines
+    unit: of the numbers in the file, "mm"; None: what the file says, else metres
     """
+    if unit is not None and unit not in LENGTHS:
+        raise InputError(f"{path}: unit = {quoted(unit)}; allowed: {', '.join(LENGTHS)}; leave it out for metres")
     if not Path(path).is_file():
         raise InputError(f"{path} is not there; give the path of a file, seen from the ship file")
     kind = form or _format_of(Path(path))
     if kind == "csv":
-        return read_offset_table(path)
+        return _in_metres(path, read_offset_table(path), unit)
     if kind == "pdstrip":
-        return read_pdstrip_sections(path)
+        return _in_metres(path, read_pdstrip_sections(path), unit)
     from quartering.hull.formats.meshes import read_gdf, read_stl  # only for those who bring a mesh
 
     if kind == "gdf":
-        return read_gdf(path, draught, datum)
+        return read_gdf(path, draught, datum, unit)
     if kind == "stl":
-        return read_stl(path, draught, datum)
+        return read_stl(path, draught, datum, unit)
     raise _unknown(path, kind)
+
+
+def _in_metres(path: str | Path, lines: Lines, unit: str | None) -> Lines:
+    """Lines whose numbers were read as they stand, in metres."""
+    if unit is None:
+        return lines
+    if lines.own_unit:
+        raise InputError(f"{path}: its header names the unit of its columns; leave `unit: {unit}` out")
+    factor = LENGTHS[unit]
+    return lines._replace(
+        x=lines.x * factor,
+        contours=tuple((y * factor, z * factor) for y, z in lines.contours),
+        still_water=None if lines.still_water is None else lines.still_water * factor,
+        remarks=(*lines.remarks, f"given in {unit}"),
+    )
 
 
 def _format_of(path: Path) -> str:

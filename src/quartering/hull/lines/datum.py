@@ -11,6 +11,7 @@ from quartering.conventions import InputError
 from quartering.hull.lines.section import Floats
 from quartering.option_checks import checked
 from quartering.options import OPTIONS
+from quartering.units import LENGTHS
 
 Datum = Literal["keel", "waterline"]
 
@@ -136,6 +137,11 @@ def _check_draught(where: str, profile: Profile, draught: float, told: str | Non
         return
     words = f"{own[0]:.4g} m deep amidships" + (f" and {own[1]:.4g} m at the deepest" if own[1] > 1.01 * own[0] else "")
     other = "" if told else "; or write `datum: keel` if its heights count from the baseline"
+    units = [
+        unit for unit, metres in LENGTHS.items() if unit != "m" and abs(own[0] * metres - draught) <= NEAR * draught
+    ]
+    if units:
+        other = f"; or are its numbers in {units[0]}? Then write `lines: {{file: .., unit: {units[0]}}}`"
     raise InputError(
         f"{where}: the draught told is {draught:g} m, and the lines lie {words} below the calm water from which their heights "
         f"count; give `draught: {own[0]:.4g} m` (or `design_draught: {own[0]:.4g} m`, and the ship's draught beside it){other}"

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
+from quartering.hull.told import real
+from quartering.option_checks import quoted
 
 Floats = NDArray[np.float64]
 
@@ -36,7 +38,9 @@ class Section:
     z: Floats
 
     def __init__(self, y: ArrayLike, z: ArrayLike) -> None:
-        ys, zs = np.array(y, dtype=float), np.array(z, dtype=float)
+        ys, zs = real(y), real(z)
+        if ys is None or zs is None:
+            raise InputError(f"y = {quoted(y)}, z = {quoted(z)}; a section is two lists of numbers [m]")
         if ys.ndim != 1 or ys.shape != zs.shape or ys.size < 2:
             raise InputError(
                 f"a section needs y and z lists of one length, at least 2 points; given {ys.shape} and {zs.shape}"

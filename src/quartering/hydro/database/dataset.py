@@ -27,7 +27,7 @@ from quartering.hydro.database.wamit import read_wamit_files, write_wamit_files
 from quartering.hydro.transfer import transfer, transfer_matrix
 
 
-@takes(ship="Ship")
+@takes(path="file", ship="Ship")
 def read_capytaine(
     path: str | Path, ship: Ship, *, midship: float = 0.0, moments_about: tuple[float, float] | None = None
 ) -> xr.Dataset:
@@ -71,7 +71,7 @@ def read_capytaine(
     )
 
 
-@takes(dataset="Dataset", ship="Ship")
+@takes(dataset="Dataset", path="file", ship="Ship")
 def write_capytaine(dataset: xr.Dataset, path: str | Path, ship: Ship, *, midship: float = 0.0) -> None:
     """Write coefficients and forces about G as a Capytaine netCDF, moments about midship at the calm plane.
 
@@ -98,7 +98,7 @@ def write_capytaine(dataset: xr.Dataset, path: str | Path, ship: Ship, *, midshi
         write_capytaine_file(path, _raw(dataset, ship, midship))
 
 
-@takes(ship="Ship")
+@takes(stem="file", ship="Ship")
 def read_wamit(
     stem: str | Path,
     ship: Ship,
@@ -149,7 +149,7 @@ def read_wamit(
     return _dataset(raw, ship, midship, moments_about, f"WAMIT: {Path(stem).name}", "WAMIT")
 
 
-@takes(dataset="Dataset", ship="Ship")
+@takes(dataset="Dataset", stem="file", ship="Ship")
 def write_wamit(
     dataset: xr.Dataset, stem: str | Path, ship: Ship, *, length: float = 1.0, midship: float = 0.0
 ) -> None:

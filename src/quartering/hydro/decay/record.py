@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.signal import find_peaks
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.lines.section import Floats
-from quartering.hull.told import number
+from quartering.hull.told import number, real
 from quartering.option_checks import quoted
 from quartering.options import OPTIONS
 from quartering.table_text import UNITS, columns_of, is_number, read_table
@@ -69,6 +70,7 @@ class Extremes(NamedTuple):
         return np.asarray((a[:-2] + 2 * a[1:-1] + a[2:]) / 4)
 
 
+@takes(source="word")
 def decay_record(time: ArrayLike, angle: ArrayLike, *, unit: AngleUnit = "deg", source: str = "given") -> DecayRecord:
     """A decay from two arrays, checked.
 
@@ -99,12 +101,9 @@ def decay_record(time: ArrayLike, angle: ArrayLike, *, unit: AngleUnit = "deg", 
     """
     if unit not in ("deg", "rad"):
         raise InputError(f'angle unit "{unit}" is unknown; allowed are "deg" and "rad"')
-    try:
-        t, phi = np.array(time, dtype=float), np.array(angle, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(
-            f"{source}: time and angle are lists of numbers; {quoted(time)} and {quoted(angle)} given"
-        ) from None
+    t, phi = real(time), real(angle)
+    if t is None or phi is None:
+        raise InputError(f"{source}: time and angle are lists of numbers; {quoted(time)} and {quoted(angle)} given")
     if t.ndim != 1 or t.shape != phi.shape:
         raise InputError(f"{source}: {t.size} times and {phi.size} angles are given; a decay has as many of each")
     if t.size < 20:
@@ -123,6 +122,7 @@ def decay_record(time: ArrayLike, angle: ArrayLike, *, unit: AngleUnit = "deg", 
     return DecayRecord(t, np.radians(phi) if unit == "deg" else phi, source)
 
 
+@takes(path="file")
 def read_decay(
     path: str | Path,
     *,

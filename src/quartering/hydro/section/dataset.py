@@ -88,7 +88,7 @@ def section_coefficients(
     """
     if method not in get_args(Sections):
         raise InputError(f"method {method!r} is unknown; allowed: {', '.join(get_args(Sections))}")
-    density, panels = number(None, "density", density), count("panels", panels, 2, PANELS)
+    density, panels = number(None, "density", density), count("panels", panels, 2, PANELS, 1000)
     w = np.atleast_1d(numbers(None, "frequency", frequency))
     if method == "lewis":
         forms = lewis_forms(section.half_breadth, section.draught, immersed_area(section))

@@ -82,12 +82,11 @@ def bem_forces(
     ('wave_length', 'heading', 'part', 'mode')
     """
     wave_lengths, headings = numbers(ship, "wave_length", wave_lengths), numbers(ship, "heading", headings)
-    length = np.atleast_1d(np.asarray(wave_lengths, dtype=float))
-    mu = np.atleast_1d(np.asarray(headings, dtype=float))
-    if length.ndim != 1 or not (np.isfinite(length).all() and (length > 0).all()):
-        raise InputError(f"wave_lengths {wave_lengths!r} must be a list of lengths above 0 m")
-    if mu.ndim != 1 or not np.isfinite(mu).all():
-        raise InputError(f"headings {headings!r} must be a list of finite angles in degrees; {HEADING_CONVENTION}")
+    length, mu = np.atleast_1d(wave_lengths), np.atleast_1d(headings)
+    if length.ndim != 1 or mu.ndim != 1:
+        raise InputError(
+            f"wave_lengths {wave_lengths!r}, headings {headings!r}: each is one list; {HEADING_CONVENTION}"
+        )
     omega = np.sqrt(2 * np.pi * GRAVITY / length)
     solved = _solved(ship, omega, mu, panels, lid)
     dataset = _radiation(solved).assign(_forces(solved))
@@ -209,7 +208,10 @@ def _solved(ship: Ship, omega: Floats, mu: Floats, panels: tuple[int, int], lid:
         raise InputError(
             f"panels = {quoted(panels)}; they are two numbers, along the ship and down its side; try (40, 12)"
         )
-    panels = count("panels along the ship", panels[0], 2, 40), count("panels down its side", panels[1], 2, 12)
+    panels = (
+        count("panels along the ship", panels[0], 2, 40, 1000),
+        count("panels down its side", panels[1], 2, 12, 1000),
+    )
     _capytaine()
     half = hull_panels(ship.hull, *panels)
     shortest = 2 * np.pi * GRAVITY / float(omega.max()) ** 2

@@ -14,7 +14,9 @@ from quartering.conventions import InputError
 from quartering.doors import takes
 from quartering.hull.lines.quadrature import gauss
 from quartering.hull.lines.section import Floats
+from quartering.hull.told import real
 from quartering.hydro.strip.table import SectionTable
+from quartering.option_checks import quoted
 
 TOLERANCE: Final = 0.02
 """Inconsistency up to which a set passes, beside what the damping outside its frequencies may add [1]."""
@@ -108,9 +110,12 @@ def kramers_kronig(data: xr.Dataset | SectionTable, *, added_mass_infinite: Arra
     if fitted:
         infinite = np.median(a - inside - outside, axis=0)
     else:
-        infinite = np.asarray(limit if added_mass_infinite is None else added_mass_infinite, dtype=float)
-        if infinite.shape != a.shape[1:]:
-            raise InputError(f"added_mass_infinite of shape {infinite.shape} given; needed {a.shape[1:]}")
+        told = real(limit if added_mass_infinite is None else added_mass_infinite)
+        if told is None or told.shape != a.shape[1:]:
+            raise InputError(
+                f"added_mass_infinite = {quoted(added_mass_infinite)}; it is numbers of shape {a.shape[1:]}"
+            )
+        infinite = told
     expected = infinite + inside + outside
     size = _size(np.abs(a - infinite).max(axis=0), labels)
     difference = np.divide(a - expected, size, out=np.zeros_like(a), where=size > 0)
@@ -154,10 +159,9 @@ def retardation(frequency: ArrayLike, damping: ArrayLike, time: ArrayLike) -> Fl
     >>> np.round(K * np.pi / 4, 3).tolist()
     [1.0, -0.25]
     """
-    try:
-        omega, b, t = (np.asarray(v, dtype=float) for v in (frequency, damping, time))
-    except (TypeError, ValueError):
-        raise InputError("frequency, damping and time are lists of numbers; one of them is not") from None
+    omega, b, t = (real(values) for values in (frequency, damping, time))
+    if omega is None or b is None or t is None:
+        raise InputError("frequency, damping and time are lists of numbers; one of them is not")
     _check(omega, b, b)
     nodes, values, _ = _completed(omega, b.reshape(omega.size, -1))
     moments = np.atleast_1d(np.abs(t))

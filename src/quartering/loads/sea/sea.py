@@ -285,7 +285,7 @@ class Sea:
 
 def _peak_period(hs: float, tp: Any, tz: Any, spectrum: str, gamma: float) -> float:
     """Period of the peak [s] of what was given."""
-    if spectrum not in get_args(Spectrum):
+    if not isinstance(spectrum, str) or spectrum not in get_args(Spectrum):
         raise InputError(
             f"spectrum = {quoted(spectrum)}; allowed: {', '.join(get_args(Spectrum))}; try 'jonswap'. Ochi and Hubble's is"
             " Sea.ochi_hubble"

@@ -24,8 +24,10 @@ def checked_spreading(given: object) -> Spreading:
     >>> checked_spreading(float("inf")) is None, checked_spreading("cos2"), checked_spreading(8)
     (True, 'cos2', 8.0)
     """
-    if given is None or given == "cos2":
-        return given
+    if given is None:
+        return None
+    if isinstance(given, str) and given == "cos2":
+        return "cos2"
     s = as_float(given)
     if isinstance(s, bool) or not isinstance(s, (int, float, np.number)) or not s > 0:
         raise InputError(

@@ -15,16 +15,18 @@ from quartering.conventions import InputError
 from quartering.hull.autopilot import Autopilot
 from quartering.hull.righting.limit import CapsizeLimit, first_vanishing, least_limit
 from quartering.hull.righting.spline import OddSpline, odd_spline
+from quartering.hull.told import real
 from quartering.motion.equations.system import Floats, System, acceleration_form
 from quartering.motion.equations.terms import checked_number, parse, term_table
 from quartering.motion.equations.water import Strips
 from quartering.names import RUDDER_NAMES, term
 from quartering.notebook import ShownInNotebooks
+from quartering.option_checks import quoted
 
 
 def _triple(values: ArrayLike, name: str) -> Floats:
-    array = np.array(values, dtype=float)
-    if array.shape != (3,) or not np.isfinite(array).all():
+    array = real(values)
+    if array is None or array.shape != (3,) or not np.isfinite(array).all():
         raise InputError(f"{name} needs three finite numbers (sway N, roll N m, yaw N m); given {values!r}")
     array.flags.writeable = False
     return array
@@ -105,10 +107,14 @@ class Model(ShownInNotebooks):
         told_vanishing: float | None = None,
         openings: float | None = None,
     ) -> None:
-        masses = np.array(inertia, dtype=float)
-        if masses.shape != (3, 3) or not np.isfinite(masses).all():
+        masses, omega = real(inertia), real(frequency)
+        if masses is None or masses.shape != (3, 3) or not np.isfinite(masses).all():
             raise InputError(f"inertia needs a 3 x 3 array of finite numbers (sway, roll, yaw); given {inertia!r}")
-        if not (np.isfinite(frequency) and frequency > 0):
+        if not isinstance(terms, Mapping):
+            raise InputError(
+                f'terms = {quoted(terms)}; they are a mapping of names to values, such as {{"K_phi": -1.0}}'
+            )
+        if omega is None or omega.ndim or not (np.isfinite(omega) and omega > 0):
             raise InputError(
                 f"encounter frequency {frequency} rad/s must be greater than zero: a wave that keeps pace with the"
                 " ship has no periodic motion; change speed or heading (for a negative one, give its modulus and the"

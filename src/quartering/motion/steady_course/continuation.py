@@ -92,22 +92,32 @@ class Path:
             np.repeat(_SIZES * np.array([draught, 1, 1, 1, 1]), [up, up, across, across, across]), unit
         )
 
-    def balance(self, point: Floats) -> tuple[Floats, Floats, bool]:
-        """Residual (m,) and its derivatives (m, m + 1) by the scaled point."""
+    def balance(self, point: Floats, column: Floats | None = None) -> tuple[Floats, Floats, bool]:
+        """Residual (m,) and its derivatives (m, m + 1) by the scaled point; the last, by the parameter, may be given."""
         residual, jacobian, inside = balance(self.family.at(point[-1]), 0, self.basis, point[:-1])
-        higher, _, inside_too = balance(self.family.at(point[-1] + self.small), 0, self.basis, point[:-1], derive=False)
-        whole = np.column_stack([jacobian, (higher - residual) / self.small])
-        return residual, whole * self.sizes, inside and inside_too
+        if column is None:
+            by = self.small
+            higher, _, inside_too = balance(self.family.at(point[-1] + by), 0, self.basis, point[:-1], derive=False)
+            column, inside = (higher - residual) / by * self.sizes[-1], inside and inside_too
+        return residual, np.column_stack([jacobian * self.sizes[:-1], column]), inside
 
     def corrected(self, guess: Floats, tangent: Floats) -> Floats | None:
         """The point of the branch on the plane through a guess at right angles to the tangent."""
-        point = guess.copy()
-        for _ in range(8):
-            residual, jacobian, inside = self.balance(point)
+        found = self.corrected_with(guess, tangent)
+        return None if found is None else found[0]
+
+    # Newton's method; the derivative by the parameter, which costs an evaluation of its own, is that of the second point from
+    # there on: the steps left are small, and it changes little over them (as many steps in all as with a new one each time).
+    def corrected_with(self, guess: Floats, tangent: Floats) -> tuple[Floats, Floats] | None:
+        """`corrected`, and the derivatives of the balance there (m, m + 1)."""
+        point, column = guess.copy(), None
+        for n in range(8):
+            residual, jacobian, inside = self.balance(point, column)
             if not inside:
                 return None
             if np.abs(residual).max() < 1e-9:
-                return point
+                return point, jacobian
+            column = jacobian[:, -1] if n >= 1 else None
             try:
                 change = np.linalg.solve(np.vstack([jacobian, tangent]), np.append(residual, 0.0))
             except np.linalg.LinAlgError:
@@ -123,9 +133,8 @@ class Path:
         held[-1] = 1.0
         return self.corrected(np.append(guess[:-1], parameter), held)
 
-    def tangent(self, point: Floats, before: Floats) -> Floats:
-        """Unit tangent that goes on as the one before."""
-        _, jacobian, _ = self.balance(point)
+    def tangent(self, jacobian: Floats, before: Floats) -> Floats:
+        """Unit tangent that goes on as the one before, where the balance has these derivatives."""
         found = np.linalg.solve(np.vstack([jacobian, before]), np.append(np.zeros(jacobian.shape[0]), 1.0))
         return np.asarray(found / np.linalg.norm(found))
 
@@ -139,15 +148,15 @@ class Path:
         go_on: of a point and the one before: is it followed further? The last fails it, unless steps have become too short
         """
         points, step = [start], _FIRST
-        tangent = self.tangent(start, direction / np.linalg.norm(direction))
+        tangent = self.tangent(self.balance(start)[1], direction / np.linalg.norm(direction))
         while len(points) < most and step > _SHORTEST:
-            found = self.corrected(points[-1] + step * tangent * self.sizes, tangent)
-            turned = None if found is None else self.tangent(found, tangent)
+            found = self.corrected_with(points[-1] + step * tangent * self.sizes, tangent)
+            turned = None if found is None else self.tangent(found[1], tangent)
             if found is None or turned is None or turned @ tangent < 0.8:
                 step *= 0.5
                 continue
-            points.append(found)
-            if not go_on(found, points[-2]):
+            points.append(found[0])
+            if not go_on(points[-1], points[-2]):
                 break
             tangent, step = turned, min(_LONGEST, 1.4 * step)
         return points

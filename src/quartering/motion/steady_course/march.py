@@ -112,6 +112,10 @@ def _march(tables, numbers, i, up, across, damp_up, damp_across, h, limit, rise,
     return AFLOAT
 
 
+# The state is heave, pitch, their rates, v, roll, p, r, yaw, rudder. Newton's law for two groups that exchange forces through
+# the pressure alone: (heave, pitch) and (v, p, r), each with the inverse of its mass and added mass, ``up`` and ``across``, and
+# the damping of radiation and lift, ``damp_up`` and ``damp_across``; ``force`` is all else. The rudder takes its order at once,
+# or follows it: lag rudder' = order - rudder.
 @inner
 def motion_rates(numbers, i, up, across, damp_up, damp_across, y, force, rate):
     """Derivative of the state."""

@@ -75,6 +75,11 @@ def _sea_at(sea, time, rise, surface, force, water):
     return xi
 
 
+# As in `table_load`, the surface at a section is taken straight across: eta + eta_y b, which at the reference point is
+# eta + eta_y b0, and its decaying part -sum_b k_b (eta_b + eta_y,b b) e^{-k_b d}. The waves of one band decay alike, so a
+# section has its hydrostatic integrals once, columns 0 to 2 of ``read`` with band 0, and the weighted ones of every band times
+# that band's elevation and slope. The slopes of the pressure, by which it drives surge and sway, take the whole decaying part
+# at once: share = 1 - sum_b k_b eta_b.
 @batch_kernel
 def _load(tables, splines, k, surface, y, read, load):
     """Loads (6,) over density times gravity; False where a section leaves its table."""
@@ -107,6 +112,10 @@ def _load(tables, splines, k, surface, y, read, load):
     return True
 
 
+# The classical fourth-order method on the state of `motion_rates`. The sea at a time is alike for all stages there, so each
+# step sums it twice, in its middle and at its end; its beginning is the end of the step before. ``force`` is the pressure on
+# the wetted hull, weight and buoyancy in balance at rest (``scale``, rho g), diffraction, what heel adds, products of the
+# state, and drag by strips, -|q| q, q the velocity of a strip through the orbiting water.
 @kernel
 def march_in_a_sea(
     tables, splines, k, numbers, sea, up, across, damp_up, damp_across, h, run_up, rise, kick, limit, steps, out

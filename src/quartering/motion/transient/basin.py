@@ -12,7 +12,7 @@ from quartering._machine.compiled import kernel
 from quartering._machine.threads import in_threads
 from quartering.conventions import InputError
 from quartering.doors import takes
-from quartering.hull.told import count, number
+from quartering.hull.told import count, number, real
 from quartering.motion.equations.basis import waves_at
 from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH
@@ -82,7 +82,7 @@ def capsize_times(
     states = np.array(starts, dtype=float)
     if states.ndim != 2 or states.shape[1] != 4 or not np.isfinite(states).all():
         raise InputError(f"starts need four finite numbers each (v, phi, p, r); given shape {states.shape}")
-    periods, steps = count("periods", periods, 1, 32), count("steps", steps, 4, 80)
+    periods, steps = count("periods", periods, 1, 32), count("steps", steps, 4, 80, 100_000)
     if periods > MOST_PERIODS:
         raise InputError(f"periods = {periods}; give 1 to {MOST_PERIODS:,}: most capsizes come within 16 periods")
     angle = model.capsize_limit.radians if limit is None else number(None, "limit", limit)
@@ -159,10 +159,8 @@ def basin(
 
 def _axis(name: str, given: ArrayLike, unit: str) -> Floats:
     """Values of one axis of the starts."""
-    try:
-        values = np.atleast_1d(np.asarray(given, dtype=float))
-    except (TypeError, ValueError):
-        values = np.empty(0)
+    found = real(given)
+    values = np.empty(0) if found is None else np.atleast_1d(found)
     if values.ndim != 1 or not values.size or not (np.abs(values) <= _LARGEST_START).all():
         raise InputError(
             f"{name} = {quoted(given)}; it is one list of numbers [{unit}] from -{_LARGEST_START:g} to {_LARGEST_START:g}, "

@@ -198,7 +198,7 @@ def simulate(
 
             return simulate_on_course(model, wave, speed, heading, duration, state0, step)
         model = equations(model, wave, speed, heading)
-    elif wave is not None or six:
+    elif wave is not None or six or np.any(speed != 0.0) or np.any(heading != 180.0):
         raise InputError(
             "a Model has its wave, speed and heading, and three modes; give a ship in its place, such as "
             'simulate(ship, 300, wave=wave, speed=5, heading=180, modes="six")'
@@ -215,7 +215,7 @@ def simulate(
             f" {MOST_SAMPLES:,} are kept: give a duration of at most {MOST_SAMPLES * interval:.3g} s, or a longer step"
         )
     states = model.system.states
-    if isinstance(state0, str) or np.ndim(state0) != 1 or len(state0) not in {4, states}:
+    if not isinstance(state0, (list, tuple, np.ndarray)) or len(state0) not in {4, states}:
         more = f", or {states} with the autopilot's (psi rad, delta rad)" if states > 4 else ""
         raise InputError(f"state0 needs four numbers (v m/s, phi rad, p rad/s, r rad/s){more}; given {state0!r}")
     start = np.array([number(None, name, given) for name, given in zip(_STATES, state0, strict=False)])

@@ -42,7 +42,7 @@ class Line(NamedTuple):
     closed: bool
 
 
-@takes(ship_or_model="Ship, Model", wave="Wave, None")
+@takes(ship_or_model="Ship, Model", over="word", wave="Wave, None")
 def branch(
     ship_or_model: Ship | Model,
     over: str = "frequency",

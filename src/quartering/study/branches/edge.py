@@ -97,7 +97,8 @@ def edge(
     """
     speed, heading = condition(ship_or_model if isinstance(ship_or_model, Ship) else None, speed, heading)
     count("points", points, 2, 400)
-    if isinstance(over, str) or len(over) != 2 or len(limits) != 2:
+    two = isinstance(over, (list, tuple)) and len(over) == 2 and all(isinstance(one, str) for one in over)
+    if not two or not isinstance(limits, (list, tuple)) or len(limits) != 2:
         raise InputError(
             f"over = {quoted(over)}, limits = {quoted(limits)}; two of each are needed, such as ('wave_height', 'heading')"
         )

@@ -15,7 +15,8 @@ from quartering.doors import takes
 from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.propulsion import Propulsion
 from quartering.hull.ship import Ship
-from quartering.hull.told import number
+from quartering.hull.told import number, numbers
+from quartering.option_checks import quoted
 from quartering.study.criteria import dead_ship, excessive_acceleration, parametric_rolling, pure_loss, surf_riding
 from quartering.study.criteria.particulars import Particulars, particulars
 from quartering.study.criteria.record import FORM, Judgement
@@ -88,11 +89,13 @@ def limiting_kg(
     >>> 0.9 < float(found.kg_max) / ship("wigley").loading.kg, bool(found.monotone)
     (True, True)
     """
-    wanted = [ship.hull.draught] if draughts is None else [number(ship, "draught", one) for one in draughts]
+    wanted = [ship.hull.draught] if draughts is None else np.atleast_1d(numbers(ship, "draught", draughts)).tolist()
     service = None if speed is None else number(ship, "speed", speed)
     judges = _levels(propulsion)
-    if unknown := [one for one in levels or () if one not in judges]:
-        raise InputError(f"levels: {unknown[0]!r} is none; allowed: {', '.join(judges)}")
+    if levels is not None and (not isinstance(levels, (list, tuple)) or not levels):
+        raise InputError(f"levels = {quoted(levels)}; they are a list of names: {', '.join(judges)}")
+    if wrong := [one for one in levels or () if not isinstance(one, str) or one not in judges]:
+        raise InputError(f"levels: {quoted(wrong[0])} is none; allowed: {', '.join(judges)}")
     judges = judges if levels is None else {name: judges[name] for name in levels}
     shape = (len(wanted), len(judges))
     low, high, found, monotone = (

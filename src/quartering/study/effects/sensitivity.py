@@ -21,7 +21,7 @@ from quartering.motion.equations.model import Model
 from quartering.motion.equations.system import PER_CONDITION, Floats, System
 from quartering.motion.of_ship import ShipSystem, equations, ship_system
 from quartering.motion.steady.derivative import OFFSETS, change_of_motion, difference
-from quartering.motion.steady.harmonic import harmonic_balance, orders_for
+from quartering.motion.steady.harmonic import checked_harmonics, harmonic_balance, orders_for
 from quartering.names import unit
 from quartering.stability.assessment import assess
 from quartering.stability.derivative import change_of_stability
@@ -96,7 +96,7 @@ def sensitivity(ship: Ship, wave: Wave, speed: float | str, heading: float | str
     True
     """
     speed, heading = condition(ship, speed, heading)
-    if harmonics < 3:
+    if checked_harmonics(harmonics) < 3:
         raise InputError(f"harmonics={harmonics}: sensitivities are of harmonic balance; give 3, 5, 7, ...")
     model = equations(ship, wave, speed, heading)
     orders = orders_for(model.system, harmonics)

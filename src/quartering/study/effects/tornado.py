@@ -40,7 +40,7 @@ REACH: Final = 5.0
 _STEPS = 6
 
 
-@takes(ship="Ship", wave="Wave")
+@takes(ship="Ship", wave="Wave", parameters="words, None")
 def tornado(
     ship: Ship,
     wave: Wave,

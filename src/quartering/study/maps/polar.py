@@ -29,7 +29,7 @@ MOST_CONDITIONS = 1_000_000
 """Conditions a map that is extended may have: about 1 GB of results."""
 
 
-@takes(ship="Ship")
+@takes(ship="Ship", form="word")
 def polar(
     ship: Ship,
     wave: Wave | Sequence[Wave],

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Final
 
 from quartering.conventions import InputError
+from quartering.doors import takes
 from quartering.hull.file.read import ship
 from quartering.hull.ship import Ship
 
@@ -30,6 +31,7 @@ I3, which the paper says it varies; the letters Y and K are as scanned. K_ppp is
 PAPER_SHIP: Final = "series60-cb60"
 
 
+@takes(name="word")
 @cache
 def paper_ship(name: str = PAPER_SHIP) -> Ship:
     """A built-in ship with the paper's equations: velocities over ground, no ends, righting moment in powers of phi.

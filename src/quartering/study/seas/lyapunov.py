@@ -31,7 +31,7 @@ FEWEST: Final = 20
 """Blocks without a failure that an exponent and its error are told of at least."""
 
 
-@takes(ship="Ship, Model")
+@takes(ship="Ship, Model", form="word")
 def lyapunov(
     ship: Ship | Model,
     sea: Sea,

@@ -75,7 +75,7 @@ class Answer(NamedTuple):
     cells: int
 
 
-@takes(ship="Ship, Model")
+@takes(ship="Ship, Model", form="word")
 def sea_response(
     ship: Ship | Model,
     sea: Sea | Sequence[Sea],
@@ -197,6 +197,11 @@ def _turned(seas: list[Sea], heading: Floats | None, several: bool) -> tuple[lis
 
 def place_of(ship: Ship | Model, place: Any) -> tuple[float, float]:
     """Point of the lateral acceleration from G: forward, down [m]."""
+    if place is not None and (not isinstance(place, (list, tuple, np.ndarray)) or len(place) != 2):
+        raise InputError(
+            f"place = {quoted(place)}; it is x forward of midship and the height over the keel, such as (10, 20), or of a model"
+            " (forward, up) from G"
+        )
     if isinstance(ship, Model):
         x, up = (0.0, 0.0) if place is None else (number(None, "reference_x", one) for one in place)
         return float(x), -float(up)

@@ -33,7 +33,7 @@ _VARIABLES: Final = {
 }
 
 
-@takes(ship="Ship", wave="Wave", propulsion="Propulsion, None")
+@takes(ship="Ship", wave="Wave", over="word", propulsion="Propulsion, None")
 def broaching_branch(
     ship: Ship,
     wave: Wave,

@@ -55,7 +55,7 @@ _WATER: Final = ("within_the_lines", "on_straight_sides", "over_the_deck")
 _MOST_POSITIONS: Final = 1000
 
 
-@takes(ship="Ship", wave="Wave")
+@takes(ship="Ship", wave="Wave", balance="word")
 def gm_in_waves(
     ship: Ship,
     wave: Wave,
@@ -112,7 +112,7 @@ def gm_in_waves(
     (1.05, 10)
     """
     U, mu = condition(ship, speed, heading)
-    share = np.arange(count("positions", positions, 1, 10)) / positions
+    share = np.arange(count("positions", positions, 1, 10, 1000)) / positions
     if positions > _MOST_POSITIONS:
         raise InputError(f"positions = {positions}; at most {_MOST_POSITIONS}; try 10")
     floats, smith = floating_hull(ship), _pressure(pressure) == "smith"
@@ -135,7 +135,7 @@ def gm_in_waves(
     return made
 
 
-@takes(ship="Ship", wave="Wave, None")
+@takes(ship="Ship", wave="Wave, None", balance="word")
 def righting_arm(
     ship: Ship,
     heel: ArrayLike,

@@ -155,7 +155,7 @@ def _lever(ship: Ship, place: Place | None) -> tuple[tuple[float, float, float],
     """Place from G, axes x forward, y to starboard, z down, and in words."""
     if place is None:
         return (0.0, 0.0, 0.0), "G"
-    if isinstance(place, str) or len(place) != 3:
+    if not isinstance(place, (list, tuple, np.ndarray)) or len(place) != 3:
         raise InputError(
             f"place = {place!r}; it is x forward of midship, y to starboard and the height over the baseline, such as "
             '(0.4 * ship.hull.length, 0.0, 20.0) or ("0.4 L", "0 m", "20 m")'

@@ -33,10 +33,13 @@ def new(
     draught: Annotated[str | None, typer.Option(help="Draught of the lines, with --offsets [m].")] = None,
     length: Annotated[str | None, typer.Option(help="Between perpendiculars, with --offsets [m].")] = None,
     beam: Annotated[str | None, typer.Option(help="Moulded, with --offsets [m].")] = None,
+    unit: Annotated[
+        str | None, typer.Option(help="Of the numbers in the file, with --offsets: mm; else what it says, or m.")
+    ] = None,
 ) -> Answer:
     """Write a commented ship file that starts from a built-in ship or from your own lines, or the case file of a study."""
     if offsets is not None:
-        return _from_offsets(offsets, file or ship, {"draught": draught, "length": length, "beam": beam})
+        return _from_offsets(offsets, file or ship, {"draught": draught, "length": length, "beam": beam, "unit": unit})
     if ship is not None:
         from quartering.hull.file.new import refuse_lines
 

@@ -10,6 +10,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from quartering.conventions import InputError
+from quartering.hull.told import real
 from quartering.study.criteria.sea_states import scatter
 
 Floats = NDArray[np.float64]
@@ -63,7 +64,7 @@ def weights_of(name: str, given: ArrayLike | None, values: Floats, *, round_the_
             edges = np.concatenate([[values.min()], 0.5 * np.diff(values[order]) + values[order][:-1], [values.max()]])
             weight[order] = np.diff(edges)
         return np.asarray(weight / weight.sum())
-    weight = np.asarray(given, dtype=float)
-    if weight.shape != values.shape or not (weight >= 0).all() or not weight.sum() > 0:
+    told = real(given)
+    if told is None or told.shape != values.shape or not (told >= 0).all() or not told.sum() > 0:
         raise InputError(f"{name} = {given!r}; give {values.size} numbers, none below 0")
-    return np.asarray(weight / weight.sum())
+    return np.asarray(told / told.sum())

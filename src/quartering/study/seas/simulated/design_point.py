@@ -94,7 +94,7 @@ class _Basis:
         return np.asarray(np.einsum("n,njmk->jmk", u, self.directions))
 
 
-@takes(ship="Ship, Model")
+@takes(ship="Ship, Model", form="word")
 def design_point(
     ship: Ship | Model,
     sea: Sea,
@@ -151,7 +151,7 @@ def design_point(
             f"roll = {math.degrees(level):.3g} deg; it is below {limit.words}: beyond it a ship does not come back, and one"
             " design point does not tell how it got there; take failure_rate_at of higher seas"
         )
-    many = count("windows", windows, RECORDS, 4096)
+    many = count("windows", windows, RECORDS, 4096, 10_000_000)
     ready = planned(asked)
     own = _windows(ready, asked.sea, limit.radians)
     basis, u, linear = _start(own, ready, asked.sea, level)

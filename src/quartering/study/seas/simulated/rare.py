@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from quartering._machine.piecewise import zero
 from quartering.conventions import InputError
-from quartering.hull.told import number, numbers
+from quartering.hull.told import count, number, numbers
 from quartering.option_checks import quoted
 
 Floats = NDArray[np.float64]
@@ -67,7 +67,7 @@ def largest_roll(found: xr.Dataset, hours: float, tail: Tail = "gev", confidence
     Maximum likelihood; the interval is where twice the loss of likelihood is below chi2.  Source: [Coles01].
     Valid: failures are rare, and the righting arm still rises.
     """
-    wanted = number(None, "simulated_hours", hours)
+    wanted, confidence = number(None, "simulated_hours", hours), number(None, "confidence", confidence)
     if tail not in get_args(Tail):
         raise InputError(f"tail = {quoted(tail)}; allowed: gev, gpd; try 'gev'")
     if not isinstance(found, xr.Dataset) or "roll_largest" not in found:
@@ -208,7 +208,8 @@ def failure_rate_at(
     for as much, recalled, unverified.  Valid: the same ship, speed, heading, period and spectrum at all heights.
     """
     h, wanted = np.atleast_1d(numbers(None, "hs", heights)), number(None, "hs", hs)
-    k, hours = np.asarray(failures, dtype=float), np.asarray(exposure, dtype=float)
+    k, hours = np.atleast_1d(numbers(None, "failures", failures)), np.atleast_1d(numbers(None, "exposure", exposure))
+    confidence, seed = number(None, "confidence", confidence), count("seed", seed, 0, 0)
     if not h.shape == k.shape == hours.shape or h.size < FEWEST_HEIGHTS or np.unique(h).size < FEWEST_HEIGHTS:
         raise InputError(
             f"heights {h.shape}, failures {k.shape}, exposure {hours.shape}: give the same number of each, of"

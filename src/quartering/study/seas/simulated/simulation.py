@@ -198,7 +198,7 @@ def _in_a_sea(
         asked,
         limits=(asked.limits[0], felt_limit_of(ship, place, acceleration_limit)),
         step=None if step is None else number(None, "step", step),
-        strips=None if strips is None else count("strips", strips, 1, 6),
+        strips=None if strips is None else count("strips", strips, 1, 6, 1000),
     )
     duration = number(None, "simulated_hours", hours)
     wanted = None if until is None else number(None, "until", until)
