@@ -10,25 +10,13 @@ for itself, and the whole kernel around it, the one that Python calls, is optimi
 from __future__ import annotations
 
 import gc
-from typing import Any, Final
+from typing import Any
 
 from llvmlite import binding
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import Compiler
 from numba.core.runtime.nrt import rtsys
 from numba.core.targetconfig import ConfigStack
-
-LEVEL: Final = 1
-"""Of optimisation: the kernels run as fast at the first as at the third, and compile in four fifths of the time. It is the
-same however they are called, so that what one program keeps is what another would have made."""
-
-
-def _simplify(codegen: Any, module: Any) -> None:
-    """Simplify the functions of a module one by one, as the compiler has written them."""
-    module.data_layout = codegen._data_layout
-    for function in module.functions:
-        passes, builder = codegen._function_pass_manager(opt=LEVEL)
-        passes.run(function, builder)
 
 
 class _WithoutEnvironments:
@@ -50,9 +38,6 @@ class Part(JITCodeLibrary):
     @property
     def codegen(self) -> Any:
         return _WithoutEnvironments(self._codegen)
-
-    def _optimize_functions(self, module: Any) -> None:
-        _simplify(self._codegen, module)
 
     def finalize(self) -> None:
         """Put in what it calls, and let it be put into many: the copies are one function."""
@@ -86,22 +71,6 @@ class Part(JITCodeLibrary):
         return made
 
 
-class Whole(JITCodeLibrary):
-    """A function that Python calls, with all its parts."""
-
-    def _optimize_functions(self, module: Any) -> None:
-        _simplify(self._codegen, module)
-
-    def _optimize_final_module(self) -> None:
-        """Twice, as numba does: what counts references is taken away between."""
-        own = self._codegen
-        cheap = own._module_pass_manager(
-            loop_vectorize=own._loopvect, slp_vectorize=False, opt=own._opt_level, cost="cheap"
-        )
-        for passes, builder in (cheap, own._module_pass_manager(opt=LEVEL)):
-            passes.run(self._final_module, builder)
-
-
 def _of_the_compiler(codegen: Any, name: str) -> Any:
     """Library of a function of numba itself that a kernel calls, such as that which makes an array."""
     flags = ConfigStack.top_or_none()
@@ -113,7 +82,7 @@ class InParts(Compiler):
 
     def define_pipelines(self) -> Any:
         """Its passes, with the library that they fill."""
-        made = Part if self.state.flags.no_cpython_wrapper else Whole
+        made = Part if self.state.flags.no_cpython_wrapper else JITCodeLibrary
         self.state.library = made(self.state.targetctx.codegen(), self.state.func_id.func_qualname)
         self.state.library.enable_object_caching()
         return super().define_pipelines()
