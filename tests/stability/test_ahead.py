@@ -8,7 +8,7 @@ import pytest
 
 import quartering as qt
 import quartering._machine.compiled
-from quartering.stability.precompile import NOTICE, compiled
+from quartering.stability.precompile import NOTICE, compile_ahead, compiled
 
 
 def test_compilation_is_announced_once_and_only_when_the_cache_is_cold(tmp_path):
@@ -24,6 +24,7 @@ def test_compilation_is_announced_once_and_only_when_the_cache_is_cold(tmp_path)
     assert cold.stdout.strip() == "False"
     assert cold.stderr.strip() == NOTICE
     qt.polar(qt.ship("wigley"), qt.Wave(100.0, 1.0), [5.0], [60.0])
+    compile_ahead()
     assert compiled()
 
 

@@ -14,6 +14,7 @@ from quartering.hull.righting.arm import righting_arm as calm_arm
 from quartering.hull.righting.heeled import cross_curve
 from quartering.hull.ship import Loading, Ship
 from quartering.loads.wetted_hull.floating import floating_hull
+from quartering.loads.wetted_hull.pressure import Waves, immersion
 from tests.reference import HERE
 
 
@@ -187,3 +188,24 @@ def test_tables_of_sections_give_the_gm_of_the_pressure(pressure):
     assert table.heave.to_numpy() == pytest.approx(direct.heave.to_numpy(), abs=1e-3)
     flat = qt.gm_in_waves(ship, qt.Wave(length=ship.hull.length, height=0.0), integration="table")
     assert flat.gm.to_numpy() == pytest.approx(ship.loading.gm, abs=1e-9)
+
+
+def test_what_is_done_to_one_answer_changes_no_other():
+    """Names and units of all answers with as many positions are kept once: each answer has its own copy."""
+    box, wave = qt.ship("box"), qt.Wave(100.0, 2.0)
+    first = qt.gm_in_waves(box, wave)
+    before = first.copy(deep=True)
+    first.gm.attrs["units"], first.position.attrs["units"], first.attrs["ship"] = "ft", "cables", "another"
+    first["gm"][:] = 0.0
+    again = qt.gm_in_waves(box, wave)
+    assert again.identical(before)
+    assert again.attrs == before.attrs
+
+
+def test_both_sides_count_where_the_wave_runs_across():
+    """A deck at B/2 = 10 m to either side in a beam wave with its crest to one side: depth of the deeper edge, closed form."""
+    box = floating_hull(qt.ship("box")).hull
+    flat, amplitude, across = np.zeros(1), 2.0, 0.05
+    waves = Waves(np.full(1, amplitude), flat, np.full(1, across), np.full(1, -across * 10.0))
+    top = float(immersion(box, flat, flat, flat, Waves(*np.zeros((4, 1))))[0])
+    assert float(immersion(box, flat, flat, flat, waves)[0]) == pytest.approx(top + amplitude, abs=1e-12)

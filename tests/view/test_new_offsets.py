@@ -54,6 +54,24 @@ def test_new_without_a_ship_says_what_to_give(tmp_path, monkeypatch):
     assert "--offsets" in run().stderr
 
 
+@pytest.mark.parametrize("words", [("mine.csv",), ("mine.csv", "mine.yaml"), ("--case", "mine.csv", "case.yaml")])
+def test_lines_in_the_place_of_a_built_in_ship_are_refused_with_the_command_that_takes_them(
+    tmp_path, monkeypatch, words
+):
+    monkeypatch.chdir(tmp_path)
+    Path("mine.csv").write_text(FILES[0])
+    refused = run(*words)
+    assert (refused.exit_code, [path.name for path in tmp_path.iterdir()]) == (2, ["mine.csv"])
+    hinted = re.search(r"`quartering new (.*?)`", " ".join(refused.stderr.split())).group(1).split()
+    assert hinted == ["--offsets", "mine.csv"]
+    assert run(*hinted, "--draught", "3").exit_code == 0
+
+
+def test_a_name_that_is_neither_ship_nor_file_is_told_the_built_in_ships(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert "wigley" in run("mine.csv", "mine.yaml").stderr
+
+
 def test_lines_in_millimetres_keep_their_unit(tmp_path, monkeypatch):
     """Authority: closed form of the prism, 80 12 3 m3."""
     monkeypatch.chdir(tmp_path)

@@ -11,6 +11,8 @@ SLOW_TO_LOAD = {
     "matplotlib", "jinja2", "nicegui",
 }  # fmt: skip
 COMPILER = {"numba", "llvmlite"}
+VALIDATORS = {"pydantic", "typer._adapters"}
+"""Built by typer for every option, given or not, unless it is a text as typed."""
 TABLES_OF_THE_COMPILER = "numba.np.arraymath"
 """Loaded by numba as it prepares to compile, and with it `scipy.linalg`."""
 
@@ -40,6 +42,7 @@ def test_a_verdict_loads_kept_kernels_and_nothing_that_takes_long():
     assert not modules & SLOW_TO_LOAD
     assert modules >= COMPILER
     assert TABLES_OF_THE_COMPILER not in modules
+    assert "typer._adapters" not in modules
 
 
 @pytest.mark.usefixtures("compiled")
@@ -50,7 +53,7 @@ def test_what_has_no_wave_loads_no_kernel(command):
 
 @pytest.mark.parametrize("words", [("ships",), ("--help",)])
 def test_a_list_loads_no_arrays(words):
-    assert not loaded(*words) & (SLOW_TO_LOAD | COMPILER | {"numpy", "yaml"})
+    assert not loaded(*words) & (SLOW_TO_LOAD | COMPILER | VALIDATORS | {"numpy", "yaml"})
 
 
 @pytest.mark.usefixtures("compiled")

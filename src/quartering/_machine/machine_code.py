@@ -14,9 +14,12 @@ from functools import cached_property
 from typing import Any
 
 from llvmlite import binding
-from numba.core.caching import FunctionCache, NullCache
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, NullCache
 from numba.core.codegen import JITCodeLibrary
 from numba.core.runtime.nrt import rtsys
+
+from quartering._machine.one_compiler import begin, end
+from quartering._machine.parts import Part
 
 
 class _Library(JITCodeLibrary):
@@ -29,8 +32,8 @@ class _Library(JITCodeLibrary):
     @classmethod
     def _unserialize(cls, codegen: Any, state: tuple[str, str, Any]) -> Any:
         name, kind, data = state
-        if kind != "object":
-            return super()._unserialize(codegen, state)
+        if kind == "bitcode":
+            return Part.kept(codegen, name, data)
         made = cls(codegen, name)
         made._object, made._bitcode = data
         made.enable_object_caching()
@@ -56,6 +59,21 @@ class _Library(JITCodeLibrary):
         return int(super().get_pointer_to_function(name))
 
 
+class _Results(CompileResultCacheImpl):
+    """What is kept of a compiled kernel."""
+
+    def reduce(self, result: Any) -> Any:
+        """As numba does, but for environments that hold nothing: to make one again loads the module of its function."""
+        *rest, environments = super().reduce(result)
+        return (*rest, tuple(one for one in environments if one.consts))
+
+
+class _Kept(FunctionCache):
+    """Disk cache of one kernel."""
+
+    _impl_class = _Results
+
+
 class MachineCode:
     """The disk cache of one kernel, found when the kernel is first called.
 
@@ -65,11 +83,12 @@ class MachineCode:
 
     def __init__(self, function: Callable[..., Any]) -> None:
         self._function = function
+        self._name = f"{function.__module__}.{function.__qualname__}"
 
     @cached_property
     def _kept(self) -> Any:
         try:
-            return FunctionCache(self._function)
+            return _Kept(self._function)
         except RuntimeError as error:
             if "cannot cache" not in str(error):
                 raise
@@ -80,9 +99,28 @@ class MachineCode:
         if isinstance(self._kept, NullCache):
             return None
         rtsys.initialize(target_context)  # the functions that count references, of which kernels take addresses
-        target_context.codegen()._library_class = _Library
-        with self._kept._guard_against_spurious_io_errors():
-            return self._kept._load_overload(signature, target_context)
+        found = self._loaded(signature, target_context)
+        if found is None:
+            begin(self._kept.cache_path, self._name)
+            found = self._loaded(signature, target_context)  # another process may have compiled it meanwhile
+            if found is not None:
+                end(self._kept.cache_path, self._name)
+        return found
+
+    def save_overload(self, signature: Any, compiled: Any) -> None:
+        """Keep a compiled result; who waits for it may have it."""
+        self._kept.save_overload(signature, compiled)
+        if not isinstance(self._kept, NullCache):
+            end(self._kept.cache_path, self._name)
+
+    def _loaded(self, signature: Any, target_context: Any) -> Any:
+        codegen = target_context.codegen()
+        before, codegen._library_class = codegen._library_class, _Library
+        try:
+            with self._kept._guard_against_spurious_io_errors():
+                return self._kept._load_overload(signature, target_context)
+        finally:
+            codegen._library_class = before
 
     def __getattr__(self, name: str) -> Any:
         """All else a cache can do, as numba does it."""

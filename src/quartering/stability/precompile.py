@@ -82,12 +82,13 @@ def _cached(module: ModuleType) -> bool:
 
 
 def compile_ahead() -> None:
-    """Solve and judge one small case by the kernels for hard conditions, multipliers and indices, and the way to a motion."""
+    """Solve and judge one small case by the kernels for hard conditions, of a map, of a verdict, and the way to a motion."""
     terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_ppp": -0.1, "K_phiphiphi": -0.2, "N_r": -0.6}
     system = Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0.02, 0)).system
     u, _, _ = solve_with_care(system, (1, 3), from_rest=True)
     assess(system, u, (1, 3), detail="map")
     capsizes_before(system, np.ones(1))
+    assess(system, u, (1, 3), 1e-10)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ with quiet_start():
 
     from quartering.view import command
     from quartering.view.console.errors import BAD_INPUT, INTERRUPTED
-    from quartering.view.console.parser import Command
+    from quartering.view.console.parser import Command, Group
     from quartering.view.console.run import as_command
 
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
@@ -62,7 +62,7 @@ def application(named: str | None = None) -> typer.Typer:
     """
     made = typer.Typer(
         name="quartering", help=_HELP, no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False,
-        rich_markup_mode=None,
+        rich_markup_mode=None, cls=Group,
     )  # fmt: skip
     made.callback()(main_options)
     names = _names()

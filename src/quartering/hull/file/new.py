@@ -35,6 +35,7 @@ def write_ship(name: str, path: str | Path) -> Path:
     """
     names = [entry.name for entry in available_ships()]
     if name not in names:
+        refuse_lines(name)
         ship(name) if not Path(name).is_file() else None  # says which names there are
         raise InputError(f'"{name}" is a file; a new ship file starts from a built-in ship: {", ".join(names)}')
     target = Path(path)
@@ -45,6 +46,16 @@ def write_ship(name: str, path: str | Path) -> Path:
     except OSError as error:
         raise InputError(f"{target} cannot be written: {error.strerror}; give a file in a folder that exists") from None
     return target
+
+
+def refuse_lines(name: str) -> None:
+    """Refuse a file that is no ship file in the place of a built-in ship, and say how lines of one's own are given."""
+    given = Path(name)
+    if given.is_file() and given.suffix.lower() not in (".yaml", ".yml"):
+        raise InputError(
+            f'"{name}" is a file, no built-in ship; to start from lines of your own (CSV, PDSTRIP, GDF, STL), try '
+            f"`quartering new --offsets {name}`"
+        )
 
 
 def _text(base: str, ship: Ship) -> str:

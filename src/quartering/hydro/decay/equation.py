@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering._machine.compiled import kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.hull.lines.section import Floats
 
 
-@kernel
+@inner
 def _acceleration(x: float, v: float, c1: float, c2: float, c3: float, k1: float, k3: float) -> float:
     return -(c1 + c2 * abs(v) + c3 * v * v) * v - (k1 + k3 * x * x) * x
 

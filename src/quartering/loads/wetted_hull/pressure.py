@@ -151,7 +151,8 @@ def immersion(
     column = [np.asarray(part)[:, None] for part in (roll, heave, pitch, *waves)]
     phi, h, theta, a, along, across, phase = column
     deepest = np.full(len(roll), -np.inf)
-    for side in (1.0, -1.0):
+    sides = (1.0, -1.0) if phi.any() or across.any() else (1.0,)  # upright in a wave along the ship both lie as deep
+    for side in sides:
         b, q = side * breadth * np.cos(phi) - z * np.sin(phi), side * breadth * np.sin(phi) + z * np.cos(phi)
         eta = a * np.cos(along * hull.x + across * b - phase)
         depth = h - hull.z0 - hull.x * np.sin(theta) + q * np.cos(theta) + eta

@@ -13,7 +13,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import batch_kernel, inner
+from quartering._machine.compiled import batch_kernel, maker
 from quartering._machine.simd import LANES, every, load, size, store, where_less
 from quartering.motion.equations.drag import (
     drag,
@@ -98,7 +98,7 @@ class Lanes(NamedTuple):
     alike: NDArray[np.bool_]
 
 
-@inner
+@maker
 def row_of_lanes(parts, width):
     """An empty row of lanes for the numbers of a system."""
     rows, states = parts.linear.shape[1], parts.linear.shape[2]
@@ -202,7 +202,7 @@ def at_instants(i, share, parts, waves, begin, lanes):
             lanes.strips[z, 3, l], lanes.strips[z, 4, l] = share * value, 0.0
 
 
-@inner
+@maker
 def room_for(program, lanes):
     """What one evaluation needs: columns, forces, their derivatives, and the sums over strips."""
     width = lanes.frequency.size

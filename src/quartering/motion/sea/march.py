@@ -15,7 +15,7 @@ from typing import Final
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, inner, kernel
+from quartering._machine.compiled import batch_kernel, inner, kernel, maker
 from quartering.conventions import GRAVITY
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.transient.rk4 import room_to_march, step_sum
@@ -55,7 +55,7 @@ def march(equations, forcing, steps, first, h, speed, x, z, roll_limit, felt_lim
             time[begin + l], cause[begin + l] = own_time[l], own_cause[l]
 
 
-@inner
+@maker
 def _march_vector(equations, forcing, begin, steps, first, h, at, limits, sums, largest, time, cause):
     """`march` of a vector of records from ``begin`` on."""
     (speed, x, z), (roll_limit, felt_limit) = at, limits

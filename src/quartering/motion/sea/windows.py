@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, inner, kernel
+from quartering._machine.compiled import batch_kernel, kernel, maker
 from quartering.motion.equations.rates import WIDTH, enter_inputs, fill, forces, room_for, row_of_lanes, slopes
 from quartering.motion.sea.march import check_room, take
 from quartering.motion.transient.rk4 import hold, room_to_march, step_sum
@@ -34,7 +34,7 @@ def roll_of_windows(equations, forcing, steps, h, limit, rolls):
         _roll_of_vector(equations, forcing, begin, steps, h, limit, rolls[:, begin : begin + WIDTH])
 
 
-@inner
+@maker
 def _roll_of_vector(equations, forcing, begin, steps, h, limit, rolls):
     """`roll_of_windows` of a vector of records from ``begin`` on."""
     kinds = forcing.shape[1]
@@ -76,7 +76,7 @@ def growth_of_disturbances(equations, forcing, steps, first, h, limit, start, gr
         _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, growth[begin:end], time[begin:end])
 
 
-@inner
+@maker
 def _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, growth, time):
     """`growth_of_disturbances` of a vector of records from ``begin`` on."""
     kinds = forcing.shape[1]
@@ -150,7 +150,7 @@ def _linearise(program, lanes, given, time, waves, y, work, rate, matrix):
                 matrix[s, t, l] = (1.0 if t == follows else 0.0) if follows >= 0 else jacobian[row, t, l]
 
 
-@inner
+@maker
 def _carry(at, h, d):
     """One step of d' = J d with J at its begin, middle and end."""
     states, width = d.shape

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering._machine.compiled import inner, kernel
+from quartering._machine.compiled import inner, kernel, maker
 from quartering.motion.equations.rates import (
     WIDTH,
     at_instants,
@@ -29,7 +29,7 @@ from quartering.motion.equations.system import FEWEST, Floats, System, kernel_ar
 from quartering.motion.steady.dense import lu_factor, lu_solve
 
 
-@inner
+@maker
 def room_for_one(program, parts, tables):
     """Lanes for the instants of a cycle, what their evaluation needs, columns of a derivative, and a wave held still."""
     nb = tables[0].shape[0]
@@ -66,7 +66,7 @@ def _orbit_states(program, tables, w, u, held, begin, columns):
                     columns[displacement, l] += own * values[b, begin + l]
 
 
-@kernel
+@inner
 def balance(one, tables, u, residual, matrix, room):
     """Residual of the balance equations at ``u`` and, if asked for, its exact derivative.
 

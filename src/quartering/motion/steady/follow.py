@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from quartering._machine.compiled import inner
+from quartering._machine.compiled import inner, maker
 from quartering.motion.steady.balance import balance
 from quartering.motion.steady.dense import lu_factor, lu_solve
 
@@ -43,7 +43,7 @@ def _by_share(one, tables, u, share, force, residual, no_matrix, room, out):
             out[row] += side * residual[row] / (2.0 * _STEP)
 
 
-@inner
+@maker
 def _correct(one, tables, u, share, scale, tangent, force, bordered, pivots, step, work):
     """Newton's method across the tangent from a predicted point (u, share); returns iterations, or -1, and the share.
 
@@ -121,7 +121,7 @@ def _turn(bordered, pivots, tangent, new):
     return turn / norm
 
 
-@inner
+@maker
 def follow(one, tables, linear_motion, u, work):
     """Follow the motion from rest while the excitation grows from 0 to 1; leaves ``u`` near the first motion at 1.
 

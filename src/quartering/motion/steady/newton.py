@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, inner, kernel
+from quartering._machine.compiled import batch_kernel, kernel, maker
 from quartering._machine.simd import every, load, store
 from quartering.motion.equations.program import PLAIN
 from quartering.motion.equations.rates import (
@@ -202,7 +202,7 @@ def project(jacobian, products, projected):
                 store(projected, (k, s, p + 3), d)
 
 
-@inner
+@maker
 def room_for_balance(program, lanes, tables):
     """What residuals and their derivatives need: room for one sample, forces at all; and for a derivative its samples, the
     products (pair, n) of two harmonics at them, and the projections on them.

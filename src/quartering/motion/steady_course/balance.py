@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import inner, kernel, summing
+from quartering._machine.compiled import inner, kernel, maker, summing
 from quartering.motion.steady_course.course import Course
 from quartering.motion.steady_course.pressure_and_drag import instant, rooms
 
@@ -294,7 +294,7 @@ def _project(onto, slope, by, values, first, at, weighted, jacobian):
             jacobian[first + a, at + b] -= total
 
 
-@inner
+@maker
 def _sampled(tables, numbers, i, basis, x, places, force, slope):
     """Forces and slopes at all samples of a motion."""
     up, across = basis.up.shape[1], basis.across.shape[1]

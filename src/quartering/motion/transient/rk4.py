@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import batch_kernel, inner
+from quartering._machine.compiled import batch_kernel, maker
 from quartering._machine.simd import every, load, store
 from quartering.motion.equations.program import Program
 from quartering.motion.equations.rates import (
@@ -64,7 +64,7 @@ def alike(system: System) -> Alike:
     return Alike(np.ascontiguousarray(whole[held]), columns, program, parts)
 
 
-@inner
+@maker
 def room_to_march(equations):
     """What `step_sum` works in: lanes, columns and rates, the sum of four rates, and the first of them."""
     lanes = row_of_lanes(equations.parts, WIDTH)

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import batch_kernel, inner, kernel, summing
+from quartering._machine.compiled import batch_kernel, kernel, maker, summing
 from quartering._machine.simd import every, load, store
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
@@ -78,7 +78,7 @@ def _at_nodes(values, begin, count, weights, node, matrix):
         store(matrix, (2, i, j), high)
 
 
-@inner
+@maker
 def room_for_steps():
     """What `march` works in: matrices at the nodes, the exponent and its parts, norms."""
     return (np.zeros((3, 4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)), np.empty((4, 4, ROW)),

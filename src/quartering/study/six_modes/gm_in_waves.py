@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Final, Literal, get_args
 
 import numpy as np
@@ -110,8 +111,6 @@ def gm_in_waves(
     >>> round(float(ds.gm[0]), 4), ds.sizes["position"]
     (1.05, 10)
     """
-    import xarray as xr
-
     U, mu = condition(ship, speed, heading)
     share = np.arange(count("positions", positions, 1, 10, 1000)) / positions
     if positions > _MOST_POSITIONS:
@@ -130,12 +129,10 @@ def gm_in_waves(
     found = balanced(floats, np.zeros(share.size), waves, _SOLVED[balance], start, smith, tables)
     water, over = _water(ship, floats, np.zeros(share.size), found, waves)
     _warn(ship, found, over, f"crest at position {share[int(np.argmax(over))]:.3g} of the wave")
-    fields = {"gm": found.slope, "heave": found.heave, "trim": np.degrees(found.pitch)}
-    return xr.Dataset(
-        {name: ("position", values, attributes(name)) for name, values in fields.items()} | {"water": _flags(water)},
-        coords={"position": ("position", share, attributes("position"))},
-        attrs=_heading(ship, wave, mu, U, balance, pressure),
-    )
+    fields = {"gm": found.slope, "heave": found.heave, "trim": np.degrees(found.pitch), "water": water}
+    made = _form(share.size).copy(data=fields)
+    made.attrs = _heading(ship, wave, mu, U, balance, pressure)
+    return made
 
 
 @takes(ship="Ship", wave="Wave, None", balance="word")
@@ -278,9 +275,20 @@ def _warn(ship: Ship, found: Balance, over: Floats, where: str) -> None:
         )
 
 
-def _flags(water: NDArray[np.int8]) -> tuple[str, NDArray[np.int8], dict[str, Any]]:
-    said = {"flag_values": np.arange(3, dtype=np.int8), "flag_meanings": " ".join(_WATER)}
-    return "position", water, {"units": "1", "long_name": "where the water stands on the sides", **said}
+@lru_cache(maxsize=16)
+def _form(positions: int) -> xr.Dataset:
+    """Dataset of a number of positions with their names and units, to be copied with values: to build it anew takes longer."""
+    import xarray as xr
+
+    share = np.arange(positions) / positions
+    nothing = np.zeros(positions)
+    flags = {"flag_values": np.arange(3, dtype=np.int8), "flag_meanings": " ".join(_WATER)}
+    water = {"units": "1", "long_name": "where the water stands on the sides", **flags}
+    return xr.Dataset(
+        {name: ("position", nothing, attributes(name)) for name in ("gm", "heave", "trim")}
+        | {"water": ("position", nothing.astype(np.int8), water)},
+        coords={"position": ("position", share, attributes("position"))},
+    )
 
 
 def _balance(balance: str) -> str:

@@ -40,6 +40,10 @@ def new(
     """Write a commented ship file that starts from a built-in ship or from your own lines, or the case file of a study."""
     if offsets is not None:
         return _from_offsets(offsets, file or ship, {"draught": draught, "length": length, "beam": beam, "unit": unit})
+    if ship is not None:
+        from quartering.hull.file.new import refuse_lines
+
+        refuse_lines(ship)
     if ship is None or file is None:
         raise InputError(
             "new: give a built-in ship and the file to write, `new wigley my.yaml`, or `new --offsets my.csv`"

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from quartering._machine.compiled import kernel
+from quartering._machine.compiled import inner, kernel
 from quartering.hull.lines.section import Floats
 from quartering.hydro.section.exponential_integral import scaled_exponential_integral
 from quartering.hydro.section.wavemaker import Complexes
 
 
-@kernel
+@inner
 def _far_field(nu: float, sign: float, Z: Complexes, of_h: Complexes, of_conjugate: Complexes) -> None:
     """Factors of h and conj h at the nodes in the integral of e^{-i nu s} H from the last node to infinity."""
     last = Z.size - 1
@@ -36,7 +36,7 @@ def _far_field(nu: float, sign: float, Z: Complexes, of_h: Complexes, of_conjuga
                 of_h[i] -= sign * share * value
 
 
-@kernel
+@inner
 def _solve_definite(G: Floats, R: Floats) -> None:
     """Solve G X = R for a symmetric positive definite G (lower triangle used), both overwritten, X in R."""
     n, m = R.shape
@@ -63,7 +63,7 @@ def _solve_definite(G: Floats, R: Floats) -> None:
             R[i, j] /= G[i, i]
 
 
-@kernel
+@inner
 def _outgoing_row(
     nu: float, sign: float, submerged: bool, T: Complexes, slope: Floats, of_h: Complexes, of_conjugate: Complexes,
     row: Complexes,
@@ -89,7 +89,7 @@ def _outgoing_row(
             row[n - 1] = 0.0
 
 
-@kernel
+@inner
 def _definite_matrix(nu: float, normal: Floats, row: Complexes, G: Floats) -> float:
     """The normal matrix at one wave number with a multiple of the far-field row's square, lower half; that multiple."""
     n = G.shape[0] - 1
