@@ -165,7 +165,9 @@ WORDS = {
 }
 
 
-@pytest.mark.parametrize("given", [3.0, [], {}, b"gm", "", ["gm", 2], [["gm"]], object()], ids=repr)
+@pytest.mark.parametrize(
+    "given", [3.0, [], {}, b"gm", "", ["gm", 2], [["gm"]], object()], ids=lambda one: type(one).__name__
+)
 @pytest.mark.parametrize("name", WORDS)
 def test_what_is_no_word_no_file_or_no_place_is_refused(name, given):
     with pytest.raises(qt.InputError):
