@@ -17,8 +17,6 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering.study.maps.stored.classic_file import ClassicFile
-
 _LINE: Final = b"\nquartering block %012d %64s %64s\n"
 _LENGTH: Final = len(_LINE % (0, b"", b""))
 _HASH: Final = 64
@@ -28,21 +26,21 @@ class DamagedError(ValueError):
     """A block's file is not what was written."""
 
 
-def sealed(file: ClassicFile, about: Mapping[str, Any]) -> bytes:
+def sealed(data: bytes, variables: Mapping[str, NDArray[Any]], about: Mapping[str, Any]) -> bytes:
     """A file's content with its seal.
 
+    variables: by name, in the byte order in which they stand there
     about: further facts the seal holds, in types JSON knows
     """
-    index = {
-        name: [file.begin[name], values.dtype.str, list(values.shape), _hash(values)]
-        for name, values in file.values.items()
-    }
+    index, at = {}, 0
+    for name, values in variables.items():
+        own = values.tobytes()
+        begin = data.find(own, at)  # mostly in this order
+        begin = data.index(own) if begin < 0 else begin
+        index[name], at = [begin, values.dtype.str, list(values.shape), _hash(values)], begin + len(own)
     text = json.dumps({"variables": index, **about}).encode()
-    whole = hashlib.sha256()
-    for piece in (*file.pieces, text):
-        whole.update(piece)
-    last = _LINE % (len(text), _hash(text).encode(), whole.hexdigest().encode())
-    return b"".join([*file.pieces, text, last])
+    body = data + text
+    return body + _LINE % (len(text), _hash(text).encode(), _hash(body).encode())
 
 
 def read_index(path: Path) -> dict[str, Any]:
@@ -103,4 +101,4 @@ def _last_line(line: bytes) -> tuple[int, str, str]:
 
 
 def _hash(data: bytes | NDArray[Any]) -> str:
-    return hashlib.sha256(data if isinstance(data, bytes) else np.ascontiguousarray(data).data).hexdigest()
+    return hashlib.sha256(data if isinstance(data, bytes) else data.tobytes()).hexdigest()
