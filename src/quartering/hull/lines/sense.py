@@ -63,7 +63,7 @@ def check_extent(name: str, length: float, x: Floats) -> None:
     if not 0.8 * length <= extent <= 1.25 * length:
         raise InputError(
             f"{name}: the stations reach over {extent:g} m, the length is {length:g} m; the two agree within a fifth; "
-            "check the unit (of a file that says none: `lines: {file: .., unit: mm}`), and that x is from midship, + forward"
+            "check the unit of x (a file that says none: `lines: {file: .., unit: mm}`), and that it is from midship, + forward"
         )
     if not EXTENT[0] * length <= extent <= EXTENT[1] * length:
         warnings.warn(
