@@ -62,12 +62,13 @@ class Propulsion:
             raise InputError(
                 f"thrust = {self.thrust}; it is three numbers k0, k1, k2 of K_T = k0 + k1 J + k2 J^2, k0 above 0"
             )
-        if not (_is_number(self.diameter) and 0 < self.diameter < 100):
+        diameter = real(self.diameter)
+        if diameter is None or diameter.ndim or not 0 < diameter < 100:
             raise InputError(f"diameter = {self.diameter} m; it is above 0 m and below 100 m")
         for name in ("thrust_deduction", "wake"):
-            share = getattr(self, name)
-            if not (_is_number(share) and 0 <= share < 1):
-                raise InputError(f"{name} = {share}; it is from 0 to below 1")
+            share = real(getattr(self, name))
+            if share is None or share.ndim or not 0 <= share < 1:
+                raise InputError(f"{name} = {getattr(self, name)}; it is from 0 to below 1")
         if not isinstance(self.propellers, int) or self.propellers < 1:
             raise InputError(f"propellers = {self.propellers}; it is a whole number of 1 or more")
         object.__setattr__(self, "resistance", tuple(float(x) for x in np.pad(r, (0, _DEGREE + 1 - r.size))))
@@ -107,10 +108,6 @@ class Propulsion:
         roots = np.roots(surplus[::-1])
         real = roots.real[(np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)]
         return float(real.min()) if real.size else math.nan
-
-
-def _is_number(given: object) -> bool:
-    return isinstance(given, (int, float, np.number)) and not isinstance(given, bool)
 
 
 def larger_root(a: float, b: float, c: float) -> float:

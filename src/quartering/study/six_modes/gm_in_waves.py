@@ -112,9 +112,7 @@ def gm_in_waves(
     (1.05, 10)
     """
     U, mu = condition(ship, speed, heading)
-    share = np.arange(count("positions", positions, 1, 10, 1000)) / positions
-    if positions > _MOST_POSITIONS:
-        raise InputError(f"positions = {positions}; at most {_MOST_POSITIONS}; try 10")
+    share = np.arange(count("positions", positions, 1, 10, _MOST_POSITIONS)) / positions
     floats, smith = floating_hull(ship), _pressure(pressure) == "smith"
     waves = frozen_waves(floats, wave, mu, share)
     start = np.zeros((share.size, 2))
