@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from quartering._machine.threads import spread_in_order
 from quartering.conventions import GRAVITY, InputError, RangeWarning
 from quartering.hull.ship import Ship
-from quartering.hull.told import condition, number
+from quartering.hull.told import condition, count, number
 from quartering.hydro.coefficients import coefficients
 from quartering.loads.sea.sea import Sea
 from quartering.loads.validity import warn_of_conditions
@@ -25,7 +25,6 @@ from quartering.motion.six_modes import vertical_motion
 from quartering.motion.steady_course.course import Course, course, radiation, waves_met
 from quartering.motion.steady_course.march import AFLOAT, UNDER
 from quartering.motion.steady_course.sea_march import Components, march_in_a_sea
-from quartering.option_checks import quoted
 from quartering.study.seas.simulated.asked import roll_limit_of
 from quartering.study.seas.simulated.failures import failure_rate
 
@@ -96,9 +95,7 @@ def irregular_six(
     """
     U, mu = condition(ship, speed, sea.heading if heading is None else heading)
     sea = sea if heading is None else sea.turned_to(mu)
-    duration = number(None, "simulated_hours", hours)
-    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
-        raise InputError(f"seed = {quoted(seed)}; it is a whole number of 0 or more; try 0")
+    duration, seed = number(None, "simulated_hours", hours), count("seed", seed, 0, 0)
     roll_limit, why = roll_limit_of(ship, limit)
     cells = _cells(sea)
     near = _near_zero(cells, U)
