@@ -72,8 +72,9 @@ class Page:
     ) -> None:
         self._client, self._registry, self._jobs, self._dark = client, registry, jobs, dark
         self._touched: tuple[str, ...] = ()
-        self._first, self._refused = True, False
+        self._refused = False
         self.state: State = state
+        self._opening, self._backs = state, "0"
         self._shown: State | None = None
         self._following: asyncio.Task[None] | None = None
         self._stopped = False
@@ -129,7 +130,7 @@ class Page:
             "flat dense no-caps"
         ).mark("upload")
         ui.element("span").classes("push")
-        SavedViews(self.back)
+        SavedViews(self.open_link)
         ui.button("Copy link", icon="link", color=None, on_click=self._copy).props("flat dense no-caps")
         with ui.button("Download", icon="download", color=None).props("flat dense no-caps"), ui.menu():
             for words, make in downloads.files().items():
@@ -164,7 +165,12 @@ class Page:
             self.state = state
             self._go()
 
-    def back(self, query: str) -> None:
+    def back(self, number: str, query: str) -> None:
+        """Show what a link of the browser's history describes: the page's step back, or forward, of this number."""
+        self._backs = number
+        self.open_link(query)
+
+    def open_link(self, query: str) -> None:
         """Show what a link of the browser's history, or of a saved view, describes."""
         try:
             state, told = read_link(dict(parse_qsl(query.removeprefix("?"))))
@@ -344,9 +350,8 @@ class Page:
             self._map.place(of)
             self._comparison.front(state, of)
         self._panel.front(state)
-        link = json.dumps(f"?{state.query()}")
-        self._client.run_javascript(f"quarteringLink({link}, {json.dumps(self._first)})")
-        self._first = False
+        told = (f"?{state.query()}", state is self._opening, self._backs)
+        self._client.run_javascript(f"quarteringLink({', '.join(map(json.dumps, told))})")
 
     async def _fill_panel(self, state: State, of: Scene, found: Examined) -> None:
         if state.panel == "criteria":
