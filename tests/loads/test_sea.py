@@ -120,6 +120,17 @@ def test_cells_of_a_measured_spectrum_hold_its_energy():
     np.testing.assert_allclose(energy.sum(), sea.moment(0), rtol=1e-12)
 
 
+def test_each_side_of_a_measured_spectrum_has_its_own_energy():
+    """By hand: all of it at 60 deg, in a triangle 15 deg to either side; half of that triangle lies on one side of a ship."""
+    for heading, share in ((60.0, (1.0, 0.0)), (0.0, (0.5, 0.5)), (-5.0, (2 / 9, 7 / 9))):
+        sea = Sea.from_spectrum(spectrum(np.arange(0.0, 360.0, 15.0)), 180.0 - heading)
+        one = sea.partitions[0]
+        sigma, step = np.array([sum(one.band) / 2]), one.band[1] - one.band[0]
+        sides = [one.energy(sigma, step, side * np.arange(0.5, 180.0, 1.0), 1.0).sum() for side in (1.0, -1.0)]
+        np.testing.assert_allclose(sides, np.array(share) * sea.moment(0), rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(one.deviation, np.radians(15.0 / np.sqrt(6.0)), rtol=1e-6)  # of a triangle
+
+
 def test_bad_spectra_are_refused():
     good = spectrum(np.arange(0.0, 360.0, 15.0))
     half, gap, hole, one = (
