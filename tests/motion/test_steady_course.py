@@ -74,7 +74,7 @@ def march_on_the_pressure(one, wave, speed, heading, surge, periods=25, steps=40
         k3 = rate(t + h / 2, y + h / 2 * k2)
         k4 = rate(t + h, y + h * k3)
         y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-        kept.append([*y[:2], forces(t + h, y)[0] / mass[0, 0, 0]])
+        kept.append([*y[:2], forces(t + h, y)[0] / floats.volume / DENSITY])  # the added mass of the water feels it too
     first = periods * steps - 2 * steps + 1
     turn = np.exp(-1j * omega * h * (first + np.arange(2 * steps))[:, None] * np.arange(1, 4))
     harmonics = 2 * np.array(kept[-2 * steps :]).T @ turn / (2 * steps)
