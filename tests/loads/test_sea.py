@@ -73,8 +73,8 @@ def test_spectra_of_two_peaks_are_those_of_two_other_readers():
 
 
 # s: density at the middle, circular standard deviation [deg]; independent quadrature, to 1e-9
-COS2S = {1: (0.318309886184, 57.2957795131), 5: (0.646724848119, 33.0797337253), 10: (0.903278126867, 24.4310024727),
-         75: (2.44708761186, 9.29460277741)}  # fmt: skip
+COS2S = {1: (0.318309886184, 57.2957795131), 2: (0.424413181578, 46.781808074), 5: (0.646724848119, 33.0797337253),
+         10: (0.903278126867, 24.4310024727), 25: (1.41754351672, 15.8909900694), 75: (2.44708761186, 9.29460277741)}  # fmt: skip
 
 
 def test_spreading_is_normalised_once():

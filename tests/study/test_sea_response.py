@@ -8,7 +8,8 @@ import quartering as qt
 from quartering.loads.sea.cells import Cells, pile_up_cosine
 from quartering.loads.sea.encounter import wave_frequencies_met
 from quartering.loads.waves import encounter_frequency
-from tests.study.sea_cases import CASES, MODEL, force, matrix
+from quartering.study.seas.extremes import rice_largest
+from tests.study.sea_cases import CASES, MODEL, TERMS, force, matrix
 from tests.study.sea_simulation import frozen, simulated
 
 SHIP = qt.ship("series60-cb60")
@@ -58,6 +59,41 @@ def test_a_narrow_low_sea_is_a_regular_wave(tp, speed, heading):
     energy = sea.moment(0) * (1 - float(found["cut_off"]))
     np.testing.assert_allclose(found["roll_rms"], per_metre * np.sqrt(energy), rtol=1e-3)
     assert bool(found["overtaken"] == 1) == (tp == 6.0)
+
+
+# name: mean largest |roll| over RMS in half an hour by Vanmarcke and by Rice, and of 1,920 records with its standard error
+# (theory of seas, table largest_linear)
+HALF_HOURS = {
+    "long_quartering": (2.59014, 3.47597, 2.847, 0.0104),
+    "short_quartering": (3.12055, 3.5274, 3.2577, 0.0095),
+    "long_beam": (3.32568, 3.58669, 3.4266, 0.0084),
+}
+
+
+@STEEP
+@pytest.mark.parametrize("name", CASES)
+def test_largest_rolls_of_half_an_hour(name):
+    """Both formulas to 2e-3; records of the linear ship within three combined standard errors of the program's own."""
+    sea, speed = qt.Sea(**CASES[name][0]), CASES[name][1]
+    groups, independent, records, error = HALF_HOURS[name]
+    found = qt.sea_response(MODEL, sea, speed, force=force, hours=0.5)
+    ratios = [float(found[f"roll_mean_largest{kind}"] / found["roll_rms"]) for kind in ("", "_bound")]
+    np.testing.assert_allclose(ratios, [groups, independent], rtol=2e-3)
+    linear = {key: value for key, value in TERMS.items() if len(key) == 3 or key in ("Y_phi", "K_phi", "N_phi")}
+    drawn = qt.irregular(qt.Model(np.eye(3), linear, 1.0, (0, 0, 0), (0, 0, 0)), sea, speed, force=force, limit=1.5)
+    largest, rms = drawn["roll_largest"].values, float(found["roll_rms"])
+    own = np.std(largest) / np.sqrt(largest.size) / rms
+    assert abs(np.mean(largest) / rms - records) < 3 * np.hypot(own, error)
+
+
+@pytest.mark.parametrize(
+    ("swings", "likeliest", "mean", "of_both_signs"),
+    [(1800 / 13.5, 3.12821107294, 3.31273048402, 3.34245402033), (800.0, 3.65639487136, 3.81425956738, 3.84129116528)],
+)
+def test_largest_of_independent_swings(swings, likeliest, mean, of_both_signs):
+    """Theory of seas, table extremes_gaussian, to 1e-9."""
+    np.testing.assert_allclose(rice_largest(swings), (likeliest, mean), rtol=1e-9)
+    np.testing.assert_allclose(rice_largest(2 * swings)[0], of_both_signs, rtol=1e-9)
 
 
 def efth(hs, tp, heading, spreading=None, directions=120):
