@@ -68,13 +68,15 @@ def test_spectra_of_two_peaks_are_those_of_two_other_readers():
         np.testing.assert_allclose(scale, ratio, rtol=2e-6)  # the table's integral ends where the tail still holds 2e-6
         sea = Sea(hs=hs, tp=tp, spectrum="torsethaugen")
         np.testing.assert_allclose(sea.moment(0), hs**2 / 16, rtol=1e-12)
+        assert "unverified" in sea.words  # two readers of it agree, its text was at hand to neither
     assert len(torsethaugen(4.0, 6.6 * 4.0 ** (1 / 3))[0]) == 1  # fully grown: no second system
     assert torsethaugen(1.0, 6.5)[0][0].gamma == 1.0  # 0.96 by its formula, whose logarithm is negative
 
 
 # s: density at the middle, circular standard deviation [deg]; independent quadrature, to 1e-9
 COS2S = {1: (0.318309886184, 57.2957795131), 2: (0.424413181578, 46.781808074), 5: (0.646724848119, 33.0797337253),
-         10: (0.903278126867, 24.4310024727), 25: (1.41754351672, 15.8909900694), 75: (2.44708761186, 9.29460277741)}  # fmt: skip
+         10: (0.903278126867, 24.4310024727), 25: (1.41754351672, 15.8909900694),
+         75: (2.44708761186, 9.29460277741)}  # fmt: skip
 
 
 def test_spreading_is_normalised_once():

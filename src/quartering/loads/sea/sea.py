@@ -267,8 +267,8 @@ class Sea:
 
     @property
     def words(self) -> str:
-        """Height, period, spectrum and spreading, for captions."""
-        said = f"Hs {self.hs:.3g} m, Tp {self.tp:.3g} s, {self.spectrum}"
+        """Height, period, spectrum and spreading, for captions, and how sure the spectrum's formula is."""
+        said = f"Hs {self.hs:.3g} m, Tp {self.tp:.3g} s, {spectrum_words(self.spectrum)}"
         first = self.partitions[0]
         if self.spectrum == "jonswap" and isinstance(first, WaveSystem):
             said += f" gamma {first.gamma:.3g}"
@@ -281,6 +281,11 @@ class Sea:
 
     def __repr__(self) -> str:
         return f"<Sea {self.words}, heading {self.heading:.4g} deg>"
+
+
+def spectrum_words(spectrum: str) -> str:
+    """Name of a spectrum, and its status where its text was not at hand."""
+    return f"{spectrum} (recalled, unverified)" if spectrum == "torsethaugen" else spectrum
 
 
 def _peak_period(hs: float, tp: Any, tz: Any, spectrum: str, gamma: float) -> float:

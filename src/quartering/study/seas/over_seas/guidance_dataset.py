@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from quartering.conventions import HEADING_CONVENTION, REFERENCE_POINT
 from quartering.loads.forces import form_words
+from quartering.loads.sea.sea import spectrum_words
 from quartering.motion.sea.equations import free_roll_of
 from quartering.study import dataset
 from quartering.study.criteria.constants import constant
@@ -115,7 +116,7 @@ def heading_of(grid: SeaGrid) -> dict[str, object]:
     return {
         "title": f"Operational guidance for {ship.name} in irregular seas",
         **{name: own[name] for name in (*kept, "estimated_coefficients", "estimated_by", "Conventions", "source")},
-        "sea": f"{grid.spectrum}{peak}, {spreading}{_swell(grid)}",
+        "sea": f"{spectrum_words(grid.spectrum)}{peak}, {spreading}{_swell(grid)}",
         "spectrum": grid.spectrum,
         "gamma": grid.gamma,
         "spreading": "none" if grid.spreading is None else _spreading(grid).removeprefix("s "),
