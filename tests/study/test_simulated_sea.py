@@ -10,7 +10,7 @@ from quartering.motion.sea.rational import rational_fit
 from quartering.motion.sea.synthesis import RECORDS, Record, series_of
 from quartering.motion.transient.rk4 import alike
 from quartering.study.seas.simulated import blocks
-from quartering.study.seas.simulated.failures import failure_rate, hours_without_failure, waiting_times_p
+from quartering.study.seas.simulated.failures import failure_rate, waiting_times_p
 from tests.study.sea_cases import CASES, MODEL, force, matrix
 
 SHIP = qt.ship("series60-cb60")
@@ -96,7 +96,8 @@ def test_intervals_of_counts():
             (100, 81.3639912509, 121.626793792)]  # fmt: skip
     for failures, lower, upper in rows:
         np.testing.assert_allclose(failure_rate(failures, 1.0)[1:], (lower, upper), rtol=1e-6)
-    np.testing.assert_allclose(hours_without_failure(1e-6), 1024.68873725, rtol=1e-6)
+    hours = failure_rate(0, 1.0).upper / 1e-6 / 3600.0  # without a failure, after which the rate is below 1e-6 1/s
+    np.testing.assert_allclose(hours, 1024.68873725, rtol=1e-6)
 
 
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
