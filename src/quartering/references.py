@@ -85,6 +85,8 @@ REFERENCES: Final[dict[str, str]] = {
     "NeweyWest87": "Newey, W. K., West, K. D. (1987). A simple, positive semi-definite, heteroskedasticity and "
     "autocorrelation consistent covariance matrix. Econometrica 55.",
     "Lamb32": "Lamb, H. (1932). Hydrodynamics, 6th edition. Cambridge University Press.",
+    "Taylor28": "Taylor, G. I. (1928). The forces on a body placed in a curved or converging stream of fluid. Proceedings of "
+    "the Royal Society A 120.",
     "Timman62": "Timman, R., Newman, J. N. (1962). The coupled damping coefficients of a symmetric ship. Journal of Ship "
     "Research 5.",
     "Cummins62": "Cummins, W. E. (1962). The impulse response function and ship motions. Schiffstechnik 9.",

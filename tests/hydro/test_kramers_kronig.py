@@ -46,6 +46,36 @@ def test_closed_pair_is_met():
     assert not found.fitted
 
 
+# alpha = 0.5: passive K^(s) = s/(s^2 + 2 alpha s + 0.81), and s (s + alpha)/(((s + alpha)^2 + 0.81)(s + alpha + 0.9)), which is
+# not passive at low frequency; b and a - a_inf at the frequencies below, K(t) at 0.5, 1, 2, 5, 10 (theory of seas, tables
+# memory_pair_passive and memory_pair)
+MEMORIES = [
+    (lambda s: s / (s**2 + s + 0.81),
+     (0.00381938145117, 0.0632011376205, 0.443577004968, 0.956794737629, 0.965157803301, 0.520399666944, 0.174368646007),
+     (1.23366020873, 1.21662189919, 0.993612491128, 0.254148602183, -0.183379982627, -0.333055786844, -0.151770469484),
+     (0.534728901774, 0.168738325817, -0.217877501957, -0.0367737300318, -0.00175549841308)),
+    (lambda s: s * (s + 0.5) / (((s + 0.5) ** 2 + 0.81) * (s + 1.4)),
+     (-0.000283292427721, -0.00329507589782, 0.0275907736453, 0.290053895149, 0.554086370149, 0.586178909144, 0.266577900898),
+     (0.338766029189, 0.365975564606, 0.496633925615, 0.536501714846, 0.337299236263, -0.0962467898569, -0.111743877212),
+     (0.278597161485, -0.0939503061111, -0.249922797391, 0.0592734151656, -0.00352336685589)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("memory", "damping", "added", "kernel"), MEMORIES, ids=["passive", "not passive"])
+def test_memories_of_closed_form_are_met(memory, damping, added, kernel):
+    """Kernel to 1e-6 from damping up to 400 rad/s; added mass from damping up to 20 rad/s to 5e-3."""
+    omega = np.array([0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.5])
+    np.testing.assert_allclose(memory(1j * omega).real, damping, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(memory(1j * omega).imag / omega, added, rtol=0, atol=1e-11)
+    fine = np.linspace(0.01, 400.0, 40_000)
+    found = retardation(fine, memory(1j * fine).real, np.array([0.5, 1.0, 2.0, 5.0, 10.0]))
+    np.testing.assert_allclose(found, kernel, rtol=0, atol=1e-6)
+    w = np.linspace(0.02, 20.0, 1000)
+    a, b = 1.0 + memory(1j * w).imag / w, memory(1j * w).real
+    checked = kramers_kronig(dataset(w, np.stack([a, a], 1), np.stack([b, b], 1), [1.0, 1.0]))
+    assert checked.largest < 5e-3
+
+
 def test_published_half_circle_belongs_together():
     """Half circle, multipole reference good to 2e-5 with its limits 4/pi^2 (sway) and 1 (heave) of rho A."""
     omega, a, b = circle()

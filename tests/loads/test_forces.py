@@ -174,6 +174,19 @@ def test_bad_wave_number_is_refused(k):
         phasors(CARGO, [k], [0.0], [90.0])
 
 
+def test_short_beam_waves_are_thrown_back_as_by_a_wall():
+    """Closed form: pressure twice that of the wave on a side deep in the water, 2 rho g A/k a metre; by strips, 1 %.
+
+    With three-dimensional ends it does not hold: they are for waves of a quarter of the length and more.
+    """
+    box = ship("box").with_(ends="strips")
+    for length in (0.35, 0.3, 0.27):
+        wave = Wave(length=length * box.hull.beam, height=0.1)
+        cos, sin = wave_forces(box, wave, 0.0, 90.0)["total"].sel(mode="sway").values
+        wall = 2 * box.loading.density * 9.81 * wave.amplitude / wave.wavenumber * box.hull.length
+        assert np.hypot(cos, sin) == pytest.approx(wall, rel=0.02 if length > 0.3 else 0.01)
+
+
 @pytest.mark.soak
 def test_total_force_in_a_beam_sea_is_that_of_the_panel_code_capytaine_within_what_strip_theory_misses():
     """Journee's Wigley III. Lewis strips over 3-D panels give A22 1.12 and A44 1.29 times at most: the error bar."""

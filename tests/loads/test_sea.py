@@ -73,8 +73,8 @@ def test_spectra_of_two_peaks_are_those_of_two_other_readers():
 
 
 # s: density at the middle, circular standard deviation [deg]; independent quadrature, to 1e-9
-COS2S = {1: (0.318309886184, 57.2957795131), 5: (0.646724848119, 33.0797337253), 10: (0.903278126867, 24.4310024727),
-         75: (2.44708761186, 9.29460277741)}  # fmt: skip
+COS2S = {1: (0.318309886184, 57.2957795131), 2: (0.424413181578, 46.781808074), 5: (0.646724848119, 33.0797337253),
+         10: (0.903278126867, 24.4310024727), 25: (1.41754351672, 15.8909900694), 75: (2.44708761186, 9.29460277741)}  # fmt: skip
 
 
 def test_spreading_is_normalised_once():
@@ -118,6 +118,17 @@ def test_cells_of_a_measured_spectrum_hold_its_energy():
     sigma = one.band[0] + step * (np.arange(77) + 0.5)
     energy = one.energy(sigma, step, np.arange(-175.0, 181.0, 5.0), 5.0)
     np.testing.assert_allclose(energy.sum(), sea.moment(0), rtol=1e-12)
+
+
+def test_each_side_of_a_measured_spectrum_has_its_own_energy():
+    """By hand: all of it at 60 deg, in a triangle 15 deg to either side; half of that triangle lies on one side of a ship."""
+    for heading, share in ((60.0, (1.0, 0.0)), (0.0, (0.5, 0.5)), (-5.0, (2 / 9, 7 / 9))):
+        sea = Sea.from_spectrum(spectrum(np.arange(0.0, 360.0, 15.0)), 180.0 - heading)
+        one = sea.partitions[0]
+        sigma, step = np.array([sum(one.band) / 2]), one.band[1] - one.band[0]
+        sides = [one.energy(sigma, step, side * np.arange(0.5, 180.0, 1.0), 1.0).sum() for side in (1.0, -1.0)]
+        np.testing.assert_allclose(sides, np.array(share) * sea.moment(0), rtol=1e-9, atol=1e-12)
+        np.testing.assert_allclose(one.deviation, np.radians(15.0 / np.sqrt(6.0)), rtol=1e-6)  # of a triangle
 
 
 def test_bad_spectra_are_refused():

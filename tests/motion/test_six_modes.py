@@ -20,8 +20,7 @@ def test_heave_and_pitch_of_the_s175_are_those_of_a_published_program():
     """VERES: heave within 2 % (5 % near resonance), pitch 4 %, where above 0.1.
 
     Not scored: waves shorter than 0.7 L; head seas at speed shorter than 0.95 L, where heave and pitch fall steeply with
-    the wave length and stand up to 6.1 % and 5.3 % above it; surge in waves shorter than 0.8 L. Elsewhere surge is within 4 %:
-    its added mass is not published.
+    the wave length and stand up to 6.1 % and 5.3 % above it; surge in waves shorter than 0.8 L. Elsewhere surge is within 1 %.
     """
     ship = qt.ship("s175").with_(kg=9.55)
     w, speed, heading, heave, pitch, surge = columns(
@@ -36,7 +35,7 @@ def test_heave_and_pitch_of_the_s175_are_those_of_a_published_program():
     for value, wanted, limit, scored in (
         (found[:, 1], heave, near, ~steep),
         (found[:, 2] / k, pitch, np.full(k.shape, 0.04), ~steep),
-        (found[:, 0], surge, np.full(k.shape, 0.04), ratio > 0.8),
+        (found[:, 0], surge, np.full(k.shape, 0.01), ratio > 0.8),
     ):
         counted = (wanted > 0.1) & scored
         assert (np.abs(value / wanted - 1)[counted] <= limit[counted]).all(), np.abs(value / wanted - 1)
@@ -57,8 +56,8 @@ def test_a_ship_rides_on_a_long_wave(heading):
     assert float(found.roll_amplitude) == pytest.approx(slope * across, rel=0.03, abs=1e-3 * slope)
     if along > 0.1:
         assert float(found.pitch_phase) == pytest.approx(-90.0 if heading < 90 else 90.0, abs=2.0)
-    # as water does at its surface, the ship goes round: as far along the wave as up
-    assert np.hypot(found.surge, found.sway) == pytest.approx(1.0, abs=0.04)
+    # as water does, the ship goes round: as far along the wave as up, less e^{-kz} over its draught, 0.4 % here
+    assert np.hypot(found.surge, found.sway) == pytest.approx(1.0, abs=0.006)
 
 
 def test_short_waves_do_not_move_a_ship():

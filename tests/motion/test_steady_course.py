@@ -1,5 +1,7 @@
 """A ship on a steady course in the wave's pressure: linear motion of low waves, and another integration of steep ones."""
 
+import warnings
+
 import numpy as np
 import pytest
 
@@ -43,6 +45,40 @@ def test_in_a_low_wave_nothing_is_counted_twice(heading, speed, across):
         assert abs(phasor - wanted) < (0.03 if across else 2e-3) * abs(wanted)
 
 
+@pytest.mark.parametrize(("name", "froude", "length", "heading"), [("series60-cb80", 0.18, 2.37, 0.0), ("dtc", 0.2, 1.5, 0.0),
+                                                                ("dtmb5415", 0.18, 2.33, 45.0)])  # fmt: skip
+def test_a_slow_encounter_does_not_shake_a_ship_until_it_goes_under(name, froude, length, heading):
+    """Linear theory: a low wave met slowly from astern moves a ship as it says, and what the start leaves dies out.
+
+    With the coefficients of such an encounter calm water alone makes heave and pitch grow. 2 % of heave and pitch (5 % across).
+    """
+    ship = qt.ship(name)
+    wave = qt.Wave(length * ship.hull.length, 0.02)
+    speed = froude * np.sqrt(9.81 * ship.hull.length)
+    linear = qt.responses(ship, wave, speed, heading)
+    omega = float(linear.encounter_frequency)
+    assert 0.0 < omega * np.sqrt(ship.hull.length / 9.81) < 1.5
+    found = qt.simulate(ship, 60 * 2 * np.pi / omega, wave=wave, speed=speed, heading=heading, modes="six")
+    last = slice(-48 * 10 - 1, -1)
+    turn = np.exp(-1j * omega * found.time.values[last])
+    for mode in ("heave", "pitch"):
+        phasor = 2 * np.mean(found[mode].values[last] * turn)
+        wanted = float(linear[mode]) * np.exp(1j * np.radians(float(linear[f"{mode}_phase"])))
+        assert abs(phasor - wanted) < (0.05 if heading else 0.02) * abs(wanted)
+
+
+@pytest.mark.parametrize("name", ["s175", "series60-cb80"])
+def test_a_low_quartering_sea_leaves_a_stable_ship_stable(name):
+    """Limit of small waves: the exponent of six modes is negative as calm water's roll is, at every speed and heading."""
+    ship = qt.ship(name)
+    length, speeds = ship.hull.length, np.array([0.0, 0.1, 0.2, 0.25]) * np.sqrt(9.81 * ship.hull.length)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", qt.RangeWarning)
+        found = qt.sweep(ship, speeds, np.array([20.0, 40.0, 60.0, 140.0]), [1.5 * length], [0.01], modes="six")
+    assert (found.status == 0).all()
+    assert float(found.exponent.max()) < -0.005
+
+
 def march_on_the_pressure(one, wave, speed, heading, surge, periods=25, steps=40):
     """Harmonics of heave, pitch and surge by Runge-Kutta of the pressure integrated anew, matrices at the encounter frequency.
 
@@ -75,7 +111,7 @@ def march_on_the_pressure(one, wave, speed, heading, surge, periods=25, steps=40
         k3 = rate(t + h / 2, y + h / 2 * k2)
         k4 = rate(t + h, y + h * k3)
         y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-        kept.append([*y[:2], forces(t + h, y)[0] / mass[0, 0, 0]])
+        kept.append([*y[:2], forces(t + h, y)[0] / floats.volume / DENSITY])  # the added mass of the water feels it too
     first = periods * steps - 2 * steps + 1
     turn = np.exp(-1j * omega * h * (first + np.arange(2 * steps))[:, None] * np.arange(1, 4))
     harmonics = 2 * np.array(kept[-2 * steps :]).T @ turn / (2 * steps)

@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import quartering as qt
 from quartering.loads.sea.cells import Cells, pile_up_cosine
 from quartering.loads.sea.encounter import wave_frequencies_met
 from quartering.loads.waves import encounter_frequency
-from tests.study.sea_cases import CASES, MODEL, force, matrix
+from quartering.study.seas.extremes import rice_largest
+from tests.study.sea_cases import CASES, MODEL, TERMS, force, matrix
 from tests.study.sea_simulation import frozen, simulated
 
 SHIP = qt.ship("series60-cb60")
@@ -57,6 +59,84 @@ def test_a_narrow_low_sea_is_a_regular_wave(tp, speed, heading):
     energy = sea.moment(0) * (1 - float(found["cut_off"]))
     np.testing.assert_allclose(found["roll_rms"], per_metre * np.sqrt(energy), rtol=1e-3)
     assert bool(found["overtaken"] == 1) == (tp == 6.0)
+
+
+# name: mean largest |roll| over RMS in half an hour by Vanmarcke and by Rice, and of 1,920 records with its standard error
+# (theory of seas, table largest_linear)
+HALF_HOURS = {
+    "long_quartering": (2.59014, 3.47597, 2.847, 0.0104),
+    "short_quartering": (3.12055, 3.5274, 3.2577, 0.0095),
+    "long_beam": (3.32568, 3.58669, 3.4266, 0.0084),
+}
+
+
+@STEEP
+@pytest.mark.parametrize("name", CASES)
+def test_largest_rolls_of_half_an_hour(name):
+    """Both formulas to 2e-3; records of the linear ship within three combined standard errors of the program's own."""
+    sea, speed = qt.Sea(**CASES[name][0]), CASES[name][1]
+    groups, independent, records, error = HALF_HOURS[name]
+    found = qt.sea_response(MODEL, sea, speed, force=force, hours=0.5)
+    ratios = [float(found[f"roll_mean_largest{kind}"] / found["roll_rms"]) for kind in ("", "_bound")]
+    np.testing.assert_allclose(ratios, [groups, independent], rtol=2e-3)
+    linear = {key: value for key, value in TERMS.items() if len(key) == 3 or key in ("Y_phi", "K_phi", "N_phi")}
+    drawn = qt.irregular(qt.Model(np.eye(3), linear, 1.0, (0, 0, 0), (0, 0, 0)), sea, speed, force=force, limit=1.5)
+    largest, rms = drawn["roll_largest"].values, float(found["roll_rms"])
+    own = np.std(largest) / np.sqrt(largest.size) / rms
+    assert abs(np.mean(largest) / rms - records) < 3 * np.hypot(own, error)
+
+
+@pytest.mark.parametrize(
+    ("swings", "likeliest", "mean", "of_both_signs"),
+    [(1800 / 13.5, 3.12821107294, 3.31273048402, 3.34245402033), (800.0, 3.65639487136, 3.81425956738, 3.84129116528)],
+)
+def test_largest_of_independent_swings(swings, likeliest, mean, of_both_signs):
+    """Theory of seas, table extremes_gaussian, to 1e-9."""
+    np.testing.assert_allclose(rice_largest(swings), (likeliest, mean), rtol=1e-9)
+    np.testing.assert_allclose(rice_largest(2 * swings)[0], of_both_signs, rtol=1e-9)
+
+
+def efth(hs, tp, heading, spreading=None, directions=120):
+    """A long-crested or cos^2s sea as another program's energies by frequency and direction, of a ship that heads north."""
+    freq, of = np.linspace(0.04, 0.4, 300), np.arange(0.0, 360.0, 360.0 / directions)
+    apart = np.remainder(of + 180.0 - heading + 180.0, 360.0) - 180.0
+    share = np.cos(np.radians(apart) / 2) ** (2 * spreading) if spreading else np.where(np.abs(apart) < 1e-9, 1.0, 0.0)
+    density = 2 * np.pi * qt.Sea(hs=hs, tp=tp).density(2 * np.pi * freq)
+    values = density[:, None] * share / share.sum() * directions / 360.0
+    data = xr.DataArray(values, {"freq": freq, "dir": of}, ("freq", "dir"), name="efth")
+    data["dir"].attrs["standard_name"] = "sea_surface_wave_from_direction"
+    return data
+
+
+@pytest.mark.parametrize("heading", [0.0, 60.0, -150.0])
+def test_a_sea_by_its_energies_is_the_sea_itself(heading):
+    """Two ways into one sea, by formula and by a table of 3 deg: 0.5 % of roll, of which straight lines make a part."""
+    given = qt.Sea(hs=3, tp=9, heading=heading, spreading=10, cut=(0.36, 3.6))
+    read = qt.Sea.from_spectrum(efth(3, 9, heading, 10), 0.0)
+    one, other = (qt.sea_response(SHIP, sea, 7.5) for sea in (given, read))
+    np.testing.assert_allclose(other["roll_rms"], one["roll_rms"], rtol=5e-3)
+    np.testing.assert_allclose(other["cut_off"], 0.0, atol=1e-9)  # all the energy of the table, once
+
+
+def test_energies_at_a_single_direction_are_a_long_crested_sea():
+    """The limit of narrow directions: within 1 % of roll at 2 deg from one direction to the next."""
+    read = qt.Sea.from_spectrum(efth(3, 9, 60.0, directions=180), 0.0)
+    given = qt.Sea(hs=3, tp=9, heading=60.0, cut=(0.36, 3.6))
+    one, other = (qt.sea_response(SHIP, sea, 7.5) for sea in (given, read))
+    np.testing.assert_allclose(other["roll_rms"], one["roll_rms"], rtol=0.01)
+
+
+@pytest.mark.parametrize("damping", [0.05, 0.2])
+def test_wind_sea_and_swell_together_have_the_covariance_of_both(damping):
+    """A linear ship's covariances add up: two independent seas, a short one and a long, narrow one, to 1e-3."""
+    ship = qt.ship("box").with_(roll_damping=damping)
+    wind, swell = qt.Sea(hs=0.5, tp=4, heading=60), qt.Sea(hs=2, tp=20, gamma=10, heading=80)
+    one, other, both = (qt.sea_response(ship, sea, 5.0) for sea in (wind, swell, wind + swell))
+    expected = one["covariance"].values + other["covariance"].values
+    deviation = np.sqrt(np.diag(expected))
+    np.testing.assert_allclose(
+        both["covariance"] / np.outer(deviation, deviation), expected / np.outer(deviation, deviation), atol=1e-3
+    )
 
 
 def test_low_seas_are_linear_and_sides_are_alike():

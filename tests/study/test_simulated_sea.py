@@ -92,12 +92,15 @@ def test_first_passages_come_at_the_rate_of_the_backward_equation(c, d, cubic, l
 
 def test_intervals_of_counts():
     """Quantiles of gamma distributions by an independent program, to 1e-6."""
-    rows = [(0, 0.0, 3.68887945411), (1, 0.0253178079843, 5.57164339094), (10, 4.79538869613, 18.390356042),
-            (100, 81.3639912509, 121.626793792)]  # fmt: skip
-    for failures, lower, upper in rows:
+    rows = [(0, 0.0, 3.68887945411, 2.99573227355), (1, 0.0253178079843, 5.57164339094, 4.74386451839),
+            (2, 0.242209278544, 7.22468766772, 6.29579362187), (5, 1.62348639012, 11.6683320793, 10.5130349087),
+            (10, 4.79538869613, 18.390356042, 16.9622192357), (30, 20.2408740214, 42.8268653948, 40.6905075944),
+            (100, 81.3639912509, 121.626793792, 118.079272782)]  # fmt: skip
+    for failures, lower, upper, one_sided in rows:
         np.testing.assert_allclose(failure_rate(failures, 1.0)[1:], (lower, upper), rtol=1e-6)
-    hours = failure_rate(0, 1.0).upper / 1e-6 / 3600.0  # without a failure, after which the rate is below 1e-6 1/s
-    np.testing.assert_allclose(hours, 1024.68873725, rtol=1e-6)
+        np.testing.assert_allclose(failure_rate(failures, 1.0, 0.9).upper, one_sided, rtol=1e-6)  # 95 % to one side
+    for confidence, hours in ((0.95, 1024.68873725), (0.9, 832.147853765)):  # without a failure: the rate is below 1e-6 1/s
+        np.testing.assert_allclose(failure_rate(0, 1.0, confidence).upper / 1e-6 / 3600.0, hours, rtol=1e-6)
 
 
 @pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")

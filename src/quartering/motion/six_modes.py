@@ -36,7 +36,7 @@ def vertical_motion(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floa
         course: phasors of e^{i omega t}, omega the signed encounter frequency, of a crest at G at t = 0; NaN where the
         ship keeps pace with the wave
 
-    [-w^2 (M + A) + i w B + C] eta = F in heave and pitch; surge alone, with the added mass of a spheroid and no damping.
+    [-w^2 (M + A) + i w B + C] eta = F in heave and pitch; surge alone, with a spheroid's added mass, no damping.
     C33 = rho g int b dx, C35 = -rho g int x b dx, C55 = rho g int x^2 b dx - rho g V (KG - KB).
     Source: [STF70]; surge [Lamb32].  Valid: small motions, slender ship.
     """

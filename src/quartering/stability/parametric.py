@@ -20,6 +20,7 @@ from scipy.optimize import linear_sum_assignment
 from quartering._machine.compiled import kernel
 from quartering.motion.steady_course.balance import Harmonics
 from quartering.motion.steady_course.course import ROLL, SWAY, YAW, Course, roll_inertia
+from quartering.motion.steady_course.free_heave import free_course
 from quartering.motion.steady_course.orbits import POINTS, Orbits, slopes
 
 Floats = NDArray[np.float64]
@@ -241,7 +242,8 @@ def doubled_multipliers(
         below 1 in size is stable; infinite where the hull leaves its tables
 
     phi(t + T) = -phi(t), h(t + T) = h(t), so a disturbance after one period, port and starboard exchanged, meets the equations
-    it met before. The water's coefficients are those at omega in heave and pitch, at omega/2 in sway, roll and yaw.
+    it met before. The water's coefficients are those at omega in heave and pitch, or at the lowest frequency above with which
+    they die out in calm water, and at omega/2 in sway, roll and yaw.
     """
     many = course.at_amplitude(np.full(len(x), course.numbers.amplitude[0]))
     natural = np.sqrt(
@@ -254,11 +256,12 @@ def doubled_multipliers(
     s = lateral.shape[2]
     matrix = np.zeros((len(x), phase.size, 4 + s, 4 + s))
     matrix[:, :, 4:, 4:] = lateral
-    up = np.linalg.inv(many.numbers.mass[:, 2, :2, :2])
+    mass, damping, _ = free_course(course)
+    up = np.linalg.inv(mass)
     across = np.linalg.inv(many.numbers.mass[:, 1, SWAY:, SWAY:])
     matrix[:, :, [0, 1], [2, 3]] = 1.0
     matrix[:, :, 2:4, 0:2] = up[:, None] @ by[:, :, :2, :2]
-    matrix[:, :, 2:4, 2:4] = -(up @ many.numbers.damping[:, 2, :2, :2])[:, None]
+    matrix[:, :, 2:4, 2:4] = -(up @ damping)[:, None]
     matrix[:, :, 2:4, 4:8] = up[:, None] @ by[:, :, :2, :][..., [SWAY, ROLL, 5, YAW]]
     coupled = across[:, None] @ by[:, :, SWAY:, :2]
     for row, state in enumerate((4, 6, 7)):

@@ -162,11 +162,12 @@ class MeasuredSystem:
 
     @property
     def deviation(self) -> float:
-        """Circular standard deviation of its directions [rad]."""
+        """Circular standard deviation of its directions, with that of the straight lines between them [rad]."""
         width = np.gradient(self.sigma)
         by_direction = (self.values * width[:, None]).sum(axis=0)
         r1 = abs(by_direction @ np.exp(1j * np.radians(self.direction))) / by_direction.sum()
-        return float(np.sqrt(2.0 * (1.0 - r1)))
+        apart = 2.0 * np.pi / self.direction.size
+        return float(np.sqrt(max(2.0 * (1.0 - r1), 0.0) + apart**2 / 6.0))  # a triangle of half breadth b: b/sqrt(6)
 
     def density(self, sigma: ArrayLike) -> Floats:
         """Spectrum over all directions at (...) frequencies, linear between those it holds, 0 outside [m2 s/rad]."""
@@ -180,24 +181,32 @@ class MeasuredSystem:
     def energy(self, sigma: Floats, step: float, heading: Floats, breadth: float) -> Floats:
         """Energy of cells about (f,) frequencies and (d,) headings [m2].
 
-        Linear between its directions, then each frequency brought to its sum; between frequencies the integral of the straight
-        line, so that every cell has the energy that lies in it.
+        The integral of straight lines between its directions and between its frequencies, so that every cell has the energy
+        that lies in it, whichever cells are asked for.
         """
-        place = np.remainder(heading - self.direction[0], TURN) / (TURN / self.direction.size)
-        first = np.floor(place).astype(int)
-        share = place - first
-        count = self.direction.size
-        spread = (1 - share) * self.values[:, first % count] + share * self.values[:, (first + 1) % count]
-        total = spread.sum(axis=1, keepdims=True) * np.radians(breadth)
-        spread *= np.divide(self.by_frequency[:, None], total, out=np.zeros_like(total), where=total > 0)
+        edges = np.concatenate([heading - breadth / 2, heading + breadth / 2])
+        below = _running_sum_round(self.direction, self.values, edges)
+        towards = below[:, heading.size :] - below[:, : heading.size]
         edges = np.append(sigma - step / 2, sigma[-1] + step / 2)
-        return np.diff(_running_integral(self.sigma, spread, edges), axis=0) * np.radians(breadth)
+        return np.diff(_running_integral(self.sigma, towards, edges), axis=0)
 
     def turned(self, by: float) -> MeasuredSystem:
         """The same waves from another side."""
         moved = wrapped(self.direction + by)
         order = np.argsort(moved)
         return MeasuredSystem(self.sigma, moved[order], self.values[:, order])
+
+
+def _running_sum_round(direction: Floats, values: Floats, at: Floats) -> Floats:
+    """Integral round the circle from direction[0] to (m,) angles of straight lines between values (f, d): (f, m) [.. rad]."""
+    count = direction.size
+    place = (at - direction[0]) / (TURN / count)
+    whole = np.floor(place).astype(int)
+    share, first = place - whole, whole % count
+    following = np.roll(values, -1, axis=1)
+    sums = np.concatenate([np.zeros((len(values), 1)), np.cumsum(0.5 * (values + following), axis=1)], axis=1)
+    inside = share * (values[:, first] + 0.5 * share * (following[:, first] - values[:, first]))
+    return np.asarray((sums[:, first] + (whole // count) * sums[:, [-1]] + inside) * (2.0 * np.pi / count))
 
 
 def _running_integral(x: Floats, y: Floats, at: Floats) -> Floats:

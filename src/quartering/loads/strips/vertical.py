@@ -1,4 +1,4 @@
-"""Linear wave force in surge, heave and pitch by strip theory: Froude-Krylov, and diffraction from the heave potentials."""
+"""Linear wave force in surge, heave and pitch by strip theory: Froude-Krylov, and diffraction."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from numpy.typing import NDArray
 
 from quartering._machine.compiled import kernel
 from quartering.conventions import GRAVITY
+from quartering.hull.hydrostatics import hydrostatics
 from quartering.hull.lines.immersed import strips
 from quartering.hull.ship import Ship
 from quartering.hydro.strip.heave import heave_table
+from quartering.hydro.strip.surge import spheroid_surge
 from quartering.loads.strips.interpolation import frequency_weights
 from quartering.loads.strips.stations import stations
 from quartering.loads.waves import Floats, Phasors, encounter_frequency, heading_components
@@ -25,15 +27,16 @@ def vertical_forces(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floa
     speed (n,): U >= 0 [m/s]
     heading (n,): mu: 0 following, 90 beam, 180 head [deg]
     Returns froude_krylov, diffraction (n, 3): phasors of e^{i omega t}, omega the signed encounter frequency, of a
-        crest at G at t = 0: surge [N/m] and heave, + down [N/m], pitch about G, + bow up [N m/m]; no diffraction in
-        surge
+        crest at G at t = 0: surge [N/m] and heave, + down [N/m], pitch about G, + bow up [N m/m]
 
     With G3(x) = rho int psi3 (u.n) ds, u the orbital velocity on the contour and x_A the aft end of a transom,
 
         Z = -i w int G3 dx - U G3(x_A),  M = int (i w x + U) G3 dx + U x_A G3(x_A)
 
-    The lever of the surge force is left out of the pitch moment, as in strip theory.
-    Source: [STF70] exciting force.  Valid: deep water, slender ship.
+    A body in a stream that changes along it is pushed as the water it displaces is, and as its added mass of water besides:
+    diffraction in surge is k1 times the Froude-Krylov force, k1 of `spheroid_surge`, and a long wave carries a ship as far
+    along as it carries the water. The lever of the surge force is left out of the pitch moment, as in strip theory.
+    Source: [STF70] exciting force; [Taylor28] surge.  Valid: deep water, slender ship.
     """
     k, U, mu = (np.ascontiguousarray(v, dtype=float) for v in np.broadcast_arrays(wavenumber, speed, heading))
     place, hull, density = stations(ship), strips(ship.hull), ship.loading.density
@@ -48,6 +51,7 @@ def vertical_forces(ship: Ship, wavenumber: Floats, speed: Floats, heading: Floa
         place.x, place.weight, table.y, table.z, table.ny, table.nz, table.psi, first, weights, waves,
         place.x_aft, float(place.transom),
     )  # fmt: skip
+    scattered[:, 0] = spheroid_surge(ship.hull.length, hydrostatics(ship).volume) * pressure[:, 0]
     return pressure, scattered
 
 

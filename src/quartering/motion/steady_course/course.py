@@ -265,7 +265,8 @@ def waves_met(
     lateral = (ship_force_phasors(ship, k, speed, heading)[1] + ship_lift_phasors(ship, c, k, speed, heading)) * turn
     vertical = np.where(overtakes, np.conj(scattered[:, 1:]), scattered[:, 1:])
     ahead, across = heading_components(heading)
-    along = np.where(overtakes[:, 0], np.conj(undisturbed[:, 0]), undisturbed[:, 0])
+    along = undisturbed[:, 0] + scattered[:, 0]
+    along = np.where(overtakes[:, 0], np.conj(along), along)
     omega = np.where(slow, 1.0, np.abs(signed))
     return WavesMet(
         np.stack([-k * ahead, k * across, np.where(overtakes[:, 0], -1.0, 1.0)], axis=1),

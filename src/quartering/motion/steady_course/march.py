@@ -1,7 +1,8 @@
 """Motion in time of a ship on a steady course, the wave's pressure on its whole hull: compiled Runge-Kutta steps.
 
-An integration holds one matrix of the water a mode: that at the encounter frequency in heave and pitch, and in sway, roll and
-yaw at the frequency they are expected to move with, half of it in head and following seas.
+An integration holds one matrix of the water a mode: that at the encounter frequency in heave and pitch, or at the lowest above
+it with which free motion dies out (`free_heave`), and in sway, roll and yaw at the frequency they are expected to move with,
+half of it in head and following seas.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
@@ -14,6 +15,7 @@ from numpy.typing import NDArray
 
 from quartering._machine.compiled import inner, kernel
 from quartering.motion.steady_course.course import Course
+from quartering.motion.steady_course.free_heave import free_course
 from quartering.motion.steady_course.pressure_and_drag import instant, rooms
 
 Floats = NDArray[np.float64]
@@ -68,14 +70,13 @@ def march_in_steps(
     """`march` by ``count`` steps of ``h`` seconds; the wave rises over ``rise`` seconds."""
     out = np.full((count + 1, len(STATES)), np.nan)
     out[0] = start
-    numbers = course.numbers._replace(amplitude=course.numbers.amplitude.copy())
-    at = (2, 1 if half else 2)
-    up = np.linalg.inv(numbers.mass[condition, at[0], :2, :2])
-    across = np.linalg.inv(numbers.mass[condition, at[1], 2:, 2:])
-    outcome = _march(
-        course.tables, numbers, condition, up, across, numbers.damping[condition, at[0], :2, :2].copy(),
-        numbers.damping[condition, at[1], 2:, 2:].copy(), h, limit, rise, out,
-    )  # fmt: skip
+    numbers = course.numbers._replace(amplitude=course.numbers.amplitude.copy(), force=course.numbers.force.copy())
+    at = 1 if half else 2
+    mass, damping, force = free_course(course.rows(np.array([condition])))
+    numbers.force[condition] = force[0]
+    up, across = np.linalg.inv(mass[0]), np.linalg.inv(numbers.mass[condition, at, 2:, 2:])
+    damp_across = numbers.damping[condition, at, 2:, 2:].copy()
+    outcome = _march(course.tables, numbers, condition, up, across, damping[0], damp_across, h, limit, rise, out)
     return History(np.asarray(h * np.arange(count + 1), dtype=float), out, int(outcome))
 
 

@@ -62,7 +62,8 @@ def simulate_on_course(
         after a capsize, as `simulate`
 
     Nonlinear restoring and Froude-Krylov force from the pressure over the instantaneous wetted hull; radiation at the encounter
-    frequency in heave and pitch, at half of it in sway, roll and yaw in head and following seas and at it elsewhere; linear
+    frequency in heave and pitch, or at the lowest above it with which they die out in calm water (low waves move the ship as
+    `responses` says all the same), at half of it in sway, roll and yaw in head and following seas and at it elsewhere; linear
     diffraction; lift, drag and roll damping as `equations` has them. The mean speed is constant, surge about it that of linear
     theory.
     Source: [STF70] radiation and diffraction.  Valid: as `parametric_roll`; small yaw.

@@ -23,6 +23,7 @@ from quartering.loads.wetted_hull.floating import floating_tables
 from quartering.loads.wetted_hull.section_tables import SectionTables
 from quartering.motion.six_modes import vertical_motion
 from quartering.motion.steady_course.course import Course, course, radiation, waves_met
+from quartering.motion.steady_course.free_heave import force_with, free_matrices, vertical_matrices
 from quartering.motion.steady_course.march import AFLOAT, UNDER
 from quartering.motion.steady_course.sea_march import Components, march_in_a_sea
 from quartering.study.seas.simulated.asked import roll_limit_of
@@ -89,8 +90,9 @@ def irregular_six(
         block: roll_largest [deg], failure_time [s], failure_cause ("", "roll", "under water")
 
     The equations of `simulate_on_course` with the surface, diffraction, lift, drag and surge of 200 waves of one energy each,
-    their phases by chance. Radiation: heave and pitch at the mean frequency of their own linear motion, sway, roll and yaw at
-    the natural frequency of roll. A block ends with its failure; failures have the exact interval of a Poisson count.
+    their phases by chance. Radiation: heave and pitch at the mean frequency of their own linear motion, or at the lowest above
+    with which they die out in calm water, the wave's force making up for the rest; sway, roll and yaw at the natural frequency
+    of roll. A block ends with its failure; failures have the exact interval of a Poisson count.
     Source: superposition of linear waves, [STF70].  Valid: as `parametric_roll`; the surface straight across a section.
     """
     U, mu = condition(ship, speed, sea.heading if heading is None else heading)
@@ -156,6 +158,8 @@ def _at_rest(ship: Ship, sea: Sea, cells: Drawn, speed: float) -> Course:
     of_roll = radiation(ship, np.array([2 * natural]), np.array([speed]))  # held at halves of a frequency
     mass, damping = (part.copy() for part in of_heave)
     mass[:, 1, 2:, 2:], damping[:, 1, 2:, 2:] = (part[:, 1, 2:, 2:] for part in of_roll)
+    free = free_matrices(ship, np.array([omega]), np.array([speed]))
+    mass[:, 2, :2, :2], damping[:, 2, :2, :2] = free[0], free[1]
     return replace(many, numbers=many.numbers._replace(mass=mass, damping=damping, omega=np.array([omega])))
 
 
@@ -168,11 +172,15 @@ def _banded(ship: Ship, cells: Drawn, bands: int) -> Banded:
     return Banded(edges, k, tables[0], np.stack([one.spline for one in tables]))
 
 
-def components(ship: Ship, banded: Banded, speed: float, waves: tuple[Floats, ...]) -> Components:
+def components(one: Course, banded: Banded, waves: tuple[Floats, ...]) -> Components:
     """Waves that meet a ship, with all they do beside their pressure.
 
+    one: the ship, with the matrices it is marched with
     waves: amplitude [m], frequency [rad/s], heading [deg] and phase [rad], (n,) each
+
+    To their force stands added what the matrices of heave and pitch lack at their own frequency, as in `free_heave`.
     """
+    ship, speed = one.ship, float(one.speed[0])
     amplitude, sigma, heading, phase = (np.ascontiguousarray(part, dtype=float) for part in waves)
     k, speeds = sigma**2 / GRAVITY, np.full(sigma.size, speed)
     signed = np.asarray(encounter_frequency(sigma, speed, heading))
@@ -180,8 +188,11 @@ def components(ship: Ship, banded: Banded, speed: float, waves: tuple[Floats, ..
     c = coefficients(ship, np.where(slow, least_encounter_frequency(ship.hull.length), np.abs(signed)), speeds)
     met = waves_met(ship, c, k, speeds, heading, signed, slow | (np.abs(signed) < _SLOW * sigma))
     angle = met.wave[:, :1] * banded.tables.x
+    own = vertical_matrices(ship, np.abs(signed), speeds)[:2]
+    marched = one.numbers.mass[:, 2, :2, :2], one.numbers.damping[:, 2, :2, :2]
+    force = force_with(ship, (k, speeds, heading, signed), met.force, own, marched)
     return Components(
-        amplitude, np.abs(signed), phase, met.wave, met.force, np.ascontiguousarray(met.strips[:, :, 3:]),
+        amplitude, np.abs(signed), phase, met.wave, force, np.ascontiguousarray(met.strips[:, :, 3:]),
         np.ascontiguousarray(met.surge[:, 0]), np.searchsorted(banded.edges, sigma).astype(np.int64),
         np.ascontiguousarray(np.stack([np.cos(angle), np.sin(angle)], axis=1)),
     )  # fmt: skip
@@ -191,7 +202,7 @@ def _block(one: Course, cells: Drawn, banded: Banded, seeds: tuple[int, int], li
     """Sums, largest roll and end of one block, and how it ends."""
     sigma, heading, phase = _drawn(cells, np.random.default_rng(seeds))
     amplitude = np.full(WAVES, math.sqrt(2 * cells.m0 / WAVES))
-    sea = components(one.ship, banded, float(one.speed[0]), (amplitude, sigma, heading, phase))
+    sea = components(one, banded, (amplitude, sigma, heading, phase))
     shortest = 2 * math.pi / max(float(np.quantile(sea.omega, 0.95)), 1e-9)
     h = min(shortest, 2 * math.pi * math.sqrt(2 * one.draught / GRAVITY)) / _STEPS
     out, steps = np.zeros(6), math.ceil(BLOCK / h)

@@ -186,11 +186,11 @@ def _heading(ship: Ship, kyy: float, given: bool, place: str) -> dict[str, Any]:
         "acceleration_place": place,
         "axes": "axes that move with the mean course: x forward, y to starboard, z down, origin at G; amplitudes are positive",
         "heading_convention": HEADING_CONVENTION,
-        "surge": "added mass of a spheroid, no damping, not coupled",
+        "surge": "added mass of a spheroid, in the wave force too, no damping, not coupled",
         "pitch_moment": "without the lever of the surge force, as in strip theory",
         "lateral_modes": "linear part of the ship's own equations, rudder amidships",
         "diffraction": f"sway, roll, yaw: {form_words(ship, 'stf')}; heave, pitch: from the heave potentials on the contours",
-        "references": "STF70, Frank67, Lamb32, H71",
+        "references": "STF70, Frank67, Lamb32, Taylor28, H71",
         "Conventions": "CF-1.8",
         "source": made_by(),
     }
