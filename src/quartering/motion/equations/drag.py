@@ -14,15 +14,15 @@ from quartering._machine.simd import every, load, size, store
 
 
 @batch_kernel
-def one_hull(strips, of):
-    """Have the conditions ``of`` (W,) of strips (n, z, 5) all the same forms of them?"""
-    different = 0
-    for l in range(1, of.size):
-        if of[l] != of[0]:
-            for z in range(strips.shape[1]):
-                for j in range(3):
-                    different += strips[of[l], z, j] != strips[of[0], z, j]
-    return different == 0
+def one_hull(strips, of, one):
+    """Have the conditions ``of`` (W,) of strips (n, z, 5) all the forms of condition ``one``?"""
+    forms = strips[one]
+    for l in range(of.size):
+        own = strips[of[l]]
+        for z in range(strips.shape[1] if of[l] != one else 0):
+            if own[z, 0] != forms[z, 0] or own[z, 1] != forms[z, 1] or own[z, 2] != forms[z, 2]:
+                return False
+    return True
 
 
 @batch_kernel
