@@ -99,13 +99,18 @@ def drag_slopes(strips, velocities, c, s, columns, sums):
 
 @batch_kernel
 def drag_slopes_of_one_hull(strips, forms, velocities, c, s, columns, sums):
-    """`drag_slopes` where all lanes have the strips of one hull."""
+    """`drag_slopes` where all lanes have the strips of one hull.
+
+    Each |q| goes through ``sums``, behind the seventh: velocities and all six sums are more than a processor's registers hold.
+    """
     sway, roll, yaw = velocities[0], velocities[1], velocities[2]
     by_v, by_p, by_r = load(columns, sway), load(columns, roll), load(columns, yaw)
-    vv, vp, vr, pp, pr, rr = every(0.0), every(0.0), every(0.0), every(0.0), every(0.0), every(0.0)
     for z in range(strips.shape[0]):
         water = c * load(strips, (z, 3)) + s * load(strips, (z, 4))
-        g = size(forms[z, 0] * by_v + forms[z, 1] * by_p + forms[z, 2] * by_r - water)
+        store(sums, 7 + z, size(forms[z, 0] * by_v + forms[z, 1] * by_p + forms[z, 2] * by_r - water))
+    vv, vp, vr, pp, pr, rr = every(0.0), every(0.0), every(0.0), every(0.0), every(0.0), every(0.0)
+    for z in range(strips.shape[0]):
+        g = load(sums, 7 + z)
         vv += g * forms[z, 3]
         vp += g * forms[z, 4]
         vr += g * forms[z, 5]

@@ -208,11 +208,11 @@ def at_instants(i, share, parts, waves, begin, lanes):
 
 @maker
 def room_for(program, lanes):
-    """What one evaluation needs: columns, forces, their derivatives, and the sums over strips."""
+    """What one evaluation needs: columns, forces, their derivatives, and the sums over strips with room for each strip."""
     width = lanes.frequency.size
     rows, states = lanes.linear.shape[0], lanes.linear.shape[1]
     return (np.zeros((program.width, width)), np.zeros((rows, width)), np.zeros((rows, states, width)),
-            np.zeros((7, width)))  # fmt: skip
+            np.zeros((7 + lanes.strips.shape[0], width)))  # fmt: skip
 
 
 @batch_kernel
