@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from quartering._machine.compiled import batch_kernel, kernel, maker
-from quartering._machine.simd import every, load, store
+from quartering._machine.simd import every, load, size, store, where_less
 from quartering.motion.equations.program import PLAIN
 from quartering.motion.equations.rates import (
     WIDTH,
@@ -261,34 +261,35 @@ def steady_response(linear, l, x, y, z):
 
 
 @batch_kernel
-def _move(u, step, out, size):
-    """Add a step to the motions; ``size`` (W,) is the largest change relative to its mode's amplitude afterwards.
+def _move(u, step, out, largest):
+    """Add a step to the motions; ``largest`` (W,) is the largest change relative to its mode's amplitude afterwards.
 
     As `balance.relative_step`; not a number counts as endless.
     """
     nb = u.shape[1]
-    for l in range(size.size):
-        floor, largest = 1e-300, 0.0
-        for k in range(3):
-            for b in range(nb):
-                out[k, b, l] = u[k, b, l] + step[k * nb + b, l]
-                floor = max(floor, 1e-6 * abs(out[k, b, l]))
-        for k in range(3):
-            own = floor
-            for b in range(nb):
-                own = max(own, abs(out[k, b, l]))
-            for b in range(nb):
-                part = abs(step[k * nb + b, l]) / own
-                largest = part if not part <= largest else largest
-        size[l] = largest
+    floor, most = every(1e-300), every(0.0)
+    for k in range(3):
+        for b in range(nb):
+            moved = load(u, (k, b)) + load(step, k * nb + b)
+            store(out, (k, b), moved)
+            own = 1e-6 * size(moved)
+            floor = where_less(floor, own, own, floor)
+    for k in range(3):
+        amplitude = floor
+        for b in range(nb):
+            own = size(load(out, (k, b)))
+            amplitude = where_less(amplitude, own, own, amplitude)
+        for b in range(nb):
+            change = size(load(step, k * nb + b)) / amplitude
+            most = where_less(change, most, most, change)
+    store(largest, (), most)
 
 
 @batch_kernel
 def _copy(u, out):
     for k in range(3):
         for b in range(u.shape[1]):
-            for l in range(u.shape[2]):
-                out[k, b, l] = u[k, b, l]
+            store(out, (k, b), load(u, (k, b)))
 
 
 @batch_kernel
@@ -400,7 +401,7 @@ def newton_batch(first, last, program, parts, tables, given_start, from_rest, st
     u, linear_motion = np.zeros((3, nb, WIDTH)), np.zeros((3, nb, WIDTH))
     stage, sign, side = np.full(WIDTH, _LEFT), np.zeros((2, WIDTH)), np.zeros(WIDTH)
     following = from_rest and not given_start
-    work = (np.zeros((3 * nb, 3 * nb, WIDTH)), np.zeros((3 * nb, WIDTH), np.int64), np.zeros((3 * nb, WIDTH)),
+    work = (np.zeros((3 * nb, 3 * nb, WIDTH)), np.zeros((3 * nb, WIDTH)), np.zeros((3 * nb, WIDTH)),
             np.zeros((3 * nb, WIDTH)), np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), room)  # fmt: skip
     # A lane takes the next condition as soon as its own is done, so that none waits for the slowest of its neighbours. The
     # last ones stand beside lanes that have none left and go along without being written.

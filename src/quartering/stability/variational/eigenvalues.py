@@ -301,7 +301,8 @@ def eigenvalues(matrices: Floats) -> NDArray[np.complex128]:
     """
     values = np.empty(matrices.shape[:2], complex)
     in_threads(_all_values, matrices.shape[0], np.require(matrices, float, ("C", "W")), values)
-    lost = np.flatnonzero(np.isnan(values[:, 0]) & np.isfinite(matrices).all(axis=(1, 2)))
+    lost = np.flatnonzero(np.isnan(values[:, 0]))
+    lost = lost[np.isfinite(matrices[lost]).all(axis=(1, 2))]
     if lost.size:
         values[lost] = np.linalg.eigvals(matrices[lost])
     return values
