@@ -73,7 +73,7 @@ def ship_at(ship):
 
 def motion_and_stability(system, accuracy=ACCURACY):
     """Periodic motion, multipliers, K2, S = -K2/(2 n2)."""
-    u, status, _ = harmonic_balance(system, ORDERS)
+    u, status, _ = harmonic_balance(system, ORDERS, with_residual=False)
     phasors, rate, transition = in_one_pass(system, u, ORDERS, accuracy)
     n2, _, roll_rate = roll_mode(phasors[:, 0].real, system.linear)
     trace = phasors[:, 0, 0, 0].real + phasors[:, 0, 1, 2].real + phasors[:, 0, 2, 3].real
@@ -82,7 +82,7 @@ def motion_and_stability(system, accuracy=ACCURACY):
 
 
 def whole_ladder(system):
-    u, status, _ = harmonic_balance(system, ORDERS)
+    u, status, _ = harmonic_balance(system, ORDERS, with_residual=False)
     return u, status, assess(system, u, ORDERS, detail="map")
 
 

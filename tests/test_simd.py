@@ -4,7 +4,7 @@ import numba
 import numpy as np
 import pytest
 
-from quartering._machine.simd import LANES, all_at_most, every, load, root, size, store, where_less
+from quartering._machine.simd import LANES, all_at_most, every, load, pick, root, size, store, where_less
 
 
 @numba.njit
@@ -46,6 +46,18 @@ def test_one_lane_past_a_limit_or_not_a_number_tells_for_all(worst, inside):
     a = np.zeros((1, LANES))
     a[0, LANES - 1] = worst
     assert _inside(a, 1.0) is inside
+
+
+@numba.njit
+def _picked(array, places, out):
+    store(out, (), pick(array, load(places, ())))
+
+
+def test_each_lane_picks_its_own_element():
+    array, places = np.random.default_rng(6).normal(size=50), np.array([7.0, 0.0, 49.0, 7.0, 31.0, 48.0, 1.0, 2.0])
+    out = np.empty(LANES)
+    _picked(array, places, out)
+    assert out.tolist() == array[places.astype(int)].tolist()
 
 
 @numba.njit

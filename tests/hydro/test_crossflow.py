@@ -7,14 +7,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from quartering.conventions import CUBIC_MONOMIALS, InputError
-from quartering.hydro.manoeuvring.crossflow import (
-    ENERGY_CUBE,
-    LEAST_SQUARES_CUBE,
-    LEAST_SQUARES_LINE,
-    cross_flow_cubics,
-    cross_flow_linear,
-    reference_velocity,
-)
+from quartering.hydro.manoeuvring.crossflow import ENERGY_CUBE, cross_flow_cubics, reference_velocity
 
 pytestmark = pytest.mark.quick
 
@@ -59,14 +52,6 @@ def test_energy_constant_dissipates_what_the_modulus_law_dissipates_over_a_cycle
         assert cube == pytest.approx(modulus, rel=1e-12)
 
 
-def test_least_squares_pair_is_the_closest_line_and_cube_to_the_modulus_law():
-    # normal equations of the fit on [0, 1], integrals of u^m in closed form
-    normal = np.array([[1 / 3, 1 / 5], [1 / 5, 1 / 7]])
-    np.testing.assert_allclose(
-        [LEAST_SQUARES_LINE, LEAST_SQUARES_CUBE], np.linalg.solve(normal, [1 / 4, 1 / 6]), rtol=1e-13
-    )
-
-
 def test_uniform_hull_has_the_closed_form_of_a_rectangular_plate():
     # constant draught T and lever h, x in (-a, a): int dx = 2a, int x^2 dx = 2a^3/3, int x^4 dx = 2a^5/5
     a, t, h = 50.0, 5.0, 3.0
@@ -88,28 +73,12 @@ def test_uniform_hull_has_the_closed_form_of_a_rectangular_plate():
         assert abs(got[name]) < 1e-12 * largest, name
 
 
-def test_linear_part_of_least_squares_is_symmetric_and_dissipative():
-    linear = cross_flow_linear(X, WEIGHT, DRAUGHT, LEVER, DRAG, SCALE, DENSITY)
-    np.testing.assert_allclose(linear, linear.T, rtol=1e-13)
-    assert np.linalg.eigvalsh(linear).max() < 0
-
-
-def test_least_squares_cubic_is_the_energy_cubic_times_the_ratio_of_constants():
-    fitted = cross_flow_cubics(X, WEIGHT, DRAUGHT, LEVER, DRAG, SCALE, DENSITY, fit="least-squares")
-    np.testing.assert_allclose(fitted, CUBICS * (35 / 48) / (32 / (9 * np.pi)), rtol=1e-13)
-
-
 @pytest.mark.parametrize(
     ("scale", "drag"), [(0.0, 0.8), (-1.0, 0.8), (float("nan"), 0.8), (1.0, -0.1), (1.0, float("nan"))]
 )
 def test_bad_scale_or_drag_is_refused(scale, drag):
     with pytest.raises(InputError, match=r"velocity scale|drag coefficient"):
         cross_flow_cubics(X, WEIGHT, DRAUGHT, LEVER, drag, scale, DENSITY)
-
-
-def test_unknown_fit_names_the_allowed_ones():
-    with pytest.raises(InputError, match="least-squares"):
-        cross_flow_cubics(X, WEIGHT, DRAUGHT, LEVER, DRAG, SCALE, DENSITY, fit="cubic")  # type: ignore[arg-type]
 
 
 def test_reference_velocity_follows_froude_scaling():

@@ -9,7 +9,7 @@ from quartering.conventions import CUBIC_MONOMIALS
 from quartering.motion.equations.system import FEWEST, System, acceleration_form, kernel_arguments
 from quartering.motion.equations.terms import term_table
 from quartering.motion.steady.harmonic import harmonic_balance, solve_with_care
-from quartering.motion.steady.newton import newton_batch
+from quartering.motion.steady.newton import imbalances, newton_batch
 
 COUNT = 75  # two full rows and part of one
 
@@ -33,7 +33,9 @@ def systems(extra=(), mean=0.0, force=0.1, seed=1971) -> System:
 def found_in_step(system, orders):
     table = system.basis(orders, fewest=FEWEST)
     u, waiting, error = np.zeros((system.count, 3, table.factors.size)), np.ones(system.count, np.int8), np.zeros(COUNT)
-    newton_batch(0, system.count, *kernel_arguments(system, table), False, False, u, waiting, error)
+    given = kernel_arguments(system, table)
+    newton_batch(0, system.count, *given, False, False, u, waiting)
+    imbalances(0, system.count, *given, u, waiting, error)
     return u, waiting == 0, error
 
 

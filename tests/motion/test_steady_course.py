@@ -13,6 +13,7 @@ from quartering.motion.six_modes import vertical_system
 from quartering.motion.status import Status
 from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.orbits import amplitudes, forced_motions, symmetric_orbits
+from tests.simplified_course import with_constant_coefficients
 
 SHIP = qt.ship("s175").with_(gm=1.0, gyradius_pitch=43.75)
 K = 2 * np.pi / 175.0
@@ -125,7 +126,7 @@ def test_the_symmetric_motion_is_that_of_the_pressure_integrated_in_time():
     """
     wave = qt.Wave(175.0, 5.25)
     one = course(SHIP, wave.wavenumber, np.array([wave.amplitude]), np.array([3.3]), np.array([180.0]))
-    found = amplitudes(symmetric_orbits(one.with_constant_coefficients()))[0]
+    found = amplitudes(symmetric_orbits(with_constant_coefficients(one)))[0]
     linear = wave.amplitude * (one.numbers.surge[0, 0, 0] - 1j * one.numbers.surge[0, 0, 1])
     own = march_on_the_pressure(one, wave, 3.3, 180.0, [linear])[2]
     assert abs(own[0] - linear) < 0.05 * abs(linear)
@@ -155,8 +156,8 @@ def test_the_motion_an_oblique_sea_forces_is_that_of_a_march():
     The march keeps the water's coefficients at the encounter frequency, so the balance does here. Nobody steers the march; the
     balance holds the course, so means are not compared.
     """
-    one = course(SHIP, K, np.array([1.5]), np.array([5.0]), np.array([120.0])).with_constant_coefficients(half=False)
-    motion = forced_motions(one)
+    one = course(SHIP, K, np.array([1.5]), np.array([5.0]), np.array([120.0]))
+    motion = forced_motions(with_constant_coefficients(one, half=False))
     with pytest.warns(qt.RangeWarning, match="straight"):
         marched = qt.simulate(SHIP, 1200.0, wave=qt.Wave(175.0, 3.0), speed=5.0, heading=120.0, modes="six")
     names = ("heave", "pitch", "sway_velocity", "roll", "yaw_rate")

@@ -9,10 +9,11 @@ import quartering as qt
 from quartering.motion.steady_course.balance import doubled_harmonics, oblique_doubled_harmonics
 from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.doubled import doubled_motions, largest_roll
-from quartering.motion.steady_course.march import STATES, march, start_on
+from quartering.motion.steady_course.march import STATES, march
 from quartering.motion.steady_course.orbits import symmetric_orbits
 from quartering.stability.parametric import doubled_multipliers, growths, hill_multipliers, roll_growth
 from tests.reference import table
+from tests.simplified_course import rolling_alone, start_on, with_constant_coefficients
 from tests.tiers import mostly_soak
 
 SHIP = qt.ship("s175").with_(gm=1.0, gyradius_roll=8.89, gyradius_pitch=43.75, ends="strips", roll_damping=0.02)
@@ -62,8 +63,8 @@ def test_growth_and_steady_roll_are_those_of_an_integration_in_time(alone, speed
     """Growth by Floquet within 2 % and roll of two periods within 1 % of a march of the same equations."""
     heading = 180.0 if speed == 3.3 else 0.0
     ship = SHIP if heading else SHIP.with_(gm=0.6)
-    one = at(speed, 5.25, heading, ship).with_constant_coefficients()
-    one = one.rolling_alone(0.02) if alone else one
+    one = with_constant_coefficients(at(speed, 5.25, heading, ship))
+    one = rolling_alone(one, 0.02) if alone else one
     orbits = symmetric_orbits(one)
     growth = roll_growth(orbits, 0.02)
     omega = one.numbers.omega[0]
@@ -85,7 +86,7 @@ def test_of_two_motions_of_two_periods_beyond_a_fold_one_is_stable():
     ship = qt.ship("dtmb5415").with_(gm=1.0, gyradius_roll=7.0596, gyradius_pitch=35.5, ends="strips")
     length = ship.hull.length
     one = course(ship, 2 * np.pi / length, *(np.array([v]) for v in (0.015 * length, 2.68, 180.0)))
-    one = one.with_constant_coefficients().rolling_alone(0.03)
+    one = rolling_alone(with_constant_coefficients(one), 0.03)
     _, branches = doubled_motions(one, 0.015 * length, 0.022 * length)
     branch = branches[0]
     back = np.flatnonzero(np.diff(branch.amplitude) < 0)
@@ -105,7 +106,8 @@ def test_of_two_motions_of_two_periods_beyond_a_fold_one_is_stable():
 def test_roll_of_two_periods_in_an_oblique_sea_is_that_of_a_march(heading):
     """Authority: integration in time of the same equations, from 3 deg of roll, 1 % allowed; the forced motion is unstable."""
     ship = qt.ship("dtc").with_(autopilot="1,10s")
-    one = course(ship, 2 * np.pi / 355, *(np.array([v]) for v in (3.5, 5.0, heading))).with_constant_coefficients()
+    one = course(ship, 2 * np.pi / 355, *(np.array([v]) for v in (3.5, 5.0, heading)))
+    one = with_constant_coefficients(one)
     basis = oblique_doubled_harmonics()
     x, branches = doubled_motions(one, 3.5, 5.0, basis=basis)
     assert len(x) == len(branches) == 1

@@ -12,6 +12,7 @@ from quartering.motion.steady_course.doubled import doubled_motions
 from quartering.motion.steady_course.orbits import amplitudes, symmetric_orbits
 from quartering.stability.parametric import doubled_multipliers, roll_growth
 from tests.reference import table
+from tests.simplified_course import rolling_alone, with_constant_coefficients
 
 ROWS = table("steady_course_of_ships.csv")
 ALWAYS = ("series60-cb60-5.0", "dtmb5415-2.68")
@@ -35,7 +36,7 @@ def as_there(row):
     length = value["wave_over_length"] * ship.hull.length
     a = 0.5 * value["steepness"] * length
     one = course(ship, 2 * np.pi / length, *(np.array([v]) for v in (a, value["speed"], value["heading"])))
-    one = one.with_constant_coefficients()
+    one = with_constant_coefficients(one)
     numbers = one.numbers._replace(force=one.numbers.force / a, surge=np.zeros((1, 0, 2)))  # nor did it surge
     return value, replace(one, numbers=numbers), a
 
@@ -64,7 +65,7 @@ def test_heave_pitch_and_stability_are_those_of_an_independent_march(row):
 def test_roll_of_two_periods_is_that_of_an_independent_march(row):
     """Authority: theory of six degrees, section 9, `parametric`: first harmonic of the double period, 7 %."""
     value, one, a = as_there(row)
-    alone, basis = one.rolling_alone(value["zeta"]), doubled_harmonics()
+    alone, basis = rolling_alone(one, value["zeta"]), doubled_harmonics()
     x, _ = doubled_motions(alone, a, 1.6 * a)
     stable = x[np.abs(doubled_multipliers(alone, basis, x)).max(axis=1) < 1.0]
     roll = basis.parts(stable)[ROLL]

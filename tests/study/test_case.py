@@ -9,7 +9,7 @@ import yaml
 
 import quartering as qt
 from quartering.study.case.new import SCHEMA, starting_case
-from quartering.study.case.read import case_grid, case_schema, read_case
+from quartering.study.case.read import case_grid, case_schema
 from quartering.study.maps.sweep import fill
 
 pytestmark = pytest.mark.quick
@@ -97,10 +97,10 @@ def test_a_ship_file_beside_the_case_is_found(tmp_path):
 
 def test_no_file_and_no_keys(tmp_path):
     with pytest.raises(qt.InputError, match="cannot be read"):
-        read_case(tmp_path / "none.yaml")
+        case_grid(tmp_path / "none.yaml")
     (tmp_path / "text.yaml").write_text("just words")
     with pytest.raises(qt.InputError, match="a list of keys"):
-        read_case(tmp_path / "text.yaml")
+        case_grid(tmp_path / "text.yaml")
 
 
 def test_the_shipped_schema_is_that_of_the_code():

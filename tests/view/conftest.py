@@ -1,4 +1,4 @@
-"""An explorer for the tests that need one, a real server in a process of its own, and a browser to visit it with."""
+"""What many tests of the view need: a command to call, an explorer in a process of its own, a browser to visit it with."""
 
 import os
 import shutil
@@ -12,11 +12,20 @@ from pathlib import Path
 from urllib.parse import urlparse
 
 import pytest
+from typer.testing import CliRunner
 
+from quartering.view.cli import app
 from tests.view.pages import STABLE, filled
 
 LONGEST_START = 600.0
 """A fresh checkout compiles its kernels first [s]."""
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch):
+    """Call a command with its words, in an empty folder."""
+    monkeypatch.chdir(tmp_path)
+    return lambda *words: CliRunner().invoke(app, [str(word) for word in words])
 
 
 class Explorer:

@@ -31,17 +31,6 @@ CONDITION = ["--heading", "30", "--speed", "15kn", "--wave-length", "1L", "--wav
 SMALL_MAP = ["--speed", "0.25Fn", "--headings", "0:180:7", "--wave-lengths", "0.6L,1L"]
 
 
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-
-    def call(*words):
-        return runner.invoke(app, [str(word) for word in words])
-
-    return call
-
-
 def test_ships_lists_every_built_in_ship(run):
     result = run("ships", "--json")
     assert result.exit_code == 0

@@ -7,28 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 import yaml
-from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.hull.file.changed import changed_text
 from quartering.hydro.damping.natural_roll import free_roll
 from quartering.hydro.decay.equation import free_decay
 from quartering.hydro.decay.free_roll import free_damping
-from quartering.view.cli import app
 
 DATA = Path(__file__).parents[1] / "data"
 S60 = qt.ship("series60-cb60")
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-
-    def call(*words):
-        return runner.invoke(app, [str(word) for word in words])
-
-    return call
 
 
 def samples(zeta=0.02, d=0.4, first=12.0, swings=20):

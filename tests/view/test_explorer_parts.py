@@ -86,6 +86,14 @@ def test_an_uploaded_barge_has_the_volume_of_a_box():
     assert known.key != hull_of_upload("my barge.csv", BARGE.encode(), Sizes(draught=3.5)).key
 
 
+def test_an_uploaded_barge_in_millimetres_is_the_same_barge():
+    numbers = [[f"{float(cell) * 1000:g}" for cell in row.split(",")] for row in BARGE.removeprefix("x,").split("\n")]
+    numbers[0].insert(0, "x")
+    told = hull_of_upload("my barge.csv", "\n".join(map(",".join, numbers)).encode(), Sizes(draught=3.0, unit="mm"))
+    assert qt.hydrostatics(told.ship).volume == pytest.approx(60 * 10 * 3, rel=1e-9)  # L B T
+    assert '"unit": "mm"' in told.files["ship.yaml"].decode()
+
+
 @pytest.mark.parametrize(
     ("name", "data", "reason"),
     [
@@ -95,6 +103,7 @@ def test_an_uploaded_barge_has_the_volume_of_a_box():
         ("hull.gdf", b"\xff\xfe" * 300, "GDF"),
         ("hull.csv", b"x,0,4\n0,5,5\n", "at least 4 of them"),
         ("hull.csv", b"", "empty"),
+        ("hull.csv", b"x,0,5000\n-40000,6000,6000\n40000,6000,6000", "over 80000 m, .*; say the unit of its numbers"),
         ("hull.csv", b"x" * (LARGEST + 1), "MB"),
         ("hull.out", b"4 t 4.0", "."),
         ("../../etc/cron.csv", BARGE.encode(), "draught"),

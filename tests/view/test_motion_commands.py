@@ -5,20 +5,12 @@ import json
 import numpy as np
 import pytest
 from matplotlib.text import Text
-from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.view.cli import app
 from quartering.view.plots.basin import basin_picture
 from quartering.view.plots.branch import branch_picture
 
 CONDITION = ["--heading", "60", "--speed", "8", "--wave-length", "1L", "--wave-height", "4"]
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    return lambda *words: CliRunner().invoke(app, [str(word) for word in words])
 
 
 def texts(figure):

@@ -76,7 +76,8 @@ def test_lines_in_millimetres_keep_their_unit(tmp_path, monkeypatch):
     """Authority: closed form of the prism, 80 12 3 m3."""
     monkeypatch.chdir(tmp_path)
     Path("a.csv").write_text("x,0,5000\n-40000,6000,6000\n40000,6000,6000")
-    assert "is the unit right?" in run("--offsets", "a.csv", "--draught", "3 m").stderr
+    assert "over 80000 m" in (refused := run("--offsets", "a.csv", "--draught", "3 m").stderr)
+    assert "say the unit of its numbers" in refused
     result = run("--offsets", "a.csv", "--draught", "3 m", "--unit", "mm")
     assert result.exit_code == 0, result.output
     assert qt.hydrostatics(qt.ship("a.yaml")).volume == pytest.approx(2880.0)

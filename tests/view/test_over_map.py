@@ -4,27 +4,14 @@ import json
 
 import numpy as np
 import pytest
-from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.stability.kind import Kind
 from quartering.study.effects.over_map import over_map
-from quartering.view.cli import app
 from quartering.view.plots.over_map import over_map_picture
 
 WIGLEY = qt.ship("wigley")
 HEADINGS, LENGTHS, STEEP = np.array([30.0, 60.0, 90.0]), np.array([80.0, 120.0, 200.0]), 0.04
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-
-    def call(*words):
-        return runner.invoke(app, [str(word) for word in words])
-
-    return call
 
 
 def test_a_value_of_the_map_is_that_of_the_map_of_the_changed_ship():

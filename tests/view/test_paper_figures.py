@@ -5,14 +5,12 @@ import json
 import numpy as np
 import pytest
 from matplotlib.text import Text
-from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import GRAVITY
 from quartering.study.paper.conditions import speed_of
 from quartering.study.paper.curves import loading_curves, response_curves
 from quartering.study.paper.model import paper_ship
-from quartering.view.cli import app
 from quartering.view.plots.paper_axes import wave_direction
 from quartering.view.plots.paper_curves import loading_picture, response_picture, stability_picture
 from quartering.view.plots.paper_figures import FIGURES, draw_figure
@@ -20,13 +18,6 @@ from quartering.view.plots.paper_points import panels
 
 SHIP = paper_ship()
 HEADINGS = np.arange(0.0, 181.0, 20.0)
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-    return lambda *words: runner.invoke(app, [str(word) for word in words])
 
 
 def texts(figure):

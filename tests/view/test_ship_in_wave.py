@@ -6,10 +6,8 @@ import stat
 import numpy as np
 import pytest
 from PIL import Image
-from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.view.cli import app
 from quartering.view.command import simulate as simulate_command
 from quartering.view.moves import moves_of, pace_of
 from quartering.view.plots.ship_in_wave import Scene, frames_shown
@@ -17,17 +15,6 @@ from quartering.view.ship_shape import shape_of
 
 SHIP = qt.ship("wigley")
 CONDITION = ["--heading", "60", "--speed", "5", "--wave-length", "1L", "--wave-height", "2"]
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-
-    def call(*words):
-        return runner.invoke(app, [str(word) for word in words])
-
-    return call
 
 
 def scene_of(ship, wave, speed, heading, duration):

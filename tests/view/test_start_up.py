@@ -66,4 +66,25 @@ def test_a_map_in_three_modes_loads_nothing_of_six(tmp_path):
         "scipy.interpolate",
         "matplotlib",
         "quartering.motion.steady_course.doubled",
+        "dask.array",
+        "distributed",
     }
+
+
+@pytest.mark.parametrize(
+    ("words", "hidden"),
+    [
+        (("polar", "wigley"), True),
+        (("sweep", "a.yaml", "--cluster", "local:2"), False),
+        (("--cluster=local:2",), False),
+    ],
+)
+def test_dask_is_found_where_a_cluster_is_asked_for_alone(words, hidden):
+    """Where it is installed xarray asks for it with the first dataset, and a map then took a fifth longer."""
+    call = (
+        f"import sys; sys.argv = ['quartering', *{words!r}]\n"
+        "from quartering.view import cli; cli._leave_dask_alone()\n"
+        "print(sys.modules.get('dask', 'not asked for'))"
+    )
+    result = subprocess.run([sys.executable, "-c", call], capture_output=True, text=True, check=True)
+    assert (result.stdout.strip() == "None") == hidden

@@ -6,27 +6,14 @@ import json
 import numpy as np
 import pytest
 import xarray as xr
-from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.view.cli import app
 from quartering.view.console import files, tables
 from quartering.view.console.printed import table
 from quartering.view.plots.branch import branch_picture
 from quartering.view.plots.trace import trace_picture
 
 SMALL_MAP = ["--speed", "0.2Fn", "--headings", "0:180:4", "--wave-lengths", "0.6L,1L,2L"]
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-
-    def call(*words):
-        return runner.invoke(app, [str(word) for word in words])
-
-    return call
 
 
 def blocks_of(path):

@@ -5,30 +5,17 @@ import json
 import numpy as np
 import pytest
 import xarray as xr
-from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.conventions import InputError
 from quartering.stability.kind import Kind
 from quartering.study.maps.compare import Change, OnlyOne, map_difference
-from quartering.view.cli import app
 from quartering.view.plots.difference_map import difference_map
 
 AXES = ["--speed", "5", "--headings", "30:150:5", "--wave-lengths", "80,120,160", "--steepness", "1/25"]
 WAVES = [qt.Wave(length, length / 25) for length in (80.0, 120.0, 160.0)]
 HEADINGS = [30.0, 60.0, 90.0, 120.0, 150.0]
 CASES = "loadings:\n  ballast: {draught: 0.8 T, gm: 1.2 m}\n  departure: {gm: 0.4 m}\n"
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-
-    def call(*words):
-        return runner.invoke(app, [str(word) for word in words])
-
-    return call
 
 
 @pytest.fixture

@@ -5,17 +5,8 @@ import json
 import numpy as np
 import pytest
 import xarray as xr
-from typer.testing import CliRunner
 
 import quartering as qt
-from quartering.view.cli import app
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    runner = CliRunner()
-    return lambda *words: runner.invoke(app, [str(word) for word in words])
 
 
 def test_hull_prints_and_draws_gm_on_a_wave(run, tmp_path):

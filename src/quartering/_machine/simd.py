@@ -146,6 +146,24 @@ def every(_typing, number):  # noqa: ARG001
     return vector_type(types.float64), lowered
 
 
+@intrinsic
+def pick(_typing, array, places):
+    """The elements of a flat array at the places that the lanes hold, whole numbers that are in it."""
+
+    def lowered(context, builder, sig, args):
+        own = context.make_array(sig.args[0])(context, builder, args[0])
+        whole = builder.fptosi(args[1], ir.VectorType(ir.IntType(32), LANES))
+        picked = ir.Constant(_VECTOR, ir.Undefined)
+        for lane in range(LANES):
+            here = ir.Constant(ir.IntType(32), lane)
+            element = builder.load(builder.gep(own.data, [builder.extract_element(whole, here)], inbounds=True))
+            picked = builder.insert_element(picked, element, here)
+        return picked
+
+    _row_major(array)
+    return vector_type(array, places), lowered
+
+
 def _unary(name: str) -> Any:
     @intrinsic
     def function(_typing, a):  # noqa: ARG001

@@ -71,7 +71,7 @@ class Matching:
         law = self.strips.each(lambda array: np.repeat(array, count, axis=0)).raised(amplitude)
         coefficients = system.coefficients - self._share(system)
         of_law = replace(system, coefficients=coefficients, strips=law.strips, push=law.push)
-        return matched_velocity(of_law, harmonic_balance(of_law, (1,), from_rest=True)[0])
+        return matched_velocity(of_law, harmonic_balance(of_law, (1,), from_rest=True, with_residual=False)[0])
 
     def _share(self, system: System) -> Floats:
         """The part of the coefficients (m h, 3, t) of a system that is cubic drag."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -62,21 +61,3 @@ def sea_stability(inertia: Floats, slopes: Floats, rudder: Floats, autopilot: Au
     n2, rho, rate = roll_mode(rows, linear)
     slow = course_rates(course_matrix(rows[:, :, _VELOCITIES], rho, linear))[0]
     return SeaStability(float(n2[0]), float(2.0 * n2[0] * rate[0]), slow, values)
-
-
-def growth_with_stiffness_noise(damping: float, frequency: float, spectrum: float) -> tuple[float, float]:
-    """Exponents of one mode x'' + 2 z w x' + w^2 (1 + f) x = 0 whose stiffness is noisy, for weak noise [1/s].
-
-    damping: z, fraction of critical
-    frequency: w [rad/s]
-    spectrum: two-sided density of f at 2 w, its integral over all frequencies the variance of f [s/rad]
-    Returns the Lyapunov exponent, and half the growth rate of the mean square
-
-    lambda = -z w + (pi/4) w^2 S(2 w), g(p) = -p z w + (pi/8) p (p + 2) w^2 S(2 w): the mean square grows at half the noise that
-    makes lambda grow.  Source: stochastic averaging (Stratonovich); closed form.
-
-    >>> [round(one, 6) for one in growth_with_stiffness_noise(0.05, 1.0, 0.00159154943092)]
-    [-0.04875, -0.0475]
-    """
-    noise = math.pi / 4.0 * frequency**2 * spectrum
-    return -damping * frequency + noise, -damping * frequency + 2.0 * noise

@@ -160,7 +160,7 @@ def judged(
     """
     limit = np.repeat(np.broadcast_to(limit, len(height)), height.shape[1])
     system = equations.at_amplitude(0.5 * height)
-    u, orders, status, _ = steady_motions(system, harmonics, start="rest")
+    u, orders, status, _ = steady_motions(system, harmonics, start="rest", with_residual=False)
     largest = np.degrees(roll_peaks(u, orders))
     status = np.where(np.repeat(equations.slow, height.shape[1]), Status.ENCOUNTER_FREQUENCY_NEAR_ZERO, status)
     status = np.where(np.repeat(equations.outside, height.shape[1]), Status.OUTSIDE_DATABASE, status)

@@ -22,6 +22,9 @@ with quiet_start():
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
 os.environ.setdefault("NUMBA_OPT", "1")
 
+# Extensions of pydantic, of which none is needed here, would be looked for among all installed packages.
+os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+
 _MOST_THREADS = 10_000
 _HELP = "At which headings, speeds and waves does a ship roll badly or lose a stable motion, why, and what cures it?"
 
@@ -106,6 +109,13 @@ def __getattr__(name: str) -> Any:
     return made
 
 
+def _leave_dask_alone() -> None:
+    """Let no import find dask, unless `--cluster` asks for it: where it is installed xarray loads it with the first dataset."""
+    if not any(word.partition("=")[0] == "--cluster" for word in sys.argv[1:]):
+        modules: dict[str, Any] = sys.modules
+        modules.setdefault("dask", None)  # as if it were not installed
+
+
 def main() -> None:
     """Entry point of the ``quartering`` command."""
     if sys.stdout is None or sys.stderr is None:  # closed by the shell: nothing could be told
@@ -121,6 +131,7 @@ def main() -> None:
             "all processors\n"
         )
         sys.exit(BAD_INPUT)
+    _leave_dask_alone()
     named = next((word for word in sys.argv[1:] if not word.startswith("-")), "")
     try:
         (application(named) if named.replace("-", "_") in _names() else _listed())()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 from quartering.conventions import InputError
@@ -12,7 +13,7 @@ from quartering.hull.formats.read import read_lines
 from quartering.hull.ship import Ship
 from quartering.option_checks import checked
 from quartering.options import OPTIONS
-from quartering.units import NO_SHIP
+from quartering.units import LENGTHS, NO_SHIP
 
 
 def write_offsets_ship(
@@ -71,8 +72,24 @@ def write_offsets_ship(
         raise
 
 
+def extent(where: str | Path, lines: Lines) -> tuple[float, float]:
+    """Length and breadth of lines [m]; larger than any ship, their numbers are in another unit."""
+    length, beam = float(lines.x[-1]) - float(lines.x[0]), 2 * max(float(y.max()) for y, _ in lines.contours)
+    for words, value, most in (
+        ("stations reach over", length, OPTIONS["length"].high),
+        ("largest breadth is", beam, OPTIONS["beam"].high),
+    ):
+        if value > float(most or math.inf):
+            units = ", ".join(unit for unit in LENGTHS if unit != "m")
+            raise InputError(
+                f"{where}: its {words} {value:.10g} m, and a ship has at most {most:g} m; say the unit of its numbers ({units})"
+            )
+    return length, beam
+
+
 def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit: str | None) -> str:
     """The ship file, each line with what it rests on."""
+    longest, broadest = extent(source, read)
     afloat, (keel, top) = read.afloat, read.profile.middle
     draught = sizes.get("draught", -keel if afloat else None)
     if draught is None:
@@ -80,8 +97,7 @@ def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit
             f"{source}: its heights count from the baseline (keel amidships {keel:.4g} m, deck {top:.4g} m); give --draught too"
         )
     first, last = float(read.x[0]), float(read.x[-1])
-    length = sizes.get("length", last - first)
-    beam = sizes.get("beam", 2 * max(float(y.max()) for y, _ in read.contours))
+    length, beam = sizes.get("length", longest), sizes.get("beam", broadest)
     try:
         beside = source.resolve().relative_to(target.resolve().parent).as_posix()
     except ValueError:

@@ -2,7 +2,6 @@
 
 A harmonic roll rate of amplitude p_a loses the same energy over a cycle to ``B2 |p| p``, to the linear
 ``(8/(3 pi)) B2 p_a p`` and to the cubic ``(32/(9 pi)) (B2/p_a) p^3``. Only at p_a: elsewhere the three differ.
-Least squares on [0, p_a] replaces ``|p| p`` by ``(5/16) p_a p + (35/48) p^3/p_a`` instead.
 """
 
 from __future__ import annotations
@@ -20,12 +19,6 @@ LINEAR_OF_QUADRATIC: Final = 8 / (3 * np.pi)
 
 LINEAR_OF_CUBIC: Final = 3 / 4
 """Equal dissipation: p^3 of amplitude p_a loses as much as this times p_a^2 p."""
-
-CUBIC_OF_QUADRATIC: Final = 32 / (9 * np.pi)
-"""Equal dissipation: |p| p of amplitude p_a loses as much as this times p^3/p_a."""
-
-LEAST_SQUARES: Final = (5 / 16, 35 / 48)
-"""|p| p on [0, p_a] by least squares: the first times p_a p plus the second times p^3/p_a."""
 
 
 class DampingForm(NamedTuple):
@@ -55,45 +48,6 @@ class DampingForm(NamedTuple):
         p = np.asarray(rate, dtype=float)
         factor = LINEAR_OF_QUADRATIC * p if self.power == 2 else LINEAR_OF_CUBIC * p**2
         return np.asarray(self.linear + self.nonlinear * factor)
-
-
-def quadratic_to_linear(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Floats:
-    """Linear damping that dissipates as much as quadratic damping at one amplitude.
-
-    quadratic (...): B2, of |p| p [N m s2, or per inertia]
-    amplitude_rate (...): p_a = omega phi_a > 0 [rad/s]
-    Returns (...): (8/(3 pi)) B2 p_a [N m s, or per inertia]
-
-    Source: [Himeno81] ch. 2, equal dissipation.  Valid: at that amplitude, harmonic roll.
-    """
-    return LINEAR_OF_QUADRATIC * np.asarray(quadratic, dtype=float) * _positive(amplitude_rate)
-
-
-def quadratic_to_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> Floats:
-    """Cubic damping that dissipates as much as quadratic damping at one amplitude.
-
-    quadratic (...): B2, of |p| p [N m s2, or per inertia]
-    amplitude_rate (...): p_a = omega phi_a > 0 [rad/s]
-    Returns (...): (32/(9 pi)) B2/p_a, of p^3 [N m s3, or per inertia]
-
-    The linear damping is left alone. Below p_a the cubic dissipates less than |p| p, above it more.
-    Source: [Himeno81] ch. 2, equal dissipation.  Valid: at that amplitude, harmonic roll.
-    """
-    return CUBIC_OF_QUADRATIC * np.asarray(quadratic, dtype=float) / _positive(amplitude_rate)
-
-
-def quadratic_to_linear_and_cubic(quadratic: ArrayLike, amplitude_rate: ArrayLike) -> tuple[Floats, Floats]:
-    """Linear and cubic damping nearest to quadratic damping for every rate up to an amplitude.
-
-    quadratic (...): B2, of |p| p [N m s2, or per inertia]
-    amplitude_rate (...): p_a, the largest roll rate, > 0 [rad/s]
-    Returns linear, cubic (...): (5/16) B2 p_a [N m s] and (35/48) B2/p_a [N m s3], or per inertia
-
-    Least squares of |p| p by p and p^3 on [0, p_a], all rates weighted alike: the moment is nearest, the dissipation at
-    p_a is 1.2 % above that of |p| p.  Source: [Himeno81] ch. 2 for the forms; the two constants in closed form.
-    """
-    b2, p = np.asarray(quadratic, dtype=float), _positive(amplitude_rate)
-    return LEAST_SQUARES[0] * b2 * p, LEAST_SQUARES[1] * b2 / p
 
 
 def fitted_form(rate: ArrayLike, equivalent: ArrayLike, power: int) -> DampingForm:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from quartering.conventions import GRAVITY, InputError
+from quartering.conventions import InputError
 from quartering.hull.lines.section import Floats
 from quartering.hydro.damping.ikeda import Particulars, Rolling
 from quartering.hydro.damping.ikeda_eddy import bilge_radius
@@ -131,21 +131,3 @@ def hull_pressure_moment(
     m8 = np.where(beyond, m7 + 0.414 * m1, curved)
     front = m4**3 / (3 * flat) + (1 - m1) ** 2 * (2 * m3 - m2) / (6 * side) + m1 * (m3 * m5 + m4 * m6)
     return (m3 + m4) * m8 - m7**2, float(front)
-
-
-def bilge_keel_wave(hull: Particulars, motion: Rolling, keel: BilgeKeel, *, radius: float | None = None) -> Floats:
-    """Non-dimensional wave damping of bilge keels near the surface: an upper bound, not part of any sum.
-
-    radius: R of the midship bilge [m]; None: from the midship coefficient
-    Returns (n,): (b/B) exp(-(omega^2/g) d_BK), in units of `Particulars.scale` [1]
-
-    d_BK is the depth of the keel at the largest heel. The strength b/B is a guess of the procedure; with it a common
-    keel makes more waves than the measured damping of the whole ship, so it is reported, never added.
-    Source: [ITTC11] 2.2.5.  Valid: keels that come out of the water.
-    """
-    R = _midship_radius(hull) if radius is None else radius
-    corner = (1 - np.sqrt(0.5)) * R
-    l = float(np.hypot(hull.beam / 2 - corner, hull.draught - hull.og - corner)) - keel.breadth
-    slope = 2 * hull.draught / hull.beam
-    depth = l * (slope * np.cos(motion.amplitude) - np.sin(motion.amplitude)) / np.sqrt(1 + slope**2)
-    return np.asarray(keel.breadth / hull.beam * np.exp(-(motion.frequency**2) / GRAVITY * depth))

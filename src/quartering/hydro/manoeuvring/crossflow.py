@@ -9,8 +9,6 @@ Everything made here is an estimate and is labelled so.
 
 from __future__ import annotations
 
-from typing import Literal, get_args
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -25,11 +23,6 @@ VELOCITY_FRACTION = 0.03
 
 ENERGY_CUBE = 32 / (9 * np.pi)
 """kappa of equal dissipation: a sinusoidal u of amplitude u0 loses the same energy to |u| u and to kappa u^3/u0."""
-
-LEAST_SQUARES_LINE, LEAST_SQUARES_CUBE = 5 / 16, 35 / 48
-"""Least squares on [0, u0]: |u| u ~ (5/16) u0 u + (35/48) u^3/u0."""
-
-Fit = Literal["energy", "least-squares"]
 
 
 def reference_velocity(length: float) -> float:
@@ -64,8 +57,6 @@ def cross_flow_cubics(
     drag_coefficient: ArrayLike,
     velocity_scale: float,
     density: float,
-    *,
-    fit: Fit = "energy",
 ) -> Floats:
     """The ten cubic coefficients of sway, roll and yaw from cross-flow drag, about G.
 
@@ -76,46 +67,18 @@ def cross_flow_cubics(
     drag_coefficient (...): C_D, one number or one per section [1]
     velocity_scale: u0 [m/s]
     density: rho [kg/m3]
-    fit: "energy" has the dissipation of |u| u at amplitude u0 and leaves the linear coefficients alone; "least-squares"
-        has a linear part as well, see `cross_flow_linear`
     Returns (3, 10): rows Y, K, N of the right-hand side; columns in the order of CUBIC_MONOMIALS, SI
 
     (v + x r - h p)^3 has the factors (1, -h^3, x^3, 3h^2, 3x^2, -3h, -3hx^2, 3x, 3h^2 x, -6hx); Y takes their integral,
     K that of -h times them, N that of x times them, so that v Y + p K + r N <= 0 always.
     Source: [H71] equation (2) for the monomials; [Hoerner65] for the drag.  Valid: estimate; no lift, no free surface.
     """
-    if fit not in get_args(Fit):
-        raise InputError(f'fit "{fit}" is unknown; allowed are "energy" and "least-squares"')
     xs, h = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(lever, dtype=float))
-    kappa = ENERGY_CUBE if fit == "energy" else LEAST_SQUARES_CUBE
     drag = _drag_per_metre(section_draught, drag_coefficient, velocity_scale, density)
-    strength = -drag * kappa / velocity_scale * np.asarray(weight, dtype=float)
+    strength = -drag * ENERGY_CUBE / velocity_scale * np.asarray(weight, dtype=float)
     one = np.ones_like(xs)
     factors = np.stack(
         [one, -(h**3), xs**3, 3 * h**2, 3 * xs**2, -3 * h, -3 * h * xs**2, 3 * xs, 3 * h**2 * xs, -6 * h * xs]
     )
     rows: Floats = np.einsum("s,ks,ms->km", strength, np.stack([one, -h, xs]), factors)
     return rows
-
-
-def cross_flow_linear(
-    x: ArrayLike,
-    weight: ArrayLike,
-    section_draught: ArrayLike,
-    lever: ArrayLike,
-    drag_coefficient: ArrayLike,
-    velocity_scale: float,
-    density: float,
-) -> Floats:
-    """Linear part that belongs to the least-squares cubic of cross-flow drag, about G.
-
-    Returns (3, 3): rows Y, K, N, columns v, p, r of the right-hand side, SI; symmetric, negative semi-definite
-
-    -1/2 rho C_D T (5/16) u0 (v + x r - h p).  Source: [Hoerner65] for the drag; least squares on [0, u0].
-    """
-    xs, h = np.broadcast_arrays(np.asarray(x, dtype=float), np.asarray(lever, dtype=float))
-    drag = _drag_per_metre(section_draught, drag_coefficient, velocity_scale, density)
-    strength = -drag * LEAST_SQUARES_LINE * velocity_scale * np.asarray(weight, dtype=float)
-    direction = np.stack([np.ones_like(xs), -h, xs])
-    matrix: Floats = np.einsum("s,ks,ms->km", strength, direction, direction)
-    return matrix + 0.0

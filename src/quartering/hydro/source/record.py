@@ -71,8 +71,6 @@ class Hydrodynamics:
     at_rest : callable or None      (n,) wave frequencies [rad/s], (n,) headings 0 to 180 [deg] -> `AtRest` about midship at the
                                     calm plane; None: the forces follow from the potentials on the sections
     force_modes : tuple of str      modes of those forces, in the order of their columns
-    six_modes : callable or None    (f,) frequencies > 0 [rad/s] -> added mass and damping (f, 6, 6) about G, surge to yaw;
-                                    None: sway, roll and yaw alone
     """
 
     ship: Ship
@@ -88,7 +86,6 @@ class Hydrodynamics:
     held: Held = EVERYTHING
     at_rest: Callable[[Floats, Floats], AtRest] | None = None
     force_modes: tuple[str, ...] = MODES
-    six_modes: Callable[[Floats], tuple[Floats, Floats]] | None = None
 
     @cached_property
     def moments(self) -> HullMoments:
@@ -103,15 +100,6 @@ class Hydrodynamics:
         """Added mass and damping in sway, roll and yaw about G, (n, 3, 3) each, at (n,) frequencies >= 0 [rad/s]."""
         at = self.at(frequency)
         return moment_matrix(at.a), moment_matrix(at.b)
-
-    def matrices6(self, frequency: Floats) -> tuple[Floats, Floats]:
-        """Added mass and damping in all six modes about G, (n, 6, 6) each, at (n,) frequencies > 0 [rad/s]."""
-        if self.six_modes is None:
-            raise InputError(
-                f"{self.ship.name}: {self.words} holds added mass and damping in {', '.join(MODES)} alone; take the others "
-                "from strips"
-            )
-        return self.six_modes(frequency)
 
     def holds(self, frequency: Floats) -> NDArray[np.bool_]:
         """Which frequencies of oscillation (n,), >= 0 [rad/s], are held."""

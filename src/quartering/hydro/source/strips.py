@@ -16,7 +16,6 @@ from quartering.hydro.source.record import Hydrodynamics
 from quartering.hydro.strip.hull_table import end_method, hull_table, section_references, section_words
 from quartering.hydro.strip.integrals import about_gravity_centre, section_moments
 from quartering.hydro.strip.moments import Moments, hull_moments
-from quartering.hydro.strip.six_modes import by_strips
 
 
 def strip_source(ship: Ship) -> Hydrodynamics:
@@ -46,14 +45,7 @@ def strip_source(ship: Ship) -> Hydrodynamics:
         centre=centre,
         radiation=partial(hull_moments, hull, ship.loading.density),
         solved=partial(_solved, ship, centre),
-        six_modes=partial(_six_modes, ship),
     )
-
-
-def _six_modes(ship: Ship, frequency: Floats) -> tuple[Floats, Floats]:
-    """Added mass and damping (f, 6, 6) about G at rest."""
-    found = by_strips(ship, frequency)
-    return found["added_mass"].to_numpy(), found["damping"].to_numpy()
 
 
 def _solved(ship: Ship, centre: tuple[float, float], frequency: Floats) -> Moments:

@@ -16,9 +16,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quartering.conventions import GRAVITY, InputError
+from quartering.conventions import GRAVITY
 from quartering.hull.lines.section import Floats
-from quartering.hydro.strip.integrals import moment_matrix, section_moments
+from quartering.hydro.strip.integrals import moment_matrix
 
 FREQUENCY_FLOOR = 0.15
 """Below FREQUENCY_FLOOR sqrt(g/B) the U/w^2 terms stop growing: w is held there in their denominator."""
@@ -60,48 +60,6 @@ def derivatives_from_moments(
     damping = -(moment_matrix(b) + u * _speed_terms(a, aft_a))
     inertia = -(moment_matrix(a) - u * per_square * _speed_terms(b, aft_b))
     return damping, inertia
-
-
-def strip_derivatives(
-    x: ArrayLike,
-    weight: ArrayLike,
-    a: ArrayLike,
-    b: ArrayLike,
-    speed: ArrayLike,
-    frequency: ArrayLike,
-    aft: tuple[float, ArrayLike, ArrayLike] | None = None,
-    *,
-    floor: float = 0.0,
-) -> tuple[Floats, Floats]:
-    """Velocity and acceleration derivatives of the whole ship from its sections.
-
-    x (s,): section positions from the reference point, + forward [m]
-    weight (s,): quadrature weights along the ship [m]
-    a, b (..., s, 3): section added mass and damping [22, 24, 44] about the reference point, per metre, SI
-    speed (...): U [m/s]
-    frequency (...): encounter frequency omega, >= 0 [rad/s]
-    aft (x_A, a, b): position and (..., 3) coefficients of a transom; None leaves its terms out
-    floor: the U/omega^2 terms use max(omega, floor); infinity leaves them out [rad/s]
-    Returns damping (..., 3, 3): [[Y_v, Y_p, Y_r], [K_v, K_p, K_r], [N_v, N_p, N_r]], no rigid-body term; inertia (...,
-        3, 3): [[Y_vdot, Y_pdot, Y_rdot], ..]
-
-    Source: [STF70] lateral coefficients with transom terms, rewritten for body axes.  Valid: slender ships.
-    """
-    w = np.asarray(frequency, dtype=float)
-    if not (np.isfinite(w).all() and (w >= 0).all()):
-        raise InputError(
-            f"frequency {w!r} must be finite and >= 0 rad/s; fold a negative encounter frequency to |omega|"
-        )
-    ends = None
-    if aft is not None:
-        ends = (section_moments([aft[0]], [1.0], _one(aft[1])), section_moments([aft[0]], [1.0], _one(aft[2])))
-    moments = section_moments(x, weight, a), section_moments(x, weight, b)
-    return derivatives_from_moments(*moments, speed, w, aft=ends, floor=floor)
-
-
-def _one(coefficients: ArrayLike) -> Floats:
-    """The (..., 3) coefficients of one section as (..., 1, 3)."""
-    return np.asarray(coefficients, dtype=float)[..., None, :]
 
 
 def frequency_floor(beam: float) -> float:

@@ -14,15 +14,15 @@ from quartering._machine.simd import every, load, size, store
 
 
 @batch_kernel
-def one_hull(strips, of):
-    """Have the conditions ``of`` (W,) of strips (n, z, 5) all the same forms of them?"""
-    different = 0
-    for l in range(1, of.size):
-        if of[l] != of[0]:
-            for z in range(strips.shape[1]):
-                for j in range(3):
-                    different += strips[of[l], z, j] != strips[of[0], z, j]
-    return different == 0
+def one_hull(strips, of, one):
+    """Have the conditions ``of`` (W,) of strips (n, z, 5) all the forms of condition ``one``?"""
+    forms = strips[one]
+    for l in range(of.size):
+        own = strips[of[l]]
+        for z in range(strips.shape[1] if of[l] != one else 0):
+            if own[z, 0] != forms[z, 0] or own[z, 1] != forms[z, 1] or own[z, 2] != forms[z, 2]:
+                return False
+    return True
 
 
 @batch_kernel
@@ -99,13 +99,18 @@ def drag_slopes(strips, velocities, c, s, columns, sums):
 
 @batch_kernel
 def drag_slopes_of_one_hull(strips, forms, velocities, c, s, columns, sums):
-    """`drag_slopes` where all lanes have the strips of one hull."""
+    """`drag_slopes` where all lanes have the strips of one hull.
+
+    Each |q| goes through ``sums``, behind the seventh: velocities and all six sums are more than a processor's registers hold.
+    """
     sway, roll, yaw = velocities[0], velocities[1], velocities[2]
     by_v, by_p, by_r = load(columns, sway), load(columns, roll), load(columns, yaw)
-    vv, vp, vr, pp, pr, rr = every(0.0), every(0.0), every(0.0), every(0.0), every(0.0), every(0.0)
     for z in range(strips.shape[0]):
         water = c * load(strips, (z, 3)) + s * load(strips, (z, 4))
-        g = size(forms[z, 0] * by_v + forms[z, 1] * by_p + forms[z, 2] * by_r - water)
+        store(sums, 7 + z, size(forms[z, 0] * by_v + forms[z, 1] * by_p + forms[z, 2] * by_r - water))
+    vv, vp, vr, pp, pr, rr = every(0.0), every(0.0), every(0.0), every(0.0), every(0.0), every(0.0)
+    for z in range(strips.shape[0]):
+        g = load(sums, 7 + z)
         vv += g * forms[z, 3]
         vp += g * forms[z, 4]
         vr += g * forms[z, 5]

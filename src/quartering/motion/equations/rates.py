@@ -76,7 +76,8 @@ class Lanes(NamedTuple):
 
     ``of`` (W,): which condition stands in each lane. ``alike`` (2,): have all the same strips but for the water, and the same
     table of the restoring moment? Then what the strips have alike stands in ``forms`` (z, 9), see `drag`, and that table in
-    ``table`` (b, 5) and ``guide`` (c,), see `restoring`.
+    ``table`` (5, b) and ``guide`` (2, c), see `restoring`. ``laid`` (2,): the condition whose forms and whose table stand
+    there, -1 for none.
     """
 
     linear: Floats
@@ -92,10 +93,11 @@ class Lanes(NamedTuple):
     cubics: Floats
     arm: Floats
     table: Floats
-    guide: NDArray[np.int64]
+    guide: Floats
     forms: Floats
     of: NDArray[np.int64]
     alike: NDArray[np.bool_]
+    laid: NDArray[np.int64]
 
 
 @maker
@@ -107,8 +109,8 @@ def row_of_lanes(parts, width):
         np.zeros((3, width)), np.zeros((3, width)), np.zeros(width),
         np.zeros((parts.inputs.shape[1], parts.inputs.shape[2], width)), np.zeros((parts.strips.shape[1], 5, width)),
         np.zeros((3, 3, width)), np.zeros((parts.knots.shape[1], width)), np.zeros((parts.knots.shape[1], 4, width)),
-        np.zeros((3, width)), np.zeros((parts.knots.shape[1], 5)), np.zeros(CELLS, np.int64),
-        np.zeros((parts.strips.shape[1], 9)), np.zeros(width, np.int64), np.zeros(2, np.bool_),
+        np.zeros((3, width)), np.zeros((5, parts.knots.shape[1])), np.zeros((2, CELLS + 1)),
+        np.zeros((parts.strips.shape[1], 9)), np.zeros(width, np.int64), np.zeros(2, np.bool_), np.full(2, -1),
     )  # fmt: skip
 
 
@@ -140,13 +142,15 @@ def note_equal_lanes(parts, lanes):
 
     What differs is copied into the lanes, which is to be done after conditions have been put into them.
     """
-    first, last = lanes.of[0], parts.knots.shape[1] - 1
-    lanes.alike[0] = one_hull(parts.strips, lanes.of)
-    lanes.alike[1] = last >= 0 and one_table(parts.knots, parts.cubics, lanes.of)
-    if lanes.alike[0]:
+    of, laid, first, last = lanes.of, lanes.laid, lanes.of[0], parts.knots.shape[1] - 1
+    lanes.alike[0] = laid[0] >= 0 and one_hull(parts.strips, of, laid[0])
+    if not lanes.alike[0] and one_hull(parts.strips, of, first):
         lay_out_forms(parts.strips[first], lanes.forms)
-    if lanes.alike[1]:
-        lay_out(parts.knots[first], parts.cubics[first], lanes.table, lanes.guide)
+        lanes.alike[0], laid[0] = True, first
+    lanes.alike[1] = laid[1] >= 0 and one_table(parts.knots, parts.cubics, of, laid[1])
+    if not lanes.alike[1] and last >= 0 and one_table(parts.knots, parts.cubics, of, first):
+        lanes.alike[1] = lay_out(parts.knots[first], parts.cubics[first], lanes.table, lanes.guide)
+        laid[1] = first if lanes.alike[1] else -1
     for l in range(lanes.of.size):
         i = lanes.of[l]
         if not lanes.alike[0]:
@@ -204,11 +208,11 @@ def at_instants(i, share, parts, waves, begin, lanes):
 
 @maker
 def room_for(program, lanes):
-    """What one evaluation needs: columns, forces, their derivatives, and the sums over strips."""
+    """What one evaluation needs: columns, forces, their derivatives, and the sums over strips with room for each strip."""
     width = lanes.frequency.size
     rows, states = lanes.linear.shape[0], lanes.linear.shape[1]
     return (np.zeros((program.width, width)), np.zeros((rows, width)), np.zeros((rows, states, width)),
-            np.zeros((7, width)))  # fmt: skip
+            np.zeros((7 + lanes.strips.shape[0], width)))  # fmt: skip
 
 
 @batch_kernel

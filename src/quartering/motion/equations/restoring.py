@@ -1,81 +1,89 @@
 """The restoring moment from a table of cubics, and the piece of it that holds each roll angle: compiled kernels.
 
-A piece is found without a search: the angles up to the last knot are cut into equal cells, of which one multiplication tells
-the number, and a guide holds the piece that each cell begins in. As cells are narrower than most pieces, at most a knot or two
-are passed from there.
+A piece is found without a search, and without a branch, which processors guess wrong where lanes roll differently: angles are
+cut into equal cells, and a guide holds the piece that each cell begins in and the knot where the next one begins, of which a
+cell holds one at most. A table with knots closer than that is searched, lane by lane.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"
 from __future__ import annotations
 
+import math
 from typing import Final
 
-from quartering._machine.compiled import batch_kernel
+import numpy as np
 
-CELLS: Final = 64
-"""Equal cells of the guide: narrower than the pieces of a ship's own curve, every 4 degrees to 88."""
-_BEFORE = 1.0 - 1e-9  # of a cell's left end: rounding must not lead past a knot that stands there
+from quartering._machine.compiled import batch_kernel
+from quartering._machine.simd import load, pick, size, store, where_less
+
+CELLS: Final = 128
+"""Equal cells of the guide, of 0.75 degrees; beyond them is one more, without end."""
+_A_RADIAN: Final = CELLS / math.radians(96.0)
+_NEAR = 1e-9  # of a cell's end: rounding must not lead past a knot that stands there
 
 
 @batch_kernel
-def one_table(knots, cubics, of):
-    """Have the conditions ``of`` (W,) of tables (n, b) and (n, b, 4) all the same one?"""
-    different = 0
-    for l in range(1, of.size):
-        if of[l] != of[0]:
-            for b in range(knots.shape[1]):
-                different += knots[of[l], b] != knots[of[0], b]
-                for j in range(4):
-                    different += cubics[of[l], b, j] != cubics[of[0], b, j]
-    return different == 0
+def one_table(knots, cubics, of, one):
+    """Have the conditions ``of`` (W,) of tables (n, b) and (n, b, 4) all that of condition ``one``?"""
+    at, by = knots[one], cubics[one]
+    for l in range(of.size):
+        own_at, own = knots[of[l]], cubics[of[l]]
+        for b in range(knots.shape[1] if of[l] != one else 0):
+            if own_at[b] != at[b] or own[b, 0] != by[b, 0] or own[b, 1] != by[b, 1]:
+                return False
+            if own[b, 2] != by[b, 2] or own[b, 3] != by[b, 3]:
+                return False
+    return True
 
 
 @batch_kernel
 def lay_out(knots, cubics, table, guide):
-    """One table (b, 5), its knots (b,) in front of the cubics (b, 4), and the piece (c,) that each cell begins in."""
-    most, b = knots.size - 1, 0
+    """One table (5, b), its knots (b,) in front of the cubics (b, 4), and ``guide`` (2, c): the piece that each cell begins in,
+    and the angle at which the next one does. False where a cell holds more than one knot.
+    """
+    most, b, single = knots.size - 1, 0, True
     for i in range(most + 1):
-        table[i, 0] = knots[i]
+        table[0, i] = knots[i]
         for j in range(4):
-            table[i, 1 + j] = cubics[i, j]
-    for cell in range(guide.size):
-        begin = _BEFORE * cell * knots[most] / guide.size
+            table[1 + j, i] = cubics[i, j]
+    for cell in range(CELLS + 1):
+        begin, end = (1.0 - _NEAR) * cell / _A_RADIAN, (1.0 + _NEAR) * (cell + 1) / _A_RADIAN
         while b < most and begin > knots[b + 1]:
             b += 1
-        guide[cell] = b
+        guide[0, cell], guide[1, cell] = b, knots[b + 1] if b < most else np.inf
+        single = single and not (b + 2 <= most and (cell == CELLS or knots[b + 2] < end))
+    return single
+
+
+@batch_kernel
+def _piece(guide, far):
+    """Which piece holds each angle ``far``, not below 0."""
+    place = far * _A_RADIAN
+    cell = where_less(place, float(CELLS), place, float(CELLS))
+    piece = pick(guide[0], cell)
+    return where_less(pick(guide[1], cell), far, piece + 1.0, piece)
 
 
 @batch_kernel
 def moment_of_table(table, guide, angle, out):
     """Moment (W,) at the roll angles, odd in them."""
-    most = table.shape[0] - 1
-    cells = guide.size
-    by = cells / table[most, 0] if most > 0 else 0.0
-    for l in range(angle.size):
-        size = abs(angle[l])
-        place = size * by
-        b = guide[int(place)] if place < cells else most
-        while b < most and size > table[b + 1, 0]:
-            b += 1
-        x = size - table[b, 0]
-        moment = table[b, 1] + x * (table[b, 2] + x * (table[b, 3] + x * table[b, 4]))
-        out[l] = moment if angle[l] >= 0.0 else -moment
+    turned = load(angle, ())
+    far = size(turned)
+    piece = _piece(guide, far)
+    x = far - pick(table[0], piece)
+    a, b, c, d = pick(table[1], piece), pick(table[2], piece), pick(table[3], piece), pick(table[4], piece)
+    moment = a + x * (b + x * (c + x * d))
+    store(out, (), where_less(turned, 0.0, -moment, moment))
 
 
 @batch_kernel
 def slope_of_table(table, guide, angle, out):
     """Its derivative (W,) by the roll angle."""
-    most = table.shape[0] - 1
-    cells = guide.size
-    by = cells / table[most, 0] if most > 0 else 0.0
-    for l in range(angle.size):
-        size = abs(angle[l])
-        place = size * by
-        b = guide[int(place)] if place < cells else most
-        while b < most and size > table[b + 1, 0]:
-            b += 1
-        x = size - table[b, 0]
-        out[l] = table[b, 2] + x * (2.0 * table[b, 3] + 3.0 * x * table[b, 4])
+    far = size(load(angle, ()))
+    piece = _piece(guide, far)
+    x = far - pick(table[0], piece)
+    b, c, d = pick(table[2], piece), pick(table[3], piece), pick(table[4], piece)
+    store(out, (), b + x * (2.0 * c + 3.0 * x * d))
 
 
 @batch_kernel

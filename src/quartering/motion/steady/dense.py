@@ -10,7 +10,7 @@ other's loops would work on one number at a time.
 from __future__ import annotations
 
 from quartering._machine.compiled import batch_kernel, inner
-from quartering._machine.simd import load, store
+from quartering._machine.simd import every, load, size, store, where_less
 
 
 @inner
@@ -68,25 +68,27 @@ def lu_solve(a, pivots, b):
 def factor_batch(a, pivots, inverse, sign):
     """Factor the matrices ``a`` (m, m, W) in place; ``sign`` (W,) is that of each determinant, 0 where it is singular.
 
+    ``pivots`` (m, W): rows taken, as numbers of the same kind.
+
     Source: closed form (Gaussian elimination with partial pivoting), conditions in a batch.
     """
     m, width = a.shape[0], a.shape[2]
-    for l in range(width):
-        sign[l] = 1.0
+    store(sign, (), every(1.0))
     for j in range(m):
+        best, largest = every(float(j)), size(load(a, (j, j)))
+        for i in range(j + 1, m):
+            own = size(load(a, (i, j)))
+            best, largest = where_less(largest, own, float(i), best), where_less(largest, own, own, largest)
+        store(pivots, j, best)
         for l in range(width):
-            best, size = j, abs(a[j, j, l])
-            for i in range(j + 1, m):
-                if abs(a[i, j, l]) > size:
-                    best, size = i, abs(a[i, j, l])
-            pivots[j, l] = best
-            if best != j:
+            row = int(pivots[j, l])
+            if row != j:
                 sign[l] = -sign[l]
                 for k in range(m):
-                    a[j, k, l], a[best, k, l] = a[best, k, l], a[j, k, l]
+                    a[j, k, l], a[row, k, l] = a[row, k, l], a[j, k, l]
             if a[j, j, l] < 0.0:
                 sign[l] = -sign[l]
-            if not (size > 0.0 and size < 1e300):
+            if not 0.0 < abs(a[j, j, l]) < 1e300:
                 sign[l] = 0.0
                 a[j, j, l] = 1.0
             inverse[j, l] = 1.0 / a[j, j, l]
@@ -107,7 +109,7 @@ def solve_batch(a, pivots, inverse, b):
     m, width = a.shape[0], a.shape[2]
     for j in range(m):
         for l in range(width):
-            best = pivots[j, l]
+            best = int(pivots[j, l])
             swapped = b[best, l]
             b[best, l] = b[j, l]
             b[j, l] = -swapped

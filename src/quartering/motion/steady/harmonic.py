@@ -18,7 +18,15 @@ from quartering.motion.equations.system import FEWEST, Floats, System, kernel_ar
 from quartering.motion.status import Status
 from quartering.motion.steady.balance import balance, copy_motion, newton, room_for_one
 from quartering.motion.steady.follow import follow
-from quartering.motion.steady.newton import ALTERED, FOUND, FOUND_ALTERED, TO_FOLLOW, WAITING, newton_batch
+from quartering.motion.steady.newton import (
+    ALTERED,
+    FOUND,
+    FOUND_ALTERED,
+    TO_FOLLOW,
+    WAITING,
+    imbalances,
+    newton_batch,
+)
 
 MOST_HARMONICS: Final = 199
 """Highest harmonic taken: the work grows with its cube, 0.6 s a motion here; a righting spline needs 101 for 1e-8."""
@@ -125,7 +133,12 @@ def checked_harmonics(harmonics: int) -> int:
 
 
 def harmonic_balance(
-    system: System, orders: tuple[int, ...], start: Floats | None = None, *, from_rest: bool = False
+    system: System,
+    orders: tuple[int, ...],
+    start: Floats | None = None,
+    *,
+    from_rest: bool = False,
+    with_residual: bool = True,
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by harmonic balance.
 
@@ -134,15 +147,17 @@ def harmonic_balance(
     start (n, 3, b): start of Newton's method; by default the linear solution
     from_rest: take the motion that raising the wave from nothing leads to: it is looked for wherever Newton's method
         ends beyond a fold, or at roll a tenth off the linear solution's
+    with_residual: evaluate the balance once more at each motion, which of many takes a sixth of the time
     Returns u (n, 3, b): coefficients of sway [m], roll, yaw [rad]: cos and sin of each harmonic in turn; in front of
         them, when 0 is among the orders, mean sway velocity, heel and yaw rate; NaN where none found; status (n,):
-        `Status`; residual (n,): largest imbalance relative to the excitation
+        `Status`; residual (n,): largest imbalance relative to the excitation, NaN where not asked for
 
     Source: [H71] eqs. (A-10), (A-11) (one harmonic), [Krack19].  Several motions may exist: this is the one reached by
     damped Newton from the linear solution or, failing that, by raising the wave from nothing along the branch of
     motions, through its folds.
     """
-    return _solved(system, orders, start, from_rest, batched=system.plain and 2 * len(orders) <= _MOST_BATCHED)
+    batched = system.plain and 2 * len(orders) <= _MOST_BATCHED
+    return _solved(system, orders, start, from_rest, batched=batched, with_residual=with_residual)
 
 
 def solve_with_care(
@@ -168,7 +183,7 @@ def quick_motions(system: System, orders: tuple[int, ...], start: Floats) -> tup
     Source: [Krack19].
     """
     plain = system.plain and 2 * len(orders) <= _MOST_BATCHED
-    return _solved(system, orders, start, False, batched=plain, careful=not plain)[:2]
+    return _solved(system, orders, start, False, batched=plain, careful=not plain, with_residual=False)[:2]
 
 
 _SAME, _NEAR = 1e-3, 0.1
@@ -199,9 +214,9 @@ def _reached_otherwise(system: System, table: Basis, u: Floats) -> NDArray[np.bo
 
 def _raised(system: System, table: Basis, share: float, start: Floats, *, from_linear: bool) -> NDArray[np.bool_]:
     """Solve in a share of the wave, in a batch and in place, and say where (n,) a motion was found."""
-    waiting, residual = np.full(system.count, WAITING, dtype=np.int8), np.zeros(system.count)
+    waiting = np.full(system.count, WAITING, dtype=np.int8)
     given = kernel_arguments(system.raised(np.array([share])), table)
-    in_threads(newton_batch, system.count, *given, not from_linear, False, start, waiting, residual, smallest=WIDTH)
+    in_threads(newton_batch, system.count, *given, not from_linear, False, start, waiting, smallest=WIDTH)
     return np.asarray(waiting == FOUND)
 
 
@@ -218,23 +233,27 @@ def _solved(
     *,
     batched: bool,
     careful: bool = True,
+    with_residual: bool = True,
 ) -> tuple[Floats, NDArray[np.int8], Floats]:
     """Solve what full steps in a batch find, if wanted, then with care what still waits; mark what has no motion."""
     table = system.basis(orders, fewest=FEWEST)
     u = np.zeros((system.count, 3, table.factors.size)) if start is None else np.array(start, dtype=float)
-    finite, residual = system.finite, np.zeros(system.count)
+    finite, residual = system.finite, np.full(system.count, 0.0 if with_residual else np.nan)
     status, waiting = np.where(finite, _CONVERGED, _NOT_FINITE).astype(np.int8), finite.astype(np.int8)
-    given = (*kernel_arguments(system, table), start is not None, from_rest, u, waiting)
+    given = kernel_arguments(system, table)
+    asked = (*given, start is not None, from_rest, u, waiting)
     if batched:
-        in_threads(newton_batch, system.count, *given, residual, smallest=WIDTH)
+        in_threads(newton_batch, system.count, *asked, smallest=WIDTH)
         altered = np.flatnonzero(waiting == FOUND_ALTERED)
         waiting[altered] = FOUND
         if altered.size:
             waiting[altered[_reached_otherwise(rows(system, altered), table, u[altered])]] = TO_FOLLOW
+        if with_residual:
+            in_threads(imbalances, system.count, *given, u, waiting, residual, smallest=WIDTH)
     if not careful:
         status[waiting == WAITING] = _NO_MOTION
     elif waiting.any():
-        in_threads(_solve, system.count, *given, status, residual)
+        in_threads(_solve, system.count, *asked, status, residual)
     with np.errstate(invalid="ignore"):
         status[np.abs(u).max(axis=(1, 2)) > _RUNAWAY] = _SINGULAR  # an undamped resonance, but for rounding
     failed = (status != _CONVERGED) & (status != _BY_FOLLOWING)

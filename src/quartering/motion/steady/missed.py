@@ -39,7 +39,7 @@ def _first_step(first, last, program, parts, tables, u, out):
     lanes = row_of_lanes(parts, WIDTH)
     room = room_for_balance(program, lanes, tables)
     motion, step = np.zeros((3, nb, WIDTH)), np.zeros((size, WIDTH))
-    matrix, pivots = np.zeros((size, size, WIDTH)), np.zeros((size, WIDTH), np.int64)
+    matrix, pivots = np.zeros((size, size, WIDTH)), np.zeros((size, WIDTH))
     inverse, sign = np.zeros((size, WIDTH)), np.zeros(WIDTH)
     for begin in range(first, last, WIDTH):
         gather(begin, last, parts, lanes)

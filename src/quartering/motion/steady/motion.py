@@ -154,13 +154,14 @@ def _sampled(orders: tuple[int, ...]) -> Floats:
 
 
 def steady_motions(
-    system: System, harmonics: int = 1, *, start: Start = "linear"
+    system: System, harmonics: int = 1, *, start: Start = "linear", with_residual: bool = True
 ) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions.
 
     system: n conditions
     harmonics: 1: the paper's modified Struble method; 3, 5, ..: harmonic balance to that order
     start: which motion where several exist, as in `steady_motion`
+    with_residual: as in `harmonic_balance`
     Returns u (n, 3, b): coefficients as from `harmonic_balance`; orders: their harmonics; status (n,): `Status`;
         residual (n,): largest imbalance relative to the excitation
 
@@ -171,9 +172,9 @@ def steady_motions(
             f"start={start!r}: 'linear' (Newton from the linear motion) or 'rest' (raising the wave from nothing)"
         )
     if checked_harmonics(harmonics) == 1:
-        return modified_struble(system, from_rest=start == "rest")
+        return modified_struble(system, from_rest=start == "rest", with_residual=with_residual)
     orders = orders_for(system, harmonics)
-    u, status, residual = harmonic_balance(system, orders, from_rest=start == "rest")
+    u, status, residual = harmonic_balance(system, orders, from_rest=start == "rest", with_residual=with_residual)
     return u, orders, status, residual
 
 

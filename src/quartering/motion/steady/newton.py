@@ -11,13 +11,14 @@ from typing import Final
 import numpy as np
 
 from quartering._machine.compiled import batch_kernel, kernel, maker
-from quartering._machine.simd import every, load, store
+from quartering._machine.simd import every, load, size, store, where_less
 from quartering.motion.equations.program import PLAIN
 from quartering.motion.equations.rates import (
     WIDTH,
     enter_inputs,
     fill_lane,
     forces,
+    gather,
     note_equal_lanes,
     room_for,
     row_of_lanes,
@@ -260,34 +261,35 @@ def steady_response(linear, l, x, y, z):
 
 
 @batch_kernel
-def _move(u, step, out, size):
-    """Add a step to the motions; ``size`` (W,) is the largest change relative to its mode's amplitude afterwards.
+def _move(u, step, out, largest):
+    """Add a step to the motions; ``largest`` (W,) is the largest change relative to its mode's amplitude afterwards.
 
     As `balance.relative_step`; not a number counts as endless.
     """
     nb = u.shape[1]
-    for l in range(size.size):
-        floor, largest = 1e-300, 0.0
-        for k in range(3):
-            for b in range(nb):
-                out[k, b, l] = u[k, b, l] + step[k * nb + b, l]
-                floor = max(floor, 1e-6 * abs(out[k, b, l]))
-        for k in range(3):
-            own = floor
-            for b in range(nb):
-                own = max(own, abs(out[k, b, l]))
-            for b in range(nb):
-                part = abs(step[k * nb + b, l]) / own
-                largest = part if not part <= largest else largest
-        size[l] = largest
+    floor, most = every(1e-300), every(0.0)
+    for k in range(3):
+        for b in range(nb):
+            moved = load(u, (k, b)) + load(step, k * nb + b)
+            store(out, (k, b), moved)
+            own = 1e-6 * size(moved)
+            floor = where_less(floor, own, own, floor)
+    for k in range(3):
+        amplitude = floor
+        for b in range(nb):
+            own = size(load(out, (k, b)))
+            amplitude = where_less(amplitude, own, own, amplitude)
+        for b in range(nb):
+            change = size(load(step, k * nb + b)) / amplitude
+            most = where_less(change, most, most, change)
+    store(largest, (), most)
 
 
 @batch_kernel
 def _copy(u, out):
     for k in range(3):
         for b in range(u.shape[1]):
-            for l in range(u.shape[2]):
-                out[k, b, l] = u[k, b, l]
+            store(out, (k, b), load(u, (k, b)))
 
 
 @batch_kernel
@@ -379,7 +381,7 @@ def _imbalance(lanes, residual, l):
 
 
 @kernel
-def newton_batch(first, last, program, parts, tables, given_start, from_rest, start, waiting, error):
+def newton_batch(first, last, program, parts, tables, given_start, from_rest, start, waiting):
     """Motions of conditions first..last that full Newton steps find, with ``waiting`` set.
 
     of a `System`, and of a `Basis` with the wave's harmonics
@@ -387,7 +389,6 @@ def newton_batch(first, last, program, parts, tables, given_start, from_rest, st
     from_rest: leave a condition whose motion lies beyond a fold, mark one with roll not near the linear one's
     start (n, 3, b): in and, where found, out
     waiting (n,): `WAITING` where a motion is wanted; out: `FOUND`, or `FOUND_ALTERED` where ``from_rest`` asks
-    error (n,): out: largest imbalance relative to the excitation
 
     Source: [H71] eqs. (A-10), (A-11), [Krack19].
     """
@@ -399,9 +400,9 @@ def newton_batch(first, last, program, parts, tables, given_start, from_rest, st
     room = room_for_balance(program, lanes, tables)
     u, linear_motion = np.zeros((3, nb, WIDTH)), np.zeros((3, nb, WIDTH))
     stage, sign, side = np.full(WIDTH, _LEFT), np.zeros((2, WIDTH)), np.zeros(WIDTH)
-    step, following = np.zeros((3 * nb, WIDTH)), from_rest and not given_start
-    work = (np.zeros((3 * nb, 3 * nb, WIDTH)), np.zeros((3 * nb, WIDTH), np.int64), np.zeros((3 * nb, WIDTH)), step,
-            np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), room)  # fmt: skip
+    following = from_rest and not given_start
+    work = (np.zeros((3 * nb, 3 * nb, WIDTH)), np.zeros((3 * nb, WIDTH)), np.zeros((3 * nb, WIDTH)),
+            np.zeros((3 * nb, WIDTH)), np.zeros((4, 3, nb, WIDTH)), np.zeros((3, WIDTH)), room)  # fmt: skip
     # A lane takes the next condition as soon as its own is done, so that none waits for the slowest of its neighbours. The
     # last ones stand beside lanes that have none left and go along without being written.
     held, rounds, ahead = np.full(WIDTH, -1), np.zeros(WIDTH, np.int64), first
@@ -429,20 +430,30 @@ def newton_batch(first, last, program, parts, tables, given_start, from_rest, st
         if not working:
             break
         _round(program, tables, lanes, u, stage, sign, work)
-        done = False
-        for l in range(WIDTH):
-            rounds[l] += 1
-            done = done or stage[l] == _DONE
-        if done:
-            balance_batch(program, tables, lanes, u, step, room)
         for l in range(WIDTH):
             i = held[l]
+            rounds[l] += 1
             if i < 0 or (stage[l] == 0 and rounds[l] < _ITERATIONS):
                 continue
             if stage[l] == _DONE and not (following and sign[0, l] != side[l]):
                 waiting[i] = FOUND_ALTERED if following and _altered(linear_motion, u, l) else FOUND
-                error[i] = _imbalance(lanes, step, l)
                 for k in range(3):
                     for b in range(nb):
                         start[i, k, b] = u[k, b, l]
             held[l], stage[l] = -1, _LEFT
+
+
+@kernel
+def imbalances(first, last, program, parts, tables, u, waiting, error):
+    """Largest imbalance relative to the excitation, into ``error`` (n,), of those motions (n, 3, b) that are found."""
+    nb = tables[2].size
+    lanes = row_of_lanes(parts, WIDTH)
+    room = room_for_balance(program, lanes, tables)
+    motion, residual = np.zeros((3, nb, WIDTH)), np.zeros((3 * nb, WIDTH))
+    for begin in range(first, last, WIDTH):
+        gather(begin, last, parts, lanes)
+        gather_motions(begin, last, u, motion)
+        balance_batch(program, tables, lanes, motion, residual, room)
+        for l in range(min(WIDTH, last - begin)):
+            if waiting[begin + l] == FOUND:
+                error[begin + l] = _imbalance(lanes, residual, l)

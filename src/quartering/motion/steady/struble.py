@@ -44,13 +44,14 @@ def _add_linear_harmonics(first, last, program, parts, tables, fundamental, answ
 
 
 def modified_struble(
-    system: System, *, from_rest: bool = False, start: Floats | None = None
+    system: System, *, from_rest: bool = False, start: Floats | None = None, with_residual: bool = True
 ) -> tuple[Floats, tuple[int, ...], NDArray[np.int8], Floats]:
     """Periodic motions of a batch of conditions by the paper's method.
 
     system: n conditions
     from_rest: which motion where several exist, as in `harmonic_balance`
     start (n, 3, b): start of Newton's method for the fundamental, as in `harmonic_balance`
+    with_residual: as there
     Returns u (n, 3, b): coefficients as from `harmonic_balance`, third harmonic included; orders: (1, 3); (0, 1, 2, 3)
         when a steady force or an even term breaks the symmetry; status (n,): `Status` of the fundamental; residual
         (n,): imbalance of the fundamental relative to the excitation
@@ -60,7 +61,9 @@ def modified_struble(
     Source: [H71] eqs. (A-3)-(A-11), [Struble62].
     """
     low, orders = ((1,), (1, 3)) if system.symmetric else ((0, 1), (0, 1, 2, 3))
-    fundamental, status, residual = harmonic_balance(system, low, start, from_rest=from_rest)
+    fundamental, status, residual = harmonic_balance(
+        system, low, start, from_rest=from_rest, with_residual=with_residual
+    )
     table = system.basis(orders, fewest=FEWEST)
     u = np.zeros((system.count, 3, table.factors.size))
     u[:, :, : fundamental.shape[2]] = fundamental

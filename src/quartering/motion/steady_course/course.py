@@ -149,40 +149,6 @@ class Course:
         numbers = self.numbers._replace(**picked)
         return replace(self, numbers=numbers, speed=self.speed[rows], signed=self.signed[rows], slow=self.slow[rows])
 
-    def with_constant_coefficients(self, half: bool = True) -> Course:
-        """The water's coefficients at one frequency a mode: omega in heave and pitch, omega/2 or omega in sway, roll and yaw.
-
-        That is what an integration in time can hold; harmonic balance takes each harmonic's own otherwise.
-        """
-        mass, damping = self.numbers.mass.copy(), self.numbers.damping.copy()
-        for part in (mass, damping):
-            part[:, :, :2, :2] = part[:, 2:3, :2, :2]
-            part[:, :, 2:, 2:] = part[:, 1:2, 2:, 2:] if half else part[:, 2:3, 2:, 2:]
-        return replace(self, numbers=self.numbers._replace(mass=mass, damping=damping))
-
-    def rolling_alone(self, damping: float, quadratic: float = 0.0) -> Course:
-        """Sway and yaw locked; of the whole damping in roll a fraction of critical at the ship's GM, and B2 |p| p.
-
-        damping: zeta, of critical at omega_0^2 = rho g V GM/(I44 + A44(omega/2))
-        quadratic: B2 over I44 + A44 [1/rad]
-        """
-        numbers, weight = self.numbers, self.numbers.scale[0] * self.numbers.scale[1]
-        inertia = roll_inertia(self.ship, 0.5 * numbers.omega)
-        frequency = np.sqrt(weight * max(self.ship.loading.gm, 0.0) / inertia)
-        mass, own = numbers.mass.copy(), numbers.damping.copy()
-        mass[:, :, 2:, 2:], own[:, :, 2:, 2:] = weight * np.eye(3), weight * np.eye(3)  # sway and yaw come to rest
-        mass[:, :, ROLL, ROLL] = inertia[:, None]
-        own[:, :, ROLL, ROLL] = (2.0 * damping * frequency * inertia)[:, None]
-        push = np.zeros((self.count, 3, 1))
-        push[:, 1, 0] = -quadratic * inertia
-        locked = numbers._replace(
-            mass=mass, damping=own, heel=np.zeros_like(numbers.heel), powers=np.array([[0, 0, 1, 0]]),
-            modulus=np.array([3]), products=push, strips=np.zeros((self.count, 0, 5)),
-            rudder=np.zeros_like(numbers.rudder), gains=np.zeros(3), share=np.array([1.0, 1.0, 0.0, 1.0, 0.0]),
-            force=numbers.force * np.array([1.0, 1.0, 0.0, 1.0, 0.0]),
-        )  # fmt: skip
-        return replace(self, numbers=locked)
-
 
 def warn_across(ship: Ship, wavenumber: float, heading: float) -> None:
     """Say that a wave is too short across a ship for tables of its sections."""

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering._machine.compiled import inner, kernel
-from quartering.motion.steady_course.balance import Harmonics, columns
 from quartering.motion.steady_course.course import Course
 from quartering.motion.steady_course.free_heave import free_course
 from quartering.motion.steady_course.pressure_and_drag import instant, rooms
@@ -135,14 +134,3 @@ def motion_rates(numbers, i, up, across, damp_up, damp_across, y, force, rate):
     rate[6] = across[1, 0] * force[2] + across[1, 1] * force[3] + across[1, 2] * force[4]
     rate[7] = across[2, 0] * force[2] + across[2, 1] * force[3] + across[2, 2] * force[4]
     rate[9] = (order - y[9]) / lag if lag > 0.0 else 0.0
-
-
-def start_on(orbit: Floats, basis: Harmonics, omega: float, roll: float = 0.0) -> Floats:
-    """State at time 0 on a motion with the coefficients ``orbit``, and a roll angle added [rad]."""
-    zero = np.zeros(1)
-    (up, up_rate), (side, side_rate) = columns(basis.vertical, zero), columns(basis.lateral, zero)
-    h, theta, v, phi, r = basis.parts(orbit)
-    rates = [float(omega * up_rate[0] @ part) for part in (h, theta)]
-    p = float(omega * side_rate[0] @ phi)
-    values = [float(up[0] @ h), float(up[0] @ theta), *rates, float(side[0] @ v), float(side[0] @ phi) + roll, p]
-    return np.array([*values, float(side[0] @ r), 0.0, 0.0])

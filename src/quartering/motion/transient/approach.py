@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering._machine.compiled import batch_kernel, kernel
+from quartering._machine.simd import every, load, size, store, where_less
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.basis import waves_at
 from quartering.motion.equations.rates import WIDTH, enter_inputs, forces, gather, room_for, row_of_lanes
@@ -38,32 +39,30 @@ def _step(program, lanes, h, waves, begin, y, room, total):
     ``waves`` (i, m): the wave's harmonics every half step; the step begins at column ``begin``.
     """
     columns, rate, _, sums = room
-    width = y.shape[1]
+    step = load(h, ())
     for s in range(y.shape[0]):
-        for l in range(width):
-            columns[s, l], total[s, l] = y[s, l], 0.0
+        store(columns, s, load(y, s))
+        store(total, s, every(0.0))
     for j in range(4):
         at = (begin + (j + 1) // 2) % waves.shape[1]
         c, d = waves[1, at], waves[2, at]
         enter_inputs(program, lanes, waves[:, at], columns)
         forces(program, lanes, c, d, columns, sums, rate)
         for k in range(3):
-            for l in range(width):
-                rate[k, l] += lanes.mean[k, l] + lanes.cos[k, l] * c + lanes.sin[k, l] * d
+            known = load(lanes.mean, k) + load(lanes.cos, k) * c + load(lanes.sin, k) * d
+            store(rate, k, load(rate, k) + known)
         weight, ahead = (1.0 if j == 0 or j == 3 else 2.0), (0.5 if j < 2 else 1.0)
         # a state that follows another first, while that one is still the stage's
         for s in range(y.shape[0]):
-            follows = program.follows[s]
-            if follows >= 0:
-                for l in range(width):
-                    total[s, l] += weight * columns[follows, l]
-                    columns[s, l] = y[s, l] + ahead * h[l] * columns[follows, l]
+            if program.follows[s] >= 0:
+                own = load(columns, program.follows[s])
+                store(total, s, load(total, s) + weight * own)
+                store(columns, s, load(y, s) + ahead * step * own)
         for s in range(y.shape[0]):
-            row = program.rows[s]
-            if row >= 0:
-                for l in range(width):
-                    total[s, l] += weight * rate[row, l]
-                    columns[s, l] = y[s, l] + ahead * h[l] * rate[row, l]
+            if program.rows[s] >= 0:
+                own = load(rate, program.rows[s])
+                store(total, s, load(total, s) + weight * own)
+                store(columns, s, load(y, s) + ahead * step * own)
 
 
 # A history is over when it capsizes, and when it has come to a periodic motion: when its state at the end of a cycle is that at
@@ -81,40 +80,40 @@ def _march(first, last, program, parts, waves, cycles, limit, states, times):
     width, count = limit.shape[1], states.shape[1]
     lanes, h = row_of_lanes(parts, width), np.empty(width)
     room, total = room_for(program, lanes), np.empty((count, width))
-    begun, most, still = np.empty((count, width)), np.empty((count, width)), np.empty(width, np.int64)
+    begun, most, still = np.empty((count, width)), np.empty((count, width)), np.empty(width)
     roll, steps = program.displacements[1], waves.shape[1] // 2
     for row in range(first, last):
         gather(row * width, parts.frequency.size, parts, lanes)
         y, going = states[row], 0
         for l in range(width):
             h[l] = 2 * np.pi / steps / lanes.frequency[l]
-            still[l] = 1 if np.isnan(times[row, l]) else 0
-            going += still[l]
+            still[l] = 1.0 if np.isnan(times[row, l]) else 0.0
+            going += still[l] == 1.0
         for n in range(cycles * steps):
             if going == 0:
                 break
             if n % steps == 0:
                 for s in range(count):
-                    for l in range(width):
-                        begun[s, l], most[s, l] = y[s, l], 1e-12
+                    store(begun, s, load(y, s))
+                    store(most, s, every(1e-12))
             _step(program, lanes, h, waves, 2 * n, y, room, total)
+            for s in range(count):
+                before, largest = load(y, s), load(most, s)
+                own = where_less(0.5, load(still, ()), before + load(h, ()) / 6.0 * load(total, s), before)
+                store(y, s, own)
+                store(most, s, where_less(largest, size(own), size(own), largest))
             for l in range(width):
-                if still[l] == 0:
-                    continue
-                for s in range(count):
-                    y[s, l] += h[l] / 6.0 * total[s, l]
-                    most[s, l] = max(most[s, l], abs(y[s, l]))
-                if not abs(y[roll, l]) <= limit[row, l]:
+                if still[l] == 1.0 and not abs(y[roll, l]) <= limit[row, l]:
                     times[row, l] = (n + 1) / steps
-                    still[l] = 0
+                    still[l] = 0.0
                     going -= 1
             if (n + 1) % steps == 0:
                 for l in range(width):
                     change = 0.0
                     for s in range(count):
                         change = max(change, abs(y[s, l] - begun[s, l]) / most[s, l])
-                    if still[l] == 1 and change < SETTLED:
-                        still[l] = 0
+                    if still[l] == 1.0 and change < SETTLED:
+                        still[l] = 0.0
                         going -= 1
 
 

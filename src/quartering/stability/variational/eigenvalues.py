@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quartering._machine.compiled import batch_kernel, kernel
-from quartering._machine.simd import LANES, every, load, root, size, store, where_less
+from quartering._machine.simd import LANES, all_at_most, every, load, root, size, store, where_less
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
 
@@ -23,59 +23,72 @@ _MOST = 60
 
 @batch_kernel
 def _balanced(a):
-    """Scale rows and columns by powers of two until they weigh alike, in place; eigenvalues stay."""
+    """Scale rows and columns (m, m, W) by powers of two until they weigh alike, in place; eigenvalues stay."""
     n = a.shape[0]
     for _ in range(10):
         settled = True
         for i in range(n):
-            column, row = 0.0, 0.0
+            column, row = every(0.0), every(0.0)
             for j in range(n):
                 if j != i:
-                    column += abs(a[j, i])
-                    row += abs(a[i, j])
-            if not (column > 0.0 and row > 0.0):
+                    column += size(load(a, (j, i)))
+                    row += size(load(a, (i, j)))
+            factor, total = every(1.0), column + row
+            both = where_less(0.0, column, row, 0.0)
+            while True:
+                light = where_less(column, 0.5 * both, where_less(factor, 1e150, 1.0, 0.0), 0.0)
+                if all_at_most(light, 0.0):
+                    break
+                factor, column = factor * (1.0 + light), column * (1.0 + 3.0 * light)
+            while True:
+                heavy = where_less(2.0 * row, column, where_less(1e-150, factor, 1.0, 0.0), 0.0)
+                heavy = where_less(0.0, both, heavy, 0.0)
+                if all_at_most(heavy, 0.0):
+                    break
+                factor, column = factor * (1.0 - 0.5 * heavy), column * (1.0 - 0.75 * heavy)
+            # where nothing is gained the factor is 1
+            gains = where_less((column + row) / factor, 0.95 * total, 1.0, 0.0)
+            if all_at_most(gains, 0.0):
                 continue
-            factor, total = 1.0, column + row
-            while column < 0.5 * row and factor < 1e150:
-                factor *= 2.0
-                column *= 4.0
-            while column > 2.0 * row and factor > 1e-150:
-                factor *= 0.5
-                column *= 0.25
-            if (column + row) / factor < 0.95 * total:
-                settled = False
-                for j in range(n):
-                    a[i, j] /= factor
-                for j in range(n):
-                    a[j, i] *= factor
+            settled, factor = False, where_less(0.5, gains, factor, 1.0)
+            for j in range(n):
+                store(a, (i, j), load(a, (i, j)) / factor)
+            for j in range(n):
+                store(a, (j, i), load(a, (j, i)) * factor)
         if settled:
             break
 
 
 @batch_kernel
 def _hessenberg(a):
-    """Reduce to upper Hessenberg form by elimination with pivoting, in place."""
+    """Reduce matrices (m, m, W) to upper Hessenberg form by elimination with pivoting, in place."""
     n = a.shape[0]
     for m in range(1, n - 1):
-        pivot = m
+        pivot, largest = every(float(m)), size(load(a, (m, m - 1)))
         for i in range(m + 1, n):
-            if abs(a[i, m - 1]) > abs(a[pivot, m - 1]):
-                pivot = i
-        if pivot != m:
+            own = size(load(a, (i, m - 1)))
+            pivot, largest = where_less(largest, own, float(i), pivot), where_less(largest, own, own, largest)
+        for i in range(m + 1, n):
+            here = where_less(i - 0.5, pivot, where_less(pivot, i + 0.5, 1.0, 0.0), 0.0)
+            if all_at_most(here, 0.0):
+                continue
             for j in range(m - 1, n):
-                a[pivot, j], a[m, j] = a[m, j], a[pivot, j]
-            for i in range(n):
-                a[i, pivot], a[i, m] = a[i, m], a[i, pivot]
-        if a[m, m - 1] == 0.0:
-            continue
+                upper, lower = load(a, (m, j)), load(a, (i, j))
+                store(a, (m, j), where_less(0.5, here, lower, upper))
+                store(a, (i, j), where_less(0.5, here, upper, lower))
+            for j in range(n):
+                left, right = load(a, (j, m)), load(a, (j, i))
+                store(a, (j, m), where_less(0.5, here, right, left))
+                store(a, (j, i), where_less(0.5, here, left, right))
+        below = load(a, (m, m - 1))
+        divisor = where_less(0.0, size(below), below, 1.0)  # where the pivot is nil there is nothing to eliminate
         for i in range(m + 1, n):
-            factor = a[i, m - 1] / a[m, m - 1]
-            if factor != 0.0:
-                for j in range(m, n):
-                    a[i, j] -= factor * a[m, j]
-                for j in range(n):
-                    a[j, m] += factor * a[j, i]
-            a[i, m - 1] = 0.0
+            factor = load(a, (i, m - 1)) / divisor
+            for j in range(m, n):
+                store(a, (i, j), load(a, (i, j)) - factor * load(a, (m, j)))
+            for j in range(n):
+                store(a, (j, m), load(a, (j, m)) + factor * load(a, (j, i)))
+            store(a, (i, m - 1), every(0.0))
 
 
 @batch_kernel
@@ -213,26 +226,51 @@ def _sweep(a, flags, begin):
             store(a, (i, k), left - along)
 
 
+@batch_kernel
+def _made_ready(matrices, begin, last, ready, norms):
+    """Put the matrices (n, m, m) from ``begin`` on, balanced and reduced, into ``ready`` (m, m, W), and sums of moduli."""
+    m = ready.shape[0]
+    for l in range(LANES):
+        matrix = matrices[min(begin + l, last - 1)]
+        for j in range(m):
+            for k in range(m):
+                ready[j, k, l] = matrix[j, k]
+    _balanced(ready)
+    _hessenberg(ready)
+    norm = every(0.0)
+    for j in range(m):
+        for k in range(m):
+            norm += size(load(ready, (j, k)))
+    store(norms, (), norm)
+
+
 @kernel
 def _all_values(first, last, matrices, values):
     """Eigenvalues (n, m) of matrices (n, m, m) first..last; NaN where they are not found."""
     m = matrices.shape[1]
-    one, a = np.empty((m, m)), np.zeros((m, m, LANES))
+    ready, norms, a = np.empty((m, m, LANES)), np.empty(LANES), np.zeros((m, m, LANES))
     norm, shift, sweeps = np.zeros(LANES), np.zeros(LANES), np.zeros(LANES, np.int64)
     block, flags, begin = np.zeros((2, LANES), np.int64), np.zeros((3, m, LANES)), np.zeros((8, LANES))
-    # As in Newton's method a lane takes the next matrix as soon as its own is done.
+    # As in Newton's method a lane takes the next matrix as soon as its own is done; eight at a time are made ready.
     held, ahead = np.full(LANES, -1), first
     while True:
         working = False
+        store(begin, 4, every(1.0))
+        for j in range(3):
+            for k in range(m):
+                store(flags, (j, k), every(0.0))
         for l in range(LANES):
-            flags[:, :, l] = 0.0
-            begin[4, l] = 1.0
             while True:
                 if held[l] < 0:
                     if ahead >= last:
                         break
-                    held[l], block[1, l], shift[l], sweeps[l] = ahead, m - 1, 0.0, 0
-                    norm[l] = _into_lane(matrices[ahead], one, a, l)
+                    of = (ahead - first) % LANES
+                    if of == 0:
+                        _made_ready(matrices, ahead, last, ready, norms)
+                    held[l], block[1, l], shift[l], sweeps[l], norm[l] = ahead, m - 1, 0.0, 0, norms[of]
+                    for j in range(m):
+                        for k in range(m):
+                            a[j, k, l] = ready[j, k, of]
                     ahead += 1
                 own = values[held[l]]
                 settles = norm[l] < 1e300 and _split_off(a, l, norm[l], block, shift, sweeps, own)
@@ -252,23 +290,6 @@ def _all_values(first, last, matrices, values):
         _sweep(a, flags, begin)
 
 
-@batch_kernel
-def _into_lane(matrix, one, a, l):
-    """Put a matrix, balanced and reduced, into lane ``l``; returns the sum of its moduli."""
-    m = one.shape[0]
-    for j in range(m):
-        for k in range(m):
-            one[j, k] = matrix[j, k]
-    _balanced(one)
-    _hessenberg(one)
-    norm = 0.0
-    for j in range(m):
-        for k in range(m):
-            norm += abs(one[j, k])
-            a[j, k, l] = one[j, k] if k >= j - 1 else 0.0
-    return norm
-
-
 def eigenvalues(matrices: Floats) -> NDArray[np.complex128]:
     """Eigenvalues of a batch of small real matrices, in no particular order.
 
@@ -280,7 +301,8 @@ def eigenvalues(matrices: Floats) -> NDArray[np.complex128]:
     """
     values = np.empty(matrices.shape[:2], complex)
     in_threads(_all_values, matrices.shape[0], np.require(matrices, float, ("C", "W")), values)
-    lost = np.flatnonzero(np.isnan(values[:, 0]) & np.isfinite(matrices).all(axis=(1, 2)))
+    lost = np.flatnonzero(np.isnan(values[:, 0]))
+    lost = lost[np.isfinite(matrices[lost]).all(axis=(1, 2))]
     if lost.size:
         values[lost] = np.linalg.eigvals(matrices[lost])
     return values

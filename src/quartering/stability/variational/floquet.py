@@ -17,7 +17,7 @@ from quartering.motion.equations.steering import HEADING, RUDDER, holds_heading
 from quartering.motion.equations.system import Floats, System
 from quartering.stability.first_order import Detail
 from quartering.stability.variational.eigenvalues import eigenvalues
-from quartering.stability.variational.magnus import FINEST, magnus_steps, magnus_transition
+from quartering.stability.variational.magnus import FINEST, magnus_steps, magnus_transition, modulus
 from quartering.stability.variational.transition import even_steps, transition_matrices
 
 Complex = NDArray[np.complex128]
@@ -119,10 +119,10 @@ def rate_of_one(phasors, largest, power, other):
     """Fastest rate of a condition with harmonics (m, 3, 4) and eigenvalues of the mean up to ``largest``; NaN: not known."""
     stiffness, sway, roll, yaw = 0.0, 0.0, 0.0, 0.0
     for m in range(phasors.shape[0]):
-        stiffness += abs(phasors[m, 1, 1])
-        sway += abs(phasors[m, 0, 0])
-        roll += abs(phasors[m, 1, 2])
-        yaw += abs(phasors[m, 2, 3])
+        stiffness += modulus(phasors[m, 1, 1])
+        sway += modulus(phasors[m, 0, 0])
+        roll += modulus(phasors[m, 1, 2])
+        yaw += modulus(phasors[m, 2, 3])
     if np.isnan(largest):
         largest = _spectral_bound(phasors[0], power, other)
     for own in (math.sqrt(stiffness), sway, roll, yaw):

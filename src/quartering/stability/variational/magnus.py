@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from quartering._machine.compiled import batch_kernel, kernel, maker, summing
+from quartering._machine.compiled import batch_kernel, inlined, kernel, maker, summing
 from quartering._machine.simd import every, load, store
 from quartering._machine.threads import in_threads
 from quartering.motion.equations.system import Floats
@@ -235,21 +235,27 @@ def _choose(first, last, phasors, frequency, rate, span, by_accuracy, kinds, ste
         steps[i] = kinds[place]
 
 
+@inlined
+def modulus(z):
+    """|z| of a number whose square is within the number range: `abs` guards against the ends of it, at ten times the cost."""
+    return math.sqrt(z.real * z.real + z.imag * z.imag)
+
+
 @summing
 def steps_of_one(phasors, frequency, rate, span, by_accuracy, kinds):
     """Which of ``kinds`` of numbers of steps a condition takes, and its unit of sway velocity; see `magnus_steps`."""
     out, back = 0.0, 0.0
     for k in range(1, 4):
-        out += abs(phasors[0, 0, k])
+        out += modulus(phasors[0, 0, k])
     for k in range(1, 3):
-        back += abs(phasors[0, k, 0])
+        back += modulus(phasors[0, k, 0])
     g = math.sqrt(out / back) if out > 0.0 and back > 0.0 else 1.0
     stiffness, damping = 0.0, 0.0
     for k in range(3):
         for s in range(4):
             own = 0.0
             for m in range(1, phasors.shape[0]):
-                own += abs(phasors[m, k, s])
+                own += modulus(phasors[m, k, s])
             own *= (g if s == 0 else 1.0) / (g if k == 0 else 1.0)
             if s == 1:
                 stiffness = own if own > stiffness or np.isnan(own) else stiffness

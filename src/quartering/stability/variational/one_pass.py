@@ -176,14 +176,16 @@ def _lay_side_by_side(block, chosen, unit, values):
     straight = chosen[0] % WIDTH == 0
     for l in range(WIDTH):
         straight = straight and chosen[l] == chosen[0] + l
-    for n in range(count):
-        for e in range(12):
-            if straight:
+    if straight:
+        for n in range(count):
+            for e in range(12):
                 store(values, (n + BEFORE, e), load(block, (chosen[0] // WIDTH, n, e // 4, e % 4)) * load(unit, e))
-            else:
-                for l in range(WIDTH):
-                    own = block[chosen[l] // WIDTH, n, e // 4, e % 4, chosen[l] % WIDTH]
-                    values[n + BEFORE, e, l] = own * unit[e, l]
+    else:
+        for n in range(count):
+            for l in range(WIDTH):
+                own, lane = block[chosen[l] // WIDTH, n], chosen[l] % WIDTH
+                for e in range(12):
+                    values[n + BEFORE, e, l] = own[e // 4, e % 4, lane] * unit[e, l]
     for e in range(12):
         for n in range(BEFORE):
             store(values, (n, e), load(values, (count + n, e)))

@@ -45,11 +45,6 @@ class _Place:
         return InputError(f"{self.name}, line {line}: {text}")
 
 
-def read_case(path: str | Path) -> Case:
-    """A case file with its keys and types checked."""
-    return _read(path)[0]
-
-
 def case_grid(path: str | Path) -> Grid:
     """The grid of conditions a case file describes, its text kept for the record.
 

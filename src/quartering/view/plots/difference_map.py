@@ -23,6 +23,7 @@ from quartering.view.plots.polar_map import (
     RING,
     cell_edges,
     dress,
+    head,
     mark_cells,
     mirrors,
     paint_cells,
@@ -102,5 +103,5 @@ def _panel(ax: PolarAxes, ds: xr.Dataset, length: float, colours: Normalize) -> 
     dress(ax, r, mirrored)
     counts = [(label, int((ds["change"] == int(change)).sum())) for change, (_, _, label) in _LOOKS.items()]
     said = ", ".join(f"{n} {label}" for label, n in counts if n) or "no verdict changes"
-    ax.set_title(f"{speed_words(float(ds['speed']), length)}\n{said}", pad=10)
+    head(ax, f"{speed_words(float(ds['speed']), length)}\n{said}")
     return mesh

@@ -7,8 +7,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from quartering.conventions import InputError
-
 
 class Rate(NamedTuple):
     """Failures in an exposure: the rate, and the ends of its interval [1/s].
@@ -84,15 +82,3 @@ def waiting_times_p(times: ArrayLike, block: float, rate: float) -> float:
     from scipy.stats import kstest
 
     return float(kstest(np.expm1(-rate * t) / np.expm1(-rate * block), "uniform").pvalue)
-
-
-def hours_without_failure(rate: float, confidence: float = 0.95) -> float:
-    """Hours without a failure after which the upper end of the interval is below a rate.
-
-    rate: [1/s]
-    confidence: of the two-sided interval
-    Returns [h]
-    """
-    if not rate > 0:
-        raise InputError(f"rate = {rate} 1/s; it is above 0; try 1e-6")
-    return failure_rate(0, 1.0, confidence).upper / rate / 3600.0

@@ -9,10 +9,12 @@ from nicegui import run, ui
 from nicegui.events import UploadEventArguments
 
 from quartering.conventions import InputError
+from quartering.units import LENGTHS
 from quartering.view.explorer.hulls.ship_registry import Known
 from quartering.view.explorer.hulls.uploads import ENDINGS, LARGEST, Sizes, check_file, hull_of_upload
 
 _ONE_AT_A_TIME = asyncio.Semaphore(1)
+_UNITS = {"": "what the file says, else m"} | {unit: unit for unit in LENGTHS}
 _HEAD = """<div class="upload-head"><button type="button" @click="props.pickFiles">Choose a file</button>
 <span>or drop one here</span><label>file of lines<q-uploader-add-trigger /></label></div>"""
 """In place of Quasar's own, whose button has no name: a button for mouse and keyboard, and the field it opens, out of sight."""
@@ -27,7 +29,7 @@ class UploadDialog:
         with ui.dialog().props('aria-label="draw your hull"') as self._dialog, ui.card().classes("upload-box"):
             ui.label("Draw your hull").classes("text-lg")
             ui.label(
-                "Offset table or x, y, z (.csv), PDSTRIP sections (.out, .dat), WAMIT panels (.gdf) or STL; metres, x forward."
+                "Offset table or x, y, z (.csv), PDSTRIP sections (.out, .dat), WAMIT panels (.gdf) or STL; x forward."
                 f" Up to {LARGEST / 1e6:g} MB. Nothing is kept longer than this server runs."
             ).classes("hint")
             self._upload = ui.upload(
@@ -43,6 +45,8 @@ class UploadDialog:
                 self._length = ui.number("length [m]").props("dense outlined")
                 self._beam = ui.number("beam [m]").props("dense outlined")
                 self._draught = ui.number("draught [m]").props("dense outlined")
+            self._unit = ui.select(_UNITS, value="", label="unit of the numbers in the file")
+            self._unit.props("dense outlined options-dense").classes("w-full")
             ui.label("Left empty, they are taken from the lines; GM and gyradii begin with usual values.").classes(
                 "hint"
             )
@@ -76,7 +80,7 @@ class UploadDialog:
         if not self._data:
             self._problem.set_text("choose a file first")
             return
-        sizes = Sizes(*(field.value or None for field in (self._length, self._beam, self._draught)))
+        sizes = Sizes(*(field.value or None for field in (self._length, self._beam, self._draught, self._unit)))
         try:
             async with _ONE_AT_A_TIME:
                 known = await run.io_bound(hull_of_upload, self._name, self._data, sizes)

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from quartering.conventions import InputError
+from quartering.hull.file.new_from_offsets import extent
 from quartering.hull.file.read import ship
 from quartering.hull.formats.offset_tables import Lines
 from quartering.hull.formats.read import read_lines
@@ -25,11 +26,12 @@ _SHIP_FILE = "ship.yaml"
 
 
 class Sizes(NamedTuple):
-    """Dimensions that go with a file of lines; None: taken from the lines where they tell [m]."""
+    """Dimensions that go with a file of lines [m], and the unit of its numbers; None: taken from the lines where they tell."""
 
     length: float | None = None
     beam: float | None = None
     draught: float | None = None
+    unit: str | None = None
 
 
 def check_file(name: str, size: int) -> None:
@@ -61,7 +63,7 @@ def hull_of_upload(name: str, data: bytes, sizes: Sizes = Sizes()) -> Known:  # 
         path = Path(folder) / called
         path.write_bytes(data)
         try:
-            text = _ship_file(called, read_lines(path, None, sizes.draught), sizes)
+            text = _ship_file(called, read_lines(path, None, sizes.draught, unit=sizes.unit), sizes)
             (Path(folder) / _SHIP_FILE).write_text(text, encoding="utf-8")
             made = ship(Path(folder) / _SHIP_FILE)
         except InputError as error:
@@ -74,17 +76,18 @@ def hull_of_upload(name: str, data: bytes, sizes: Sizes = Sizes()) -> Known:  # 
 
 def _ship_file(name: str, lines: Lines, sizes: Sizes) -> str:
     """Ship file that points at the lines; JSON is YAML, and quotes every text."""
+    longest, broadest = extent(name, lines)
     lowest = min(float(height[0]) for _, height in lines.contours)
     draught = sizes.draught or (-lowest if lines.afloat else None)
     if draught is None:
         raise InputError(f"{name}: its heights count from the baseline; give the draught and draw it again")
-    first, last = float(lines.x[0]), float(lines.x[-1])
     content = {
         "name": Path(name).stem,
-        "length": f"{sizes.length or last - first:.10g} m",
-        "beam": f"{sizes.beam or 2 * max(float(y.max()) for y, _ in lines.contours):.10g} m",
+        "length": f"{sizes.length or longest:.10g} m",
+        "beam": f"{sizes.beam or broadest:.10g} m",
         "draught": f"{draught:.10g} m",
-        "lines": {"file": name, "midship": 0.5 * (first + last)},
+        "lines": {"file": name, "midship": 0.5 * (float(lines.x[0]) + float(lines.x[-1]))}
+        | ({"unit": sizes.unit} if sizes.unit else {}),
     }
     return "".join(f"{key}: {json.dumps(value)}\n" for key, value in content.items())
 
