@@ -99,7 +99,10 @@ def test_intervals_of_counts():
     for failures, lower, upper, one_sided in rows:
         np.testing.assert_allclose(failure_rate(failures, 1.0)[1:], (lower, upper), rtol=1e-6)
         np.testing.assert_allclose(failure_rate(failures, 1.0, 0.9).upper, one_sided, rtol=1e-6)  # 95 % to one side
-    for confidence, hours in ((0.95, 1024.68873725), (0.9, 832.147853765)):  # without a failure: the rate is below 1e-6 1/s
+    for confidence, hours in (
+        (0.95, 1024.68873725),
+        (0.9, 832.147853765),
+    ):  # without a failure: the rate is below 1e-6 1/s
         np.testing.assert_allclose(failure_rate(0, 1.0, confidence).upper / 1e-6 / 3600.0, hours, rtol=1e-6)
 
 
@@ -262,6 +265,26 @@ def test_an_autopilot_and_highest_position_take_part():
     assert found.attrs["acceleration_limit"] == 9.81
     closed = qt.sea_response(ship, qt.Sea(hs=4, tp=10, heading=60), 7.5, method="closure")
     np.testing.assert_allclose(found["lateral_acceleration_rms"], closed["lateral_acceleration_rms"], rtol=0.03)
+
+
+def test_a_ship_that_does_not_keep_its_course_is_said_to_turn():
+    """Eigenvalues with the coefficients of slow motion, 0.01 rad/s, tell the growth; steered, closure and simulation agree."""
+    ship, speed, sea = qt.ship("coaster-90m"), 5.9, qt.Sea(hs=1.8, tp=9.5, spreading=10, heading=60)
+    slow = qt.coefficients(ship, [0.01], [speed])
+    forces = np.zeros((3, 4))
+    forces[:, [0, 2, 3]], forces[1, 1] = slow.linear[0], -9.81 * qt.hydrostatics(ship).mass * ship.loading.gm
+    rates = np.insert(np.linalg.solve(slow.inertia[0], forces), 1, [0.0, 0.0, 1.0, 0.0], axis=0)
+    growth = np.linalg.eigvals(rates).real.max()
+    with pytest.warns(qt.RangeWarning, match=rf"nobody steers, .* grow by {growth:.1g}"):
+        turning = qt.irregular(ship, sea, speed, hours=32, seed=1)
+    steered = ship.with_(autopilot="1,10s")
+    found, closed = (
+        qt.irregular(steered, sea, speed, hours=32, seed=1),
+        qt.sea_response(steered, sea, speed, method="closure"),
+    )
+    within(found["roll_rms"], found["roll_rms_error"], closed["roll_rms"], 0.01 * float(closed["roll_rms"]))
+    yaw = [float(one["covariance"].sel(state="r", state_2="r")) for one in (turning, found)]
+    assert yaw[0] > 2 * yaw[1]
 
 
 def test_components_that_repeat_are_said():

@@ -86,6 +86,19 @@ def fastest(memory: Memory, linear: Floats) -> float:
     The fractions act back on the motion: together they may be three times as fast as the poles of the fit, and a step of time
     has to be short enough for that.
     """
+    return float(np.abs(_eigenvalues(memory, linear)).max())
+
+
+def growth_of_course(memory: Memory, linear: Floats) -> float:
+    """Largest real part of the eigenvalues of the linear motion with its further states [1/s]; as `fastest`.
+
+    Above 0 it is that of the course: sway and yaw in slow motion make no waves, whose damping keeps them where coefficients are
+    those of free roll.
+    """
+    return float(_eigenvalues(memory, linear).real.max())
+
+
+def _eigenvalues(memory: Memory, linear: Floats) -> Complex:
     rates, drive, force = memory.states()
     inverse = np.linalg.inv(memory.inertia)
     whole = np.zeros((4 + len(rates), 4 + len(rates)))
@@ -94,7 +107,7 @@ def fastest(memory: Memory, linear: Floats) -> float:
     whole[1, 2] = 1.0
     whole[4:, _VELOCITIES] = drive
     whole[4:, 4:] = rates
-    return float(np.abs(np.linalg.eigvals(whole)).max())
+    return np.asarray(np.linalg.eigvals(whole), dtype=complex)
 
 
 def memory_of(equations: SeaEquations, energy: Floats) -> Memory | None:

@@ -15,7 +15,7 @@ from quartering.loads.sea.cells import Cells, wave_cells
 from quartering.motion.sea.closure import Solution, closure_solutions
 from quartering.motion.sea.equations import SeaEquations, angle_of_largest_arm, free_roll_of, roll_mode_of
 from quartering.motion.sea.frozen import frozen_equations, with_few_strips
-from quartering.motion.sea.memory import Memory, fastest, memory_of
+from quartering.motion.sea.memory import Memory, fastest, growth_of_course, memory_of
 from quartering.motion.sea.synthesis import record_of
 from quartering.motion.transient.rk4 import alike
 from quartering.study.seas.moments import moments_of, products
@@ -57,6 +57,8 @@ class Ready:
     channels: NDArray[np.complex128]
     equations: SeaEquations
     solution: Solution
+    off_course: float
+    """Growth of small deviations from the course in slow motion [1/s]; NaN without a memory, which alone tells."""
 
 
 def planned(asked: Asked) -> Ready:
@@ -98,6 +100,7 @@ def planned(asked: Asked) -> Ready:
         frozen.channels,
         equations,
         solution,
+        math.nan if memory is None else growth_of_course(memory, everything.at_roll[1]),
     )  # fmt: skip
 
 

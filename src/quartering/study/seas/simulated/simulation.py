@@ -38,6 +38,8 @@ Floats = NDArray[np.float64]
 
 NOTEWORTHY: Final = 0.05
 """Change of the closure with the coefficients of a simulation that is warned of [1]."""
+OFF_COURSE: Final = 5e-3
+"""Growth of slow deviations from the course that is warned of [1/s]: e^9 in half an hour."""
 
 
 @overload
@@ -242,6 +244,12 @@ def _warn(asked: Asked, ready: Ready, tally: Tally, result: xr.Dataset) -> None:
         said.append(
             f"the run-up of {ready.run_up:.0f} s is shorter than slow modes of the ship ask for ({ready.run_up_wanted:.0f} s):"
             " sway and yaw keep some of their start from rest"
+        )
+    if ready.off_course > OFF_COURSE and getattr(asked.ship, "autopilot", None) is None:
+        said.append(
+            f"nobody steers, and slow deviations from the course grow by {ready.off_course:.2g} 1/s: the ship turns and heels"
+            " in the simulation, which coefficients at the frequency of roll (the closure, memory=False) do not see; give it"
+            " an autopilot"
         )
     if max(np.abs(np.nan_to_num(ready.errors))) > NOTEWORTHY:
         said.append(
