@@ -79,3 +79,13 @@ def test_a_neighbour_that_is_no_number_disturbs_nobody():
     np.testing.assert_array_equal(again[others], u[others])
     np.testing.assert_array_equal(after[others], status[others])
     assert np.isnan(again[7]).all()
+
+
+def test_motions_are_the_same_whether_the_residual_is_asked_for_or_not():
+    system = systems()
+    u, status, residual = harmonic_balance(system, (1, 3))
+    without, alike, unknown = harmonic_balance(system, (1, 3), with_residual=False)
+    np.testing.assert_array_equal(without, u)
+    np.testing.assert_array_equal(alike, status)
+    assert (residual[status == 0] < 1e-12).all()
+    assert np.isnan(unknown).all()
