@@ -25,7 +25,8 @@ def test_compilation_is_announced_once_and_only_when_the_cache_is_cold(tmp_path)
     assert cold.stderr.strip() == NOTICE
     qt.polar(qt.ship("wigley"), qt.Wave(100.0, 1.0), [5.0], [60.0])
     compile_ahead()
-    assert compiled()
+    assert compiled("map")
+    assert compiled("verdict")
 
 
 def test_kernels_run_where_no_folder_for_them_can_be_written(monkeypatch):

@@ -1,7 +1,7 @@
 """Kernel compilation: notice on first use, and a helper process that compiles in parallel.
 
-``python -m quartering.stability.precompile`` leaves the kernels that a first map meets last in the cache on disk, where the
-other process finds them.
+``python -m quartering.stability.precompile`` leaves the kernels that a first map, or verdict, meets last in the cache on disk,
+where the other process finds them.
 """
 
 from __future__ import annotations
@@ -10,10 +10,11 @@ import atexit
 import logging
 import subprocess
 import sys
-from functools import cache
+from functools import partial
 from multiprocessing import parent_process
 from pathlib import Path
 from types import ModuleType
+from typing import Final, Literal
 
 import numpy as np
 
@@ -35,20 +36,29 @@ NOT_KEPT = (
 )
 
 
-@cache
-def announce_compilation() -> None:
+First = Literal["map", "verdict"]
+"""What is asked for; its kernels are compiled before those of the other."""
+_ANNOUNCED: Final[list[First]] = []
+
+
+def announce_compilation(first: First = "map") -> None:
     """Say that kernels will be compiled, when they are not in the cache, and have a second process compile some; once.
+
+    first: what this process goes on to
 
     A warning of the logger "quartering", which stands on stderr unless logging is set up otherwise.  Worker processes of
     `multiprocessing` keep quiet: there may be many.
     """
-    if parent_process() is not None or compiled():
+    if _ANNOUNCED:
         return
-    kept = all(_folders(module) for module in _MODULES)
+    _ANNOUNCED.append(first)
+    if parent_process() is not None or compiled(first):
+        return
+    kept = all(_folders(module) for module in _MODULES[first])
     logging.getLogger("quartering").warning(NOTICE if kept else NOT_KEPT)
     if kept and workers() > 1 and sys.executable:
         beside = subprocess.Popen(
-            [sys.executable, "-m", "quartering.stability.precompile"],
+            [sys.executable, "-m", "quartering.stability.precompile", first],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )
@@ -60,12 +70,13 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
-def compiled() -> bool:
-    """Are kernels of every module a map compiles in the cache, and newer than their source?"""
-    return all(_cached(module) for module in _MODULES)
+def compiled(first: First = "map") -> bool:
+    """Are kernels of every module that a map, or a verdict, compiles in the cache, and newer than their source?"""
+    return all(_cached(module) for module in _MODULES[first])
 
 
-_MODULES = (diffraction, harmonic, one_pass, transition, approach)
+_OF_BOTH = (diffraction, harmonic, transition, approach)
+_MODULES: Final[dict[First, tuple[ModuleType, ...]]] = {"map": (*_OF_BOTH, one_pass), "verdict": _OF_BOTH}
 
 
 def _folders(module: ModuleType) -> set[str]:
@@ -81,15 +92,20 @@ def _cached(module: ModuleType) -> bool:
     return any(entry.stat().st_mtime >= source.stat().st_mtime for entry in entries)
 
 
-def compile_ahead() -> None:
-    """Solve and judge one small case by the kernels for hard conditions, of a map, of a verdict, and the way to a motion."""
+def compile_ahead(first: First = "map") -> None:
+    """Solve and judge one small case by the kernels for hard conditions, of a map, of a verdict, and the way to a motion.
+
+    first: what is waited for
+    """
     terms = {"Y_v": -0.4, "K_phi": -1.0, "K_p": -0.05, "K_ppp": -0.1, "K_phiphiphi": -0.2, "N_r": -0.6}
     system = Model(np.eye(3), terms, 0.85, (0, 0.05, 0), (0, 0.02, 0)).system
     u, _, _ = solve_with_care(system, (1, 3), from_rest=True)
-    assess(system, u, (1, 3), detail="map")
+    of_map, of_verdict = partial(assess, system, u, (1, 3), detail="map"), partial(assess, system, u, (1, 3), 1e-10)
+    sooner, later = (of_map, of_verdict) if first == "map" else (of_verdict, of_map)
+    sooner()
     capsizes_before(system, np.ones(1))
-    assess(system, u, (1, 3), 1e-10)
+    later()
 
 
 if __name__ == "__main__":
-    compile_ahead()
+    compile_ahead("verdict" if "verdict" in sys.argv else "map")

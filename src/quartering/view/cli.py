@@ -22,9 +22,6 @@ with quiet_start():
 # The kernels run as fast at LLVM's first level of optimisation as at its third, and compile in four fifths of the time.
 os.environ.setdefault("NUMBA_OPT", "1")
 
-# Extensions of pydantic, of which none is needed here, would be looked for among all installed packages.
-os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
-
 _MOST_THREADS = 10_000
 _HELP = "At which headings, speeds and waves does a ship roll badly or lose a stable motion, why, and what cures it?"
 

@@ -61,7 +61,7 @@ def verdict(
     path = reserve_path(output, TABLES)
     if in_six(modes):
         return _six(typed, one, wave, (u, mu), path, own=(harmonics, form) == (1, "stf"))
-    announce_compilation()
+    announce_compilation("verdict")
     chosen: Form = form  # type: ignore[assignment]  # equations refuses an unknown one
     found = examine(one, wave, u, mu, harmonics, chosen)
     cures = helps(found)
