@@ -20,7 +20,7 @@ from scipy.optimize import linear_sum_assignment
 from quartering._machine.compiled import kernel
 from quartering.motion.steady_course.balance import Harmonics
 from quartering.motion.steady_course.course import ROLL, SWAY, YAW, Course, roll_inertia
-from quartering.motion.steady_course.free_heave import free_course
+from quartering.motion.steady_course.free_heave import free_matrices
 from quartering.motion.steady_course.orbits import POINTS, Orbits, slopes
 
 Floats = NDArray[np.float64]
@@ -256,7 +256,7 @@ def doubled_multipliers(
     s = lateral.shape[2]
     matrix = np.zeros((len(x), phase.size, 4 + s, 4 + s))
     matrix[:, :, 4:, 4:] = lateral
-    mass, damping, _ = free_course(course)
+    mass, damping, _ = free_matrices(course.ship, course.numbers.omega, course.speed)
     up = np.linalg.inv(mass)
     across = np.linalg.inv(many.numbers.mass[:, 1, SWAY:, SWAY:])
     matrix[:, :, [0, 1], [2, 3]] = 1.0

@@ -52,7 +52,7 @@ def free_matrices(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Flo
     return mass, damping, raised
 
 
-def vertical_matrices(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats, Floats]:
+def _vertical_matrices(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats, Floats]:
     """Mass and damping (n, 2, 2), stiffness (2, 2) of heave and pitch at encounter frequencies (n,) and speeds (n,)."""
     mass, damping, stiffness = vertical_system(ship, omega, speed, float(ship.value("gyradius_pitch")))
     return mass[:, 1:, 1:].copy(), damping[:, 1:, 1:].copy(), stiffness[1:, 1:]
@@ -60,7 +60,7 @@ def vertical_matrices(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats,
 
 def _matrices(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats, Floats]:
     """Mass and damping (n, 2, 2), and the least fraction of critical (n,) of their free motion."""
-    mass, damping, stiffness = vertical_matrices(ship, omega, speed)
+    mass, damping, stiffness = _vertical_matrices(ship, omega, speed)
     motion = np.zeros((omega.size, 4, 4))
     motion[:, :2, 2:] = np.eye(2)
     motion[:, 2:, :2] = -np.linalg.solve(mass, np.broadcast_to(stiffness, mass.shape))
@@ -72,32 +72,27 @@ def _matrices(ship: Ship, omega: Floats, speed: Floats) -> tuple[Floats, Floats,
 def free_course(one: Course) -> tuple[Floats, Floats, Phasors]:
     """Mass and damping (n, 2, 2) of heave and pitch for free motion, and the force (n, 5) of `Numbers` that goes with them."""
     n = one.numbers
-    own = n.mass[:, 2, :2, :2], n.damping[:, 2, :2, :2]
-    *matrices, raised = free_matrices(one.ship, n.omega, one.speed)
-    mass, damping = (np.where(raised[:, None, None], new, old) for new, old in zip(matrices, own, strict=True))
+    mass, damping, raised = free_matrices(one.ship, n.omega, one.speed)
     if not raised.any():
         return mass, damping, n.force
     k, heading = np.hypot(n.wave[:, 0], n.wave[:, 1]), np.degrees(np.arctan2(n.wave[:, 1], n.wave[:, 0]))
-    return mass, damping, force_with(one.ship, (k, one.speed, heading, one.signed), n.force, own, (mass, damping))
+    return mass, damping, force_with(one.ship, (k, one.speed, heading, one.signed), n.force, (mass, damping))
 
 
 def force_with(
-    ship: Ship,
-    waves: tuple[Floats, Floats, Floats, Floats],
-    force: Phasors,
-    own: tuple[Floats, Floats],
-    other: tuple[Floats, Floats],
+    ship: Ship, waves: tuple[Floats, Floats, Floats, Floats], force: Phasors, held: tuple[Floats, Floats]
 ) -> Phasors:
     """The force (n, 5) of waves, as `Numbers` has it, with which other coefficients of heave and pitch give the linear motion.
 
     waves (n,): k [1/m], U [m/s], mu [deg], signed encounter frequency [rad/s]
-    own, other (n or 1, 2, 2): mass and damping at the frequency of each wave, and those that are used
+    held (n or 1, 2, 2): mass and damping in place of those at the frequency of each wave
     """
     k, speed, heading, signed = waves
+    mass, damping, _ = _vertical_matrices(ship, np.abs(signed), speed)
     motion = vertical_motion(ship, k, speed, heading, float(ship.value("gyradius_pitch")))[:, 1:]
     motion = np.nan_to_num(np.where(signed[:, None] < 0, motion.conj(), motion))
     w = np.abs(signed)[:, None, None]
-    change = -(w**2) * (other[0] - own[0]) + 1j * w * (other[1] - own[1])
+    change = -(w**2) * (held[0] - mass) + 1j * w * (held[1] - damping)
     changed = force.copy()
     changed[:, :2] += np.einsum("nij,nj->ni", change, motion)
     return changed

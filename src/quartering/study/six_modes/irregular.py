@@ -23,7 +23,7 @@ from quartering.loads.wetted_hull.floating import floating_tables
 from quartering.loads.wetted_hull.section_tables import SectionTables
 from quartering.motion.six_modes import vertical_motion
 from quartering.motion.steady_course.course import Course, course, radiation, waves_met
-from quartering.motion.steady_course.free_heave import force_with, free_matrices, vertical_matrices
+from quartering.motion.steady_course.free_heave import force_with, free_matrices
 from quartering.motion.steady_course.march import AFLOAT, UNDER
 from quartering.motion.steady_course.sea_march import Components, march_in_a_sea
 from quartering.study.seas.simulated.asked import roll_limit_of
@@ -158,8 +158,7 @@ def _at_rest(ship: Ship, sea: Sea, cells: Drawn, speed: float) -> Course:
     of_roll = radiation(ship, np.array([2 * natural]), np.array([speed]))  # held at halves of a frequency
     mass, damping = (part.copy() for part in of_heave)
     mass[:, 1, 2:, 2:], damping[:, 1, 2:, 2:] = (part[:, 1, 2:, 2:] for part in of_roll)
-    free = free_matrices(ship, np.array([omega]), np.array([speed]))
-    mass[:, 2, :2, :2], damping[:, 2, :2, :2] = free[0], free[1]
+    mass[:, 2, :2, :2], damping[:, 2, :2, :2], _ = free_matrices(ship, np.array([omega]), np.array([speed]))
     return replace(many, numbers=many.numbers._replace(mass=mass, damping=damping, omega=np.array([omega])))
 
 
@@ -188,9 +187,8 @@ def components(one: Course, banded: Banded, waves: tuple[Floats, ...]) -> Compon
     c = coefficients(ship, np.where(slow, least_encounter_frequency(ship.hull.length), np.abs(signed)), speeds)
     met = waves_met(ship, c, k, speeds, heading, signed, slow | (np.abs(signed) < _SLOW * sigma))
     angle = met.wave[:, :1] * banded.tables.x
-    own = vertical_matrices(ship, np.abs(signed), speeds)[:2]
-    marched = one.numbers.mass[:, 2, :2, :2], one.numbers.damping[:, 2, :2, :2]
-    force = force_with(ship, (k, speeds, heading, signed), met.force, own, marched)
+    held = one.numbers.mass[:, 2, :2, :2], one.numbers.damping[:, 2, :2, :2]
+    force = force_with(ship, (k, speeds, heading, signed), met.force, held)
     return Components(
         amplitude, np.abs(signed), phase, met.wave, force, np.ascontiguousarray(met.strips[:, :, 3:]),
         np.ascontiguousarray(met.surge[:, 0]), np.searchsorted(banded.edges, sigma).astype(np.int64),
