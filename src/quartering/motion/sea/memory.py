@@ -78,27 +78,15 @@ class Memory:
         return rates, drive, force
 
 
-def fastest(memory: Memory, linear: Floats) -> float:
-    """Largest modulus of the eigenvalues of the linear motion with its further states [1/s].
+def eigenvalues(memory: Memory, linear: Floats) -> Complex:
+    """Eigenvalues of the linear motion with its further states [1/s].
 
     linear (3, 4): linear forces by v, phi, p, r at the frequency of free roll
 
     The fractions act back on the motion: together they may be three times as fast as the poles of the fit, and a step of time
-    has to be short enough for that.
+    has to be short enough for that. A real part above 0 is that of the course: sway and yaw in slow motion make no waves, whose
+    damping keeps them where coefficients are those of free roll.
     """
-    return float(np.abs(_eigenvalues(memory, linear)).max())
-
-
-def growth_of_course(memory: Memory, linear: Floats) -> float:
-    """Largest real part of the eigenvalues of the linear motion with its further states [1/s]; as `fastest`.
-
-    Above 0 it is that of the course: sway and yaw in slow motion make no waves, whose damping keeps them where coefficients are
-    those of free roll.
-    """
-    return float(_eigenvalues(memory, linear).real.max())
-
-
-def _eigenvalues(memory: Memory, linear: Floats) -> Complex:
     rates, drive, force = memory.states()
     inverse = np.linalg.inv(memory.inertia)
     whole = np.zeros((4 + len(rates), 4 + len(rates)))

@@ -15,7 +15,7 @@ from quartering.loads.sea.cells import Cells, wave_cells
 from quartering.motion.sea.closure import Solution, closure_solutions
 from quartering.motion.sea.equations import SeaEquations, angle_of_largest_arm, free_roll_of, roll_mode_of
 from quartering.motion.sea.frozen import frozen_equations, with_few_strips
-from quartering.motion.sea.memory import Memory, fastest, growth_of_course, memory_of
+from quartering.motion.sea.memory import Memory, eigenvalues, memory_of
 from quartering.motion.sea.synthesis import record_of
 from quartering.motion.transient.rk4 import alike
 from quartering.study.seas.moments import moments_of, products
@@ -75,7 +75,8 @@ def planned(asked: Asked) -> Ready:
     frozen = frozen_equations(equations, solution.statistics.variance, memory)
     _, _, slow = roll_mode_of(*everything.at_roll)
     wanted = max(_RUN_UP, _TIMES / max(min(slow, max(damping, 0.0) * frequency), 1e-9))
-    step = _step_for(frequency, memory, everything.at_roll[1]) if asked.step is None else asked.step
+    values = None if memory is None else eigenvalues(memory, everything.at_roll[1])
+    step = _step_for(frequency, memory, values) if asked.step is None else asked.step
     if step > BLOCK / 100:
         raise InputError(f"step = {step:g} s; it is at most {BLOCK / 100:g} s; try {_RADIANS_A_STEP / frequency:.2g} s")
     step = BLOCK / math.ceil(BLOCK / step * (1.0 - 1e-12))
@@ -100,7 +101,7 @@ def planned(asked: Asked) -> Ready:
         frozen.channels,
         equations,
         solution,
-        math.nan if memory is None else growth_of_course(memory, everything.at_roll[1]),
+        math.nan if values is None else float(values.real.max()),
     )  # fmt: skip
 
 
@@ -114,12 +115,12 @@ def _in_time(equations: SeaEquations, memory: Memory | None) -> SeaEquations:
     return replace(equations, inertia=inertia[None], linear=linear[None])
 
 
-def _step_for(roll_frequency: float, memory: Memory | None, linear: Floats) -> float:
+def _step_for(roll_frequency: float, memory: Memory | None, values: NDArray[np.complex128] | None) -> float:
     """Step of time [s]: 0.3 rad of free roll, and short enough for the fastest state of the memory and what it makes faster."""
     step = _RADIANS_A_STEP / roll_frequency
-    if memory is None:
+    if memory is None or values is None:
         return step
-    return min(step, _FASTEST / float(np.abs(memory.fit.poles).max()), _STABLE / fastest(memory, linear))
+    return min(step, _FASTEST / float(np.abs(memory.fit.poles).max()), _STABLE / float(np.abs(values).max()))
 
 
 def memory_words(memory: Memory | None) -> str:
