@@ -63,7 +63,7 @@ def explorer(
             state, problem = opening, without_paths(str(error))
         client = ui.context.client
         page = Page(client, registry, jobs, state, problem, _DARK.get(request.cookies.get("quartering-theme", "")))
-        ui.on("quartering-back", lambda event: page.back(*str(event.args)[:4000].partition(" ")[::2]))
+        ui.on("quartering-back", lambda event: page.back(str(event.args)))
         client.on_delete(page.leave)
 
     ui.run_with(server, dark=None, show_welcome_message=False, reconnect_timeout=10.0, tailwind=False)

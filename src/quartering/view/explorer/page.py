@@ -30,7 +30,7 @@ from quartering.view.explorer.headline import NO_MOTION, beyond, headline
 from quartering.view.explorer.hulls.ship_registry import Known, ShipRegistry
 from quartering.view.explorer.hulls.upload_dialog import UploadDialog
 from quartering.view.explorer.map_panel import MapPanel
-from quartering.view.explorer.saved_views import SavedViews
+from quartering.view.explorer.saved_views import LONGEST_LINK, SavedViews
 from quartering.view.explorer.sea import sea_downloads
 from quartering.view.explorer.sea.sea_map import SeaMap, fill
 from quartering.view.explorer.sea.sea_panel import sea_headline, sea_notes, sea_parts
@@ -165,9 +165,9 @@ class Page:
             self.state = state
             self._go()
 
-    def back(self, number: str, query: str) -> None:
-        """Show what a link of the browser's history describes: the page's step back, or forward, of this number."""
-        self._backs = number
+    def back(self, told: str) -> None:
+        """Show what a link of the browser's history describes, with the number of the step in front of it."""
+        self._backs, _, query = told[:LONGEST_LINK].partition(" ")
         self.open_link(query)
 
     def open_link(self, query: str) -> None:
