@@ -8,6 +8,7 @@ from typer.testing import CliRunner
 
 import quartering as qt
 from quartering.view.cli import app
+from quartering.view.explorer.hulls.uploads import Sizes, hull_of_upload
 from tests.tiers import mostly_soak
 
 PAGE = (Path(__file__).parents[2] / "docs" / "your_own_ship.md").read_text(encoding="utf-8")
@@ -70,6 +71,29 @@ def test_lines_in_the_place_of_a_built_in_ship_are_refused_with_the_command_that
 def test_a_name_that_is_neither_ship_nor_file_is_told_the_built_in_ships(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert "wigley" in run("mine.csv", "mine.yaml").stderr
+
+
+FLARED = "x,0,3,6\n-40,2,4,6\n40,2,4,6"
+
+
+def test_a_flared_hull_has_its_beam_at_the_waterline(tmp_path, monkeypatch):
+    """Authority: closed form of the trapezium, 8 m broad at the draught and 12 m at the deck, 80 (4 + 8) / 2 3 m3."""
+    monkeypatch.chdir(tmp_path)
+    Path("a.csv").write_text(FLARED)
+    result = run("--offsets", "a.csv", "--draught", "3", "--json")
+    assert result.exit_code == 0, result.output
+    uploaded = hull_of_upload("a.csv", FLARED.encode(), Sizes(draught=3.0)).ship
+    for ship in (qt.ship("a.yaml"), uploaded):
+        assert ship.hull.beam == pytest.approx(8.0)
+        assert qt.hydrostatics(ship).volume == pytest.approx(1440.0)
+
+
+def test_the_beam_of_a_flared_deck_is_refused_with_what_to_give(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("a.csv").write_text(FLARED)
+    refused = run("--offsets", "a.csv", "--draught", "3", "--beam", "12 m")
+    assert (refused.exit_code, [path.name for path in tmp_path.iterdir()]) == (2, ["a.csv"])
+    assert "--beam" in refused.stderr
 
 
 def test_lines_in_millimetres_keep_their_unit(tmp_path, monkeypatch):

@@ -10,6 +10,7 @@ from quartering.conventions import InputError
 from quartering.hull.file.read import ship
 from quartering.hull.formats.offset_tables import Lines
 from quartering.hull.formats.read import read_lines
+from quartering.hull.lines.sense import waterline_breadth
 from quartering.hull.ship import Ship
 from quartering.option_checks import checked
 from quartering.options import OPTIONS
@@ -32,7 +33,7 @@ def write_offsets_ship(
     lines : str or Path         of any format `read_lines` knows
     path : str or Path          ship file to write; one that exists is not overwritten
     draught : float or str      of the lines; needed where heights count from the baseline [m]
-    length, beam : float or str moulded; by default the extent of the stations and the largest breadth [m]
+    length, beam : float or str moulded; by default the extent of the stations and the breadth at the waterline [m]
     unit : str                  of the numbers in the file, "mm"; None: what the file says, else metres
 
     Returns
@@ -72,24 +73,27 @@ def write_offsets_ship(
         raise
 
 
-def extent(where: str | Path, lines: Lines) -> tuple[float, float]:
-    """Length and breadth of lines [m]; larger than any ship, their numbers are in another unit."""
-    length, beam = float(lines.x[-1]) - float(lines.x[0]), 2 * max(float(y.max()) for y, _ in lines.contours)
+def extent(where: str | Path, lines: Lines, draught: float) -> tuple[float, float]:
+    """Length of lines and breadth at the waterline [m]; larger than any ship, their numbers are in another unit.
+
+    Flared sides are broader at the deck: the beam is theirs only where they do not reach the water.
+    """
+    length, broadest = float(lines.x[-1]) - float(lines.x[0]), 2 * max(float(y.max()) for y, _ in lines.contours)
     for words, value, most in (
         ("stations reach over", length, OPTIONS["length"].high),
-        ("largest breadth is", beam, OPTIONS["beam"].high),
+        ("largest breadth is", broadest, OPTIONS["beam"].high),
     ):
         if value > float(most or math.inf):
             units = ", ".join(unit for unit in LENGTHS if unit != "m")
             raise InputError(
                 f"{where}: its {words} {value:.10g} m, and a ship has at most {most:g} m; say the unit of its numbers ({units})"
             )
-    return length, beam
+    level = 0.0 if lines.afloat else draught
+    return length, 2 * max(waterline_breadth(y, height, level) for y, height in lines.contours) or broadest
 
 
 def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit: str | None) -> str:
     """The ship file, each line with what it rests on."""
-    longest, broadest = extent(source, read)
     afloat, (keel, top) = read.afloat, read.profile.middle
     draught = sizes.get("draught", -keel if afloat else None)
     if draught is None:
@@ -97,7 +101,8 @@ def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit
             f"{source}: its heights count from the baseline (keel amidships {keel:.4g} m, deck {top:.4g} m); give --draught too"
         )
     first, last = float(read.x[0]), float(read.x[-1])
-    length, beam = sizes.get("length", longest), sizes.get("beam", broadest)
+    longest, afloat_beam = extent(source, read, draught)
+    length, beam = sizes.get("length", longest), sizes.get("beam", afloat_beam)
     try:
         beside = source.resolve().relative_to(target.resolve().parent).as_posix()
     except ValueError:
@@ -110,7 +115,10 @@ def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit
             f"length: {length:.10g} m",
             "" if "length" in sizes else "extent of the stations; give that between perpendiculars",
         ),
-        (f"beam: {beam:.10g} m", "" if "beam" in sizes else "largest breadth of the lines; give the moulded one"),
+        (
+            f"beam: {beam:.10g} m",
+            "" if "beam" in sizes else "breadth of the lines at the waterline; give the moulded one",
+        ),
         (f"draught: {draught:.10g} m", "" if "draught" in sizes else "of the lines under the calm water amidships"),
         (f"datum: {datum}", f"heights count from there: keel amidships at {keel:.4g} m, top at {top:.4g} m"),
         ("lines:", f"{len(read.x)} stations, {read.source}{remarks}"),

@@ -140,7 +140,8 @@ def _check_size(
     if not 0.9 * beam / 2 <= widest <= 1.1 * beam / 2:
         raise InputError(
             f"{name}: the largest half breadth at the waterline is {widest:g} m, half the beam is {beam / 2:g} m; "
-            "the two agree within a tenth; check the unit, and that half breadths are given, not breadths"
+            "the two agree within a tenth; the beam is the moulded breadth at the waterline, not at a flared deck: correct it "
+            "(`beam:`, --beam), or the draught; check the unit, and that half breadths are given, not breadths"
         )
 
 

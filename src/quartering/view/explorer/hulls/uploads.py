@@ -76,11 +76,11 @@ def hull_of_upload(name: str, data: bytes, sizes: Sizes = Sizes()) -> Known:  # 
 
 def _ship_file(name: str, lines: Lines, sizes: Sizes) -> str:
     """Ship file that points at the lines; JSON is YAML, and quotes every text."""
-    longest, broadest = extent(name, lines)
     lowest = min(float(height[0]) for _, height in lines.contours)
     draught = sizes.draught or (-lowest if lines.afloat else None)
     if draught is None:
         raise InputError(f"{name}: its heights count from the baseline; give the draught and draw it again")
+    longest, broadest = extent(name, lines, draught)
     content = {
         "name": Path(name).stem,
         "length": f"{sizes.length or longest:.10g} m",
