@@ -16,6 +16,7 @@ from quartering._machine.compiled import batch_kernel, kernel
 from quartering._machine.simd import all_at_most, every, load, size, store, where_less
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats, System
+from quartering.motion.transient.excitation import excitation_at
 
 ROWS = 2
 """Rows that go together."""
@@ -145,12 +146,12 @@ def _step_sum(equations, h, given, y, columns, total):
 
 
 @kernel
-def march_in_pairs(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
+def march_in_pairs(first, last, equations, forcing, weights, h, begin, steps, limit, states, peak, square, capsize):
     """Runge-Kutta steps for pairs first..last of rows of realisations.
 
     As `_march` of `irregular`, ``states`` (rows, 4, W), an even number of rows in each group.
     """
-    samples, together, before = forcing.shape[1], forcing.shape[3], between.size // 2 - 1
+    together, apart = forcing.shape[3], weights.shape[0] // 2
     given, columns = np.zeros((3, 3, 2, WIDTH)), np.zeros((equations.width, 2, WIDTH))
     y, total = np.zeros((4, 2, WIDTH)), np.zeros((4, 2, WIDTH))
     still, highest, sums = np.zeros((2, WIDTH)), np.zeros((2, WIDTH)), np.zeros((2, WIDTH))
@@ -164,15 +165,18 @@ def march_in_pairs(first, last, equations, forcing, between, h, begin, limit, st
             store(sums, r, load(square, row + r))
             for s in range(4):
                 store(y, (s, r), load(states, (row + r, s)))
-        for n in range(samples - between.size + 1):
+        for n in range(steps):
+            sample, place = n // apart, 2 * (n % apart)
             for k in range(3):
                 for r in range(2):
-                    store(given, (0, k, r), load(forcing, (group, n + before, k, own + r)))
-                    store(given, (2, k, r), load(forcing, (group, n + before + 1, k, own + r)))
-                    middle = every(0.0)
-                    for i in range(between.size):
-                        middle += between[i] * load(forcing, (group, n + i, k, own + r))
-                    store(given, (1, k, r), middle)
+                    row_of_group = own + r
+                    if n == 0:
+                        store(given, (0, k, r), excitation_at(forcing, weights, group, sample, place, k, row_of_group))
+                    else:
+                        store(given, (0, k, r), load(given, (2, k, r)))
+                    for j in range(1, 3):
+                        at = place + j
+                        store(given, (j, k, r), excitation_at(forcing, weights, group, sample, at, k, row_of_group))
             _step_sum(equations, h, given, y, columns, total)
             for r in range(2):
                 going = load(still, r)

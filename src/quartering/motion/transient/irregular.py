@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quartering._machine.compiled import kernel
-from quartering._machine.simd import all_at_most, every, load, size, store, where_less
+from quartering._machine.simd import all_at_most, load, size, store, where_less
 from quartering._machine.threads import in_threads
 from quartering.conventions import STATE, InputError, RangeWarning
 from quartering.doors import takes
@@ -18,6 +18,7 @@ from quartering.hull.told import number, numbers
 from quartering.motion.equations.model import Model
 from quartering.motion.equations.rates import WIDTH
 from quartering.motion.equations.system import Floats
+from quartering.motion.transient.excitation import excitation_at, in_chunks, steps_apart, weights_between
 from quartering.motion.transient.in_pairs import ROWS, goes_in_pairs, march_in_pairs, products_of
 from quartering.motion.transient.rk4 import alike, room_to_march, step_sum
 from quartering.option_checks import quoted
@@ -28,28 +29,20 @@ if TYPE_CHECKING:
 _TOGETHER = 8
 """Rows whose excitation stands together."""
 
-_CHUNK = 256
-"""Steps whose excitation is computed together."""
-
-_BETWEEN = np.array([-5, 49, -245, 1225, 1225, -245, 49, -5]) / 2048
-"""Weights of eight neighbouring samples for the value in the middle of them (the interpolating polynomial of degree 7)."""
-_BEFORE = _BETWEEN.size // 2 - 1
-
 _COMPONENTS, _UNITS = [*STATE, "psi", "delta"], ["m/s", "rad", "rad/s", "rad/s", "rad", "rad"]
 """Of the state; the heading and the rudder angle where an autopilot steers."""
 
 
 @kernel
-def _march(first, last, equations, forcing, between, h, begin, limit, states, peak, square, capsize):
+def _march(first, last, equations, forcing, weights, h, begin, steps, limit, states, peak, square, capsize):
     """Runge-Kutta steps for rows first..last of realisations, a row being a batch.
 
-    ``forcing`` (groups of rows, steps + 7, 3 + e + z, rows, W) begins 3 steps before the first step: accelerations, known
-    inputs, water.
+    ``forcing``, ``weights``: as `excitation_at` takes them, of accelerations, known inputs and water.
     ``states`` (rows, 4 to 6, W), ``peak``, ``square`` (the
     sum of roll squared) and ``capsize`` (time, NaN before) (rows, W) go on from where they are; a realisation past ``limit``
     stands still.
     """
-    samples, kinds, together = forcing.shape[1:4]
+    kinds, together, apart = forcing.shape[2], forcing.shape[3], weights.shape[0] // 2
     room, given, still = room_to_march(equations), np.zeros((3, kinds, WIDTH)), np.zeros(WIDTH)
     waves, total, roll_angle = (
         np.zeros((3, equations.parts.inputs.shape[2])),
@@ -62,14 +55,13 @@ def _march(first, last, equations, forcing, between, h, begin, limit, states, pe
         for l in range(WIDTH):
             still[l] = 1.0 if np.isnan(capsize[row, l]) else 0.0
         highest, total_square = load(peak, row), load(square, row)
-        for n in range(samples - between.size + 1):
+        for n in range(steps):
+            sample, place = n // apart, 2 * (n % apart)
             for k in range(kinds):
-                store(given, (0, k), load(forcing, (group, n + _BEFORE, k, own)))
-                store(given, (2, k), load(forcing, (group, n + _BEFORE + 1, k, own)))
-                middle = every(0.0)
-                for i in range(between.size):
-                    middle += between[i] * load(forcing, (group, n + i, k, own))
-                store(given, (1, k), middle)
+                begun = excitation_at(forcing, weights, group, sample, place, k, own) if n == 0 else load(given, (2, k))
+                store(given, (0, k), begun)
+                for j in range(1, 3):
+                    store(given, (j, k), excitation_at(forcing, weights, group, sample, place + j, k, own))
             step_sum(equations, h, given, waves, y, room)
             going = load(still, ())
             for s in range(y.shape[0]):
@@ -114,8 +106,8 @@ def irregular(
         at the end (realisation, component: v [m/s], phi [rad], p, r [rad/s]; with an autopilot psi and, with a lag,
         delta [rad])
 
-    Fourth-order Runge-Kutta with a fixed step. The excitation at the steps is one matrix product for all realisations, that
-    between two steps the polynomial through eight of them: its error, (w step)^8/940, is far below that of the method.
+    Fourth-order Runge-Kutta with a fixed step. The excitation at every step, or every second or fourth, is one matrix
+    product for all realisations, and between these the polynomial through eight of them: it errs by a millionth at most.
     Source: [H71] eq. (3), superposition of components.  Valid: coefficients taken at one frequency stand for all
     components (they are those of ``model``); long waves and small steepness, so that components add.
     """
@@ -151,35 +143,19 @@ def irregular(
     together = min(_TOGETHER, -(-count // WIDTH))
     if in_pairs:
         together += together % ROWS
-    groups = -(-count // (WIDTH * together))
-    rows = groups * together
+    rows = -(-count // (WIDTH * together)) * together
     acceleration = np.concatenate([np.linalg.solve(model.inertia, f.T), known])  # (3 + m, c)
+    apart = steps_apart(w, np.abs(acceleration), step)
     turned = acceleration[:, None, :] * np.exp(1j * phases)  # (3 + m, n, c)
-    amplitude = np.zeros((2 * w.size + 1, len(acceleration), rows * WIDTH))
-    amplitude[: w.size, :, :count] = turned.real.transpose(2, 0, 1)
-    amplitude[w.size : -1, :, :count] = -turned.imag.transpose(2, 0, 1)
-    amplitude[-1, :3] = model.system.mean[0][:, None]
-    # of a few rows at a time (groups, 2 c + 1, kinds rows W), so that what a step takes stands close together
-    amplitude = amplitude.reshape(2 * w.size + 1, len(acceleration), groups, -1).transpose(2, 0, 1, 3)
-    amplitude = np.ascontiguousarray(amplitude).reshape(groups, 2 * w.size + 1, -1)
     states = np.zeros((rows, model.system.states, WIDTH))
     peak, square = np.zeros((rows, WIDTH)), np.zeros((rows, WIDTH))
     capsize = np.full((rows, WIDTH), np.nan)
     equations = products_of(model.system) if in_pairs else alike(model.system)
-    ahead = np.exp(1j * np.multiply.outer((np.arange(_CHUNK + _BETWEEN.size - 1) - _BEFORE) * step, w))
-    waves = np.ones((len(ahead), 2 * w.size + 1))
-    room = np.empty((groups, len(ahead), len(acceleration) * together * WIDTH))
-    for begin in range(0, steps, _CHUNK):
-        samples = min(_CHUNK, steps - begin) + _BETWEEN.size - 1
-        turned = ahead * np.exp(1j * (begin * step) * w)
-        waves[:, : w.size], waves[:, w.size : -1] = turned.real, turned.imag
-        forcing = np.matmul(waves, amplitude, out=room) if samples == len(waves) else waves[:samples] @ amplitude
-        forcing = forcing.reshape(groups, samples, len(acceleration), together, WIDTH)
-        arrays = (equations, forcing, _BETWEEN, step, begin * step, angle_of_capsize, states, peak, square, capsize)
-        if in_pairs:
-            in_threads(march_in_pairs, rows // ROWS, *arrays, smallest=1)
-        else:
-            in_threads(_march, rows, *arrays, smallest=1)
+    march, each = (march_in_pairs, ROWS) if in_pairs else (_march, 1)
+    weights, mean = weights_between(apart), model.system.mean[0]
+    for begin, some, forcing in in_chunks(w, turned, mean, step, steps, apart, together):
+        at = (step, begin * step, some, angle_of_capsize)
+        in_threads(march, rows // each, equations, forcing, weights, *at, states, peak, square, capsize, smallest=1)
     result = _dataset(model, states, peak, square, capsize, count, steps * step, step)
     reason = model.capsize_limit.reason if limit is None else "given"
     return result.assign_attrs(capsize_angle=float(np.degrees(angle_of_capsize)), capsize_reason=reason)
