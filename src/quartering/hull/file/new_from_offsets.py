@@ -73,27 +73,34 @@ def write_offsets_ship(
         raise
 
 
-def extent(where: str | Path, lines: Lines, draught: float) -> tuple[float, float]:
-    """Length of lines and breadth at the waterline [m]; larger than any ship, their numbers are in another unit.
-
-    Flared sides are broader at the deck: the beam is theirs only where they do not reach the water.
-    """
-    length, broadest = float(lines.x[-1]) - float(lines.x[0]), 2 * max(float(y.max()) for y, _ in lines.contours)
+def checked_extent(where: str | Path, lines: Lines) -> float:
+    """Length of lines [m]; larger than any ship, their numbers are in another unit."""
+    length = float(lines.x[-1]) - float(lines.x[0])
     for words, value, most in (
         ("stations reach over", length, OPTIONS["length"].high),
-        ("largest breadth is", broadest, OPTIONS["beam"].high),
+        ("largest breadth is", _largest_breadth(lines), OPTIONS["beam"].high),
     ):
         if value > float(most or math.inf):
             units = ", ".join(unit for unit in LENGTHS if unit != "m")
             raise InputError(
                 f"{where}: its {words} {value:.10g} m, and a ship has at most {most:g} m; say the unit of its numbers ({units})"
             )
+    return length
+
+
+def beam_afloat(lines: Lines, draught: float) -> float:
+    """Breadth of lines at the waterline [m], that of flared sides at the deck where none reaches the water."""
     level = 0.0 if lines.afloat else draught
-    return length, 2 * max(waterline_breadth(y, height, level) for y, height in lines.contours) or broadest
+    return 2 * max(waterline_breadth(y, height, level) for y, height in lines.contours) or _largest_breadth(lines)
+
+
+def _largest_breadth(lines: Lines) -> float:
+    return 2 * max(float(y.max()) for y, _ in lines.contours)
 
 
 def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit: str | None) -> str:
     """The ship file, each line with what it rests on."""
+    longest = checked_extent(source, read)
     afloat, (keel, top) = read.afloat, read.profile.middle
     draught = sizes.get("draught", -keel if afloat else None)
     if draught is None:
@@ -101,8 +108,7 @@ def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit
             f"{source}: its heights count from the baseline (keel amidships {keel:.4g} m, deck {top:.4g} m); give --draught too"
         )
     first, last = float(read.x[0]), float(read.x[-1])
-    longest, afloat_beam = extent(source, read, draught)
-    length, beam = sizes.get("length", longest), sizes.get("beam", afloat_beam)
+    length, beam = sizes.get("length", longest), sizes.get("beam", beam_afloat(read, draught))
     try:
         beside = source.resolve().relative_to(target.resolve().parent).as_posix()
     except ValueError:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from quartering.conventions import InputError
-from quartering.hull.file.new_from_offsets import extent
+from quartering.hull.file.new_from_offsets import beam_afloat, checked_extent
 from quartering.hull.file.read import ship
 from quartering.hull.formats.offset_tables import Lines
 from quartering.hull.formats.read import read_lines
@@ -76,15 +76,15 @@ def hull_of_upload(name: str, data: bytes, sizes: Sizes = Sizes()) -> Known:  # 
 
 def _ship_file(name: str, lines: Lines, sizes: Sizes) -> str:
     """Ship file that points at the lines; JSON is YAML, and quotes every text."""
+    longest = checked_extent(name, lines)
     lowest = min(float(height[0]) for _, height in lines.contours)
     draught = sizes.draught or (-lowest if lines.afloat else None)
     if draught is None:
         raise InputError(f"{name}: its heights count from the baseline; give the draught and draw it again")
-    longest, broadest = extent(name, lines, draught)
     content = {
         "name": Path(name).stem,
         "length": f"{sizes.length or longest:.10g} m",
-        "beam": f"{sizes.beam or broadest:.10g} m",
+        "beam": f"{sizes.beam or beam_afloat(lines, draught):.10g} m",
         "draught": f"{draught:.10g} m",
         "lines": {"file": name, "midship": 0.5 * (float(lines.x[0]) + float(lines.x[-1]))}
         | ({"unit": sizes.unit} if sizes.unit else {}),
