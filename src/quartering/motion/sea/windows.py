@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 
-from quartering._machine.compiled import batch_kernel, kernel, maker
+from quartering._machine.compiled import inner, kernel, maker
 from quartering.motion.equations.rates import WIDTH, enter_inputs, fill, forces, room_for, row_of_lanes, slopes
 from quartering.motion.sea.march import check_room, take
 from quartering.motion.transient.rk4 import hold, room_to_march, step_sum
@@ -95,8 +95,9 @@ def _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, 
     for s in range(states):
         d[s, :] = start[s]
     growth[:], time[:] = 0.0, 0.0
+    begun, halfway, ended = np.int64(0), np.int64(1), np.int64(2)  # not constants, for each of which it would be compiled
     take(forcing[0], begin, mean, given[0])
-    _linearise(program, lanes, given, 0, waves[0], y, work, before, at[0])
+    _linearise(program, lanes, given, begun, waves[0], y, work, before, at[0])
     for n in range(steps):
         take(forcing[2 * n + 1], begin, mean, given[1])
         take(forcing[2 * n + 2], begin, mean, given[2])
@@ -109,11 +110,11 @@ def _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, 
             if not abs(y[roll, l]) <= limit:
                 going[l] = 0.0
                 y[:, l], y0[:, l] = 0.0, 0.0
-        _linearise(program, lanes, given, 2, waves[0], y, work, rate, at[2])
+        _linearise(program, lanes, given, ended, waves[0], y, work, rate, at[2])
         for s in range(states):
             for l in range(WIDTH):
                 middle[s, l] = 0.5 * (y0[s, l] + y[s, l]) + 0.125 * h * (before[s, l] - rate[s, l])
-        _linearise(program, lanes, given, 1, waves[0], middle, work, y0, at[1])
+        _linearise(program, lanes, given, halfway, waves[0], middle, work, y0, at[1])
         _carry(at, h, d)
         for l in range(WIDTH):
             size = 0.0
@@ -128,7 +129,7 @@ def _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, 
         before[:], at[0], given[0] = rate, at[2], given[2]
 
 
-@batch_kernel
+@inner
 def _linearise(program, lanes, given, time, waves, y, work, rate, matrix):
     """Rates (s, W) of the states at one time, and their derivatives (s, s, W)."""
     columns, force, jacobian, sums = work
