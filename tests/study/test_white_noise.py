@@ -9,6 +9,7 @@ import pytest
 import xarray as xr
 
 import quartering as qt
+from tests.tiers import mostly_soak
 
 DOUBTED = pytest.mark.filterwarnings("ignore::quartering.conventions.RangeWarning")
 
@@ -71,7 +72,7 @@ def test_the_closure_is_statistical_linearisation(row):
 
 
 @DOUBTED
-@pytest.mark.parametrize("row", ROWS)
+@pytest.mark.parametrize("row", mostly_soak(ROWS, ROWS[1], ROWS[4]))
 def test_simulation_has_the_exact_variance(row):
     """Within three standard errors and 5e-3 for the end of the noise; the closure is 5 to 9 % lower with cubic damping."""
     c, b, k3, k5, intensity, _, exact = row
