@@ -95,7 +95,7 @@ def _growth_of_vector(equations, forcing, begin, steps, first, h, limit, start, 
     for s in range(states):
         d[s, :] = start[s]
     growth[:], time[:] = 0.0, 0.0
-    begun, halfway, ended = np.int64(0), np.int64(1), np.int64(2)  # not constants, for each of which it would be compiled
+    begun, halfway, ended = np.int64(0), np.int64(1), np.int64(2)  # of constants a copy each would be compiled
     take(forcing[0], begin, mean, given[0])
     _linearise(program, lanes, given, begun, waves[0], y, work, before, at[0])
     for n in range(steps):
