@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray as xr
 from typer.testing import CliRunner
@@ -240,7 +241,18 @@ def test_a_speed_or_wave_beyond_the_theory_is_doubted_once():
         with pytest.warns(RangeWarning, match=r"a wave of 2.4 m is shorter than 0.256 B") as said:
             ask(0.0, 2.4)
         assert len(said) == 1
-        ask(0.99 * fast, 2.6)  # within both: silent, since warnings are errors here
+        with pytest.warns(
+            RangeWarning, match=r"a wave of 2.6 m is shorter than 0.15 L = 15 m.*try ends: strips"
+        ) as said:
+            ask(0.0, 2.6)
+        assert len(said) == 1
+        ask(0.99 * fast, 15.1)  # within all: silent, since warnings are errors here
+
+
+def test_a_short_wave_on_strips_alone_is_not_doubted():
+    """Their forces go over into those on a wall; three-dimensional ends have not faded out there."""
+    ship = qt.ship("wigley").with_(ends="strips")
+    assert np.isfinite(qt.wave_forces(ship, qt.Wave(2.6, 0.01), 0.0, 60.0)["total"]).all()
 
 
 def test_a_froude_number_typed_as_a_speed_is_doubted():

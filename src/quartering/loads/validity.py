@@ -21,6 +21,8 @@ FASTEST: Final = 0.5
 """Froude number above which a hull no longer floats as at rest: it trims, and lift carries part of it [1]."""
 SHORTEST: Final = np.pi / FREQUENCY_RANGE[1] ** 2
 """Wave length over beam below which the waves are beyond the frequencies of the section coefficients [1]."""
+UNFADED: Final = 0.15
+"""Wave length over length of the ship below which three-dimensional ends should have faded out of a force, and have not [1]."""
 
 
 def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> None:
@@ -29,7 +31,8 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> 
     speed (n,): U [m/s]
     wave_length (n,): [m]
 
-    The limit of the speed is this library's choice; that of the wave is where w sqrt(B/2g) = 3.5, w^2 = 2 pi g/lambda.
+    The limit of the speed is this library's choice; that of the wave is where w sqrt(B/2g) = 3.5, w^2 = 2 pi g/lambda, and
+    with three-dimensional ends sooner.
     Source: [STF70] assumptions (slender hull, moderate speed); `default_frequencies`.
 
     >>> from quartering.hull.file.read import ship
@@ -49,6 +52,14 @@ def warn_of_conditions(ship: Ship, speed: ArrayLike, wave_length: ArrayLike) -> 
         warnings.warn(
             f"{ship.name}: a wave of {shortest:.3g} m is shorter than {SHORTEST:.3g} B = {SHORTEST * beam:.3g} m, beyond the "
             "frequencies of the section coefficients, which keep their last value there; is the unit right? Try 1L",
+            RangeWarning,
+            stacklevel=3,
+        )
+    elif shortest < UNFADED * length and ship.hull.ends == "three-dimensional":
+        warnings.warn(
+            f"{ship.name}: a wave of {shortest:.3g} m is shorter than {UNFADED:g} L = {UNFADED * length:.3g} m, where "
+            "three-dimensional ends leave 0.7 to 1.4 times the sway force by strips and 0.7 to 2.2 times the roll moment, and "
+            "the strips are right; such waves hardly move a ship; try ends: strips",
             RangeWarning,
             stacklevel=3,
         )
