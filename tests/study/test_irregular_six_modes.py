@@ -8,6 +8,7 @@ from quartering.motion.six_modes import vertical_motion
 from quartering.motion.steady_course.course import course
 from quartering.motion.steady_course.march import march_in_steps
 from quartering.study.six_modes.irregular import Banded, _cells, components, marched
+from tests.tiers import mostly_soak
 
 SHIP = qt.ship("s175").with_(gm=1.0)
 
@@ -32,7 +33,10 @@ def test_a_sea_of_one_wave_is_that_wave(heading, miss):
         assert out[4] == pytest.approx(np.abs(state[:, 5]).max(), rel=miss)
 
 
-@pytest.mark.parametrize(("heading", "speed"), [(180.0, 5.0), (0.0, 7.0)])
+LOW_SEAS = [(180.0, 5.0), (0.0, 7.0)]
+
+
+@pytest.mark.parametrize(("heading", "speed"), mostly_soak(LOW_SEAS, LOW_SEAS[1], several=True))
 def test_a_low_sea_has_the_heave_and_pitch_of_linear_theory(heading, speed):
     """Spectrum times squared linear responses, 200 waves in 2 h: 6 %.
 

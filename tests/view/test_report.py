@@ -18,6 +18,8 @@ from quartering.study.condition.failure_events import failure_events
 from quartering.study.condition.first_failure import STEEPNESSES, first_failure
 from quartering.view.cli import app
 from quartering.view.report import failure_modes, report_html
+from quartering.view.report import guidance as report_of_guidance
+from quartering.view.report import page as report_of_page
 from quartering.view.report.conditions import sensitivities, worst_conditions
 from quartering.view.report.failure_modes import criteria_section
 from quartering.view.report.guidance import guidance
@@ -43,6 +45,15 @@ def page(result) -> str:
 @pytest.fixture(scope="module")
 def heights() -> xr.Dataset:
     return qt.sweep(SHIP, [5.0, 8.0], [30.0, 60.0, 90.0], [0.8 * LENGTH, LENGTH], [2.0, 6.0, 12.0])
+
+
+@pytest.fixture
+def unpictured(monkeypatch) -> None:
+    """A report as it is but for its pictures, which take half the time, where a test reads words alone."""
+    monkeypatch.setattr(report_of_page, "hull_svg", lambda _: "")
+    monkeypatch.setattr(report_of_page, "map_svgs", lambda _: [])
+    monkeypatch.setattr(report_of_guidance, "guidance_picture", lambda *_: None)
+    monkeypatch.setattr(report_of_guidance, "inline_svg", lambda *_: "")
 
 
 class Sources(HTMLParser):
@@ -114,6 +125,7 @@ def test_page_says_where_it_comes_from(page, result):
     assert SHIP.provenance["lines"].split(".")[0] in text
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_the_failure_modes_are_a_section_where_a_service_speed_is_told(result, monkeypatch):
     """Each number is that of `qt.criteria`; nothing is claimed, and an estimate is marked."""
     one = ship("series60-cb60").with_(propulsion="estimated")
@@ -177,6 +189,7 @@ def test_sensitivities_name_the_strongest_first(result):
     assert (np.diff(share) <= 1e-12).all()
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_failure_event_is_roll_beyond_the_least_angle(heights):
     """40 deg for a ship that rights itself beyond, the openings where they go under sooner."""
     source = Source(SHIP, heights, "", "")
@@ -192,6 +205,7 @@ def test_failure_event_is_roll_beyond_the_least_angle(heights):
     assert int(failed.sum()) == int((roll > 22.0).sum()) + int(beyond.sum())
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_guidance_has_a_sheet_for_every_wave_height_and_claims_nothing(heights):
     page = guidance_page(Source(SHIP, heights, "", ""), 22.0)
     text = words(page)
@@ -205,6 +219,7 @@ def test_guidance_has_a_sheet_for_every_wave_height_and_claims_nothing(heights):
     assert f"{float(heights['roll_peak'].isel(wave_height=2, wave_length=1).max()):.1f} {100 * share:.1f} %" in text
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_a_stored_map_finds_its_ship_again(tmp_path, result, monkeypatch):
     monkeypatch.chdir(tmp_path)
     result.to_netcdf("map.nc")
@@ -217,6 +232,7 @@ def test_a_stored_map_finds_its_ship_again(tmp_path, result, monkeypatch):
     assert f"{float(result['roll_peak'].max()):.3g} deg" in words((tmp_path / "map-report.html").read_text())
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_report_of_a_ship_file_and_of_a_sweep(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     run = CliRunner().invoke
@@ -241,6 +257,7 @@ def test_report_of_a_ship_file_and_of_a_sweep(tmp_path, monkeypatch):
     assert "is not the one of" in other.output
 
 
+@pytest.mark.usefixtures("unpictured")
 @pytest.mark.parametrize(
     ("keys", "says"),
     [
@@ -262,6 +279,7 @@ def test_a_map_is_reported_with_its_own_autopilot_and_righting_curve_only(tmp_pa
     assert says.partition("there ")[2] in words(report_html(mine, source.result))
 
 
+@pytest.mark.usefixtures("unpictured")
 def test_a_sweep_that_replaces_the_roll_damping_is_reported_with_the_ship_it_began_from(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     qt.sweep(SHIP, 5.0, [60.0], 100.0, 1.0, bilge_keel_length=[30.0], bilge_keel_breadth=[0.3], store="keels")
