@@ -7,6 +7,7 @@ what the least of such a process takes here and now, `import numba`, since a bus
 Usage: python benchmarks/start_up.py [runs of each]
 """
 
+import argparse
 import os
 import resource
 import statistics
@@ -73,4 +74,6 @@ def main(count):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 5)
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("runs", nargs="?", type=int, default=5, help="of each")
+    main(parser.parse_args().runs)
