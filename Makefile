@@ -8,9 +8,9 @@ BIN := $(VENV)/bin
 CONSTRAINTS := constraints.txt
 PIP := $(BIN)/python -m pip install --quiet --no-compile --disable-pip-version-check $(CONSTRAINTS:%=--constraint %)
 # pip would compile what it brings to bytecode on one core, half a minute; some templates among it are no Python of today.
+BYTECODE := $(BIN)/python -m compileall -q -j 0 $(VENV)/lib >/dev/null 2>&1 || true
 # Where it is set every process would compile all of the library again: a quarter of a minute of each test worker alone.
 unexport PYTHONDONTWRITEBYTECODE
-BYTECODE := $(BIN)/python -m compileall -q -j 0 $(VENV)/lib >/dev/null 2>&1 || true
 PYTEST := $(BIN)/python -m pytest -n auto --maxprocesses 4 --dist loadfile
 
 .PHONY: demo quick test soak test-latest docs browser bench bench-check constraints clean lint types tests-quick tests-all
