@@ -123,7 +123,7 @@ def _text(source: Path, target: Path, read: Lines, sizes: dict[str, float], unit
         ),
         (
             f"beam: {beam:.10g} m",
-            "" if "beam" in sizes else "breadth of the lines at the waterline; give the moulded one",
+            "" if "beam" in sizes else "breadth of the lines at the waterline; give the moulded one there",
         ),
         (f"draught: {draught:.10g} m", "" if "draught" in sizes else "of the lines under the calm water amidships"),
         (f"datum: {datum}", f"heights count from there: keel amidships at {keel:.4g} m, top at {top:.4g} m"),
