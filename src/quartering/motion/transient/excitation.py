@@ -5,8 +5,8 @@ between them. It errs, of a component w at samples s apart, by at most
 
     (w s)^8 (1/2 3/2 5/2 7/2)^2 / 8! = (w s)^8 / 936
 
-A matrix product of all components costs more than the steps of the ship; the polynomial is a tenth of it. Samples stand as many
-steps apart as leave its error negligible beside that of the steps.
+With a sample a step the matrix product of all components takes about as long as the steps of a ship whose equations are
+products alone. Samples stand as many steps apart as leave the polynomial's error negligible beside that of the steps.
 """
 
 # mypy: disable-error-code="no-untyped-def, no-untyped-call"

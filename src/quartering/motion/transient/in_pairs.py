@@ -165,18 +165,16 @@ def march_in_pairs(first, last, equations, forcing, weights, h, begin, steps, li
             store(sums, r, load(square, row + r))
             for s in range(4):
                 store(y, (s, r), load(states, (row + r, s)))
+            for k in range(3):
+                store(given, (2, k, r), excitation_at(forcing, weights, group, 0, 0, k, own + r))
         for n in range(steps):
             sample, place = n // apart, 2 * (n % apart)
             for k in range(3):
                 for r in range(2):
-                    row_of_group = own + r
-                    if n == 0:
-                        store(given, (0, k, r), excitation_at(forcing, weights, group, sample, place, k, row_of_group))
-                    else:
-                        store(given, (0, k, r), load(given, (2, k, r)))
+                    store(given, (0, k, r), load(given, (2, k, r)))
                     for j in range(1, 3):
-                        at = place + j
-                        store(given, (j, k, r), excitation_at(forcing, weights, group, sample, at, k, row_of_group))
+                        found = excitation_at(forcing, weights, group, sample, place + j, k, own + r)
+                        store(given, (j, k, r), found)
             _step_sum(equations, h, given, y, columns, total)
             for r in range(2):
                 going = load(still, r)
