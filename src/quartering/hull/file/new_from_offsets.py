@@ -89,12 +89,13 @@ def checked_extent(where: str | Path, lines: Lines) -> float:
 
 
 def beam_afloat(lines: Lines, draught: float) -> float:
-    """Breadth of lines at the waterline [m], that of flared sides at the deck where none reaches the water."""
+    """Breadth of lines at the waterline [m]; the largest of all where none of them reaches the water."""
     level = 0.0 if lines.afloat else draught
     return 2 * max(waterline_breadth(y, height, level) for y, height in lines.contours) or _largest_breadth(lines)
 
 
 def _largest_breadth(lines: Lines) -> float:
+    """Of all heights, of flared sides that at the deck [m]."""
     return 2 * max(float(y.max()) for y, _ in lines.contours)
 
 
